@@ -19,8 +19,8 @@ LIMITS = Limits([1.0, 0.8], 1.0, [4.0, 3.0], 20.0)
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The driver, compiled from the sources that ship."""
     program = tmp_path_factory.mktemp("driver") / "driver"
-    sources = [Path(__file__).with_name("replan_driver.c")]
-    sources += [TARGET / name for name in ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")]
+    names = ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")
+    sources = [Path(__file__).with_name("replan_driver.c"), *(TARGET / name for name in names)]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1"]
     unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
     subprocess.run(

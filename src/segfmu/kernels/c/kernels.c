@@ -183,6 +183,16 @@ static int64_t ramp_change(double* result_0, double* result_1, double duration, 
 static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
 static double ramp_variance(double basis, array_double_1d axis);
 static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static double linear_level(double gain, double a, double b, array_double_1d axis);
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
+static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
+static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
+static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
+static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
 static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
 static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
@@ -207,15 +217,20 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
-static double linear_level(double gain, double a, double b, array_double_1d axis);
-static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
-static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
-static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static double usual_share(void);
+static double steeper_above(void);
+static double moderate_share(void);
+static double steepest_share(void);
+static bool snap_is_last(array_double_1d axis);
+static double saving(array_double_1d axis);
+static bool plateau_parameters(double share, array_double_1d axis);
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
-static double saving(array_double_1d axis);
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
 static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
 static bool only_farther(array_double_1d family);
@@ -226,23 +241,6 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
 static double canonical_search(array_double_1d family, array_double_1d axis);
 static double nearby_member(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
-static double peak_past_zero(double v, double a, double level, array_double_1d axis);
-static double level_past_zero(double v, double a, array_double_1d axis);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
-static bool nearly_brakes(double v, double a, array_double_1d axis);
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
-static double taylor_value(int64_t order, double t, array_double_1d state);
-static double zero_time(int64_t order, double length, array_double_1d state);
-static void advance_piece(double length, array_double_1d state, array_double_1d end);
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
-static bool measure_excess(array_double_1d axis, array_double_2d work);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
@@ -251,6 +249,11 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static double distance_within(double change, array_double_1d problem);
 static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
@@ -260,26 +263,23 @@ static double keep_cruise(double cruise, array_double_1d problem, array_double_1
 static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double cruise_edge(double inside, double outside, double y, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
-static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
-static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
-static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
-static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static double usual_share(void);
-static double steeper_above(void);
-static double moderate_share(void);
-static double steepest_share(void);
-static bool snap_is_last(array_double_1d axis);
-static bool plateau_parameters(double share, array_double_1d axis);
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double level_past_zero(double v, double a, array_double_1d axis);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
+static bool nearly_brakes(double v, double a, array_double_1d axis);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
+static double taylor_value(int64_t order, double t, array_double_1d state);
+static double zero_time(int64_t order, double length, array_double_1d state);
+static void advance_piece(double length, array_double_1d state, array_double_1d end);
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
+static bool measure_excess(array_double_1d axis, array_double_2d work);
 static double power_of(double base, int64_t exponent);
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
@@ -6961,6 +6961,464 @@ static SPAN_INLINE double ramp_distance(double v, double a, double b, double dur
     }
     return y + (b - a) * (0.125 * duration * duration + 0.5 * variance);
 }
+static double linear_level(double gain, double a, double b, array_double_1d axis)
+{
+    double slope;
+    double half;
+    double rest;
+    double square;
+    slope = (*cspan_at(&axis, INT64_C(13)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(14)));
+    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
+    square = half * half + slope * rest;
+    if (square <= 0.0)
+    {
+        return -1.0;
+    }
+    return rest / (half + sqrt(square));
+}
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
+{
+    double t;
+    double level;
+    int64_t i;
+    double change;
+    double growth;
+    double t_end;
+    double slope;
+    double first;
+    double second;
+    double error;
+    double rate;
+    double following;
+    double newton;
+    double reached;
+    bool far;
+    t = lower + (upper - lower) * sqrt(share);
+    level = a;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        ramp_change(&change, &growth, t, axis);
+        level = a + change;
+        segfmu_ramp_duration(&t_end, &slope, level - b, axis);
+        first = 0.5 * (a + level) * t;
+        second = 0.5 * (level + b) * t_end;
+        error = first + second - gain;
+        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
+        {
+            (*result_0_0001) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        if (error > 0.0)
+        {
+            upper = t;
+        }
+        else
+        {
+            lower = t;
+        }
+        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
+        following = 0.5 * (lower + upper);
+        if (rate > 0.0)
+        {
+            newton = t - error / rate;
+            if (fabs(newton - t) <= 1e-09 * t)
+            {
+                ramp_change(&change, &growth, newton, axis);
+                (*result_0_0001) = newton;
+                (*result_1) = a + change;
+                return 0;
+            }
+            reached = first + second;
+            far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
+            if (far && (reached < 60.0 * t * rate))
+            {
+                newton = t * pow((gain / reached), (reached / (t * rate)));
+                if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
+                {
+                    newton = sqrt(span_max(lower, 0.001 * upper) * upper);
+                }
+            }
+            if ((newton > lower) && (newton < upper))
+            {
+                following = newton;
+            }
+        }
+        if (fabs(following - t) <= 4e-16 * t)
+        {
+            (*result_0_0001) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        t = following;
+    }
+    ramp_change(&change, &growth, t, axis);
+    (*result_0_0001) = t;
+    (*result_1) = a + change;
+    return 0;
+}
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis)
+{
+    double linear_from;
+    double level;
+    double t;
+    double t_low;
+    double slope;
+    double t_end;
+    double least;
+    double t_high;
+    double most;
+    double share;
+    linear_from = (*cspan_at(&axis, INT64_C(12)));
+    if (span_max(a, b) + linear_from <= high)
+    {
+        level = linear_level(gain, a, b, axis);
+        if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
+        {
+            t = (level - a) * (*cspan_at(&axis, INT64_C(13))) + (*cspan_at(&axis, INT64_C(14)));
+            (*result_0_0001) = t;
+            (*result_1_0001) = 0.0;
+            (*result_2_0001) = level;
+            return 0;
+        }
+    }
+    segfmu_ramp_duration(&t_low, &slope, low - a, axis);
+    segfmu_ramp_duration(&t_end, &slope, low - b, axis);
+    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
+    if (gain <= least)
+    {
+        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
+        {
+            (*result_0_0001) = 0.0;
+            (*result_1_0001) = -1.0;
+            (*result_2_0001) = low;
+            return 0;
+        }
+        (*result_0_0001) = t_low;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = low;
+        return 0;
+    }
+    segfmu_ramp_duration(&t_high, &slope, high - a, axis);
+    segfmu_ramp_duration(&t_end, &slope, high - b, axis);
+    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
+    if (gain >= most)
+    {
+        (*result_0_0001) = t_high;
+        (*result_1_0001) = (gain - most) / high;
+        (*result_2_0001) = high;
+        return 0;
+    }
+    share = (gain - least) / (most - least);
+    root_level(&t, &level, gain, a, b, t_low, t_high, share, axis);
+    (*result_0_0001) = t;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = level;
+    return 0;
+}
+static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
+{
+    double v;
+    double a;
+    double b;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    double basis;
+    double slope;
+    double t2;
+    double y;
+    v = (*cspan_at(&family, INT64_C(0)));
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    t1 = (*cspan_at(&family, INT64_C(20)));
+    hold1 = (*cspan_at(&family, INT64_C(21)));
+    level1 = (*cspan_at(&family, INT64_C(22)));
+    hold2 = (*cspan_at(&family, INT64_C(23)));
+    level2 = (*cspan_at(&family, INT64_C(24)));
+    t3 = (*cspan_at(&family, INT64_C(25)));
+    segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
+    t2 = basis * (*cspan_at(&family, INT64_C(26)));
+    basis = basis + (*cspan_at(&family, INT64_C(27))) * (t2 - basis);
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    {
+        (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    y = ramp_distance(v, a, level1, t1, t1, axis);
+    v = v + 0.5 * (a + level1) * t1;
+    if (hold1 > 0.0)
+    {
+        y = y + (v + 0.5 * level1 * hold1) * hold1;
+        v = v + level1 * hold1;
+    }
+    y = y + ramp_distance(v, level1, level2, t2, basis, axis);
+    v = v + 0.5 * (level1 + level2) * t2;
+    if (hold2 > 0.0)
+    {
+        y = y + (v + 0.5 * level2 * hold2) * hold2;
+        v = v + level2 * hold2;
+    }
+    y = y + ramp_distance(v, level2, b, t3, t3, axis);
+    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+    (*result_1) = y;
+    return 0;
+}
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double b;
+    double last_ramp;
+    double hold2;
+    double t3;
+    double level2;
+    double change;
+    double slope;
+    double gain;
+    double low;
+    double t1;
+    double hold1;
+    double level1;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    last_ramp = (*cspan_at(&family, INT64_C(5)));
+    hold2 = 0.0;
+    t3 = p;
+    if (p >= last_ramp)
+    {
+        t3 = last_ramp;
+        hold2 = p - last_ramp;
+        level2 = -(*cspan_at(&axis, INT64_C(3)));
+    }
+    else
+    {
+        ramp_change(&change, &slope, p, axis);
+        level2 = b - change;
+    }
+    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level2 + b) * t3 - level2 * hold2;
+    low = span_max(0.0, span_max(a, level2));
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), axis);
+    if (hold1 < 0.0)
+    {
+        (*result_0) = -1.0;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    (*cspan_at(&family, INT64_C(20))) = t1;
+    (*cspan_at(&family, INT64_C(21))) = hold1;
+    (*cspan_at(&family, INT64_C(22))) = level1;
+    (*cspan_at(&family, INT64_C(23))) = hold2;
+    (*cspan_at(&family, INT64_C(24))) = level2;
+    (*cspan_at(&family, INT64_C(25))) = t3;
+    member_distance(result_0, result_1, family, axis);
+    return 0;
+}
+static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
+{
+    double top;
+    double v;
+    double a;
+    double w;
+    double b;
+    double single;
+    double slope;
+    double missing;
+    double sign;
+    top = (*cspan_at(&axis, INT64_C(3)));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
+    missing = w - v - 0.5 * (a + b) * single;
+    sign = 1.0;
+    if (missing < 0.0)
+    {
+        sign = -1.0;
+    }
+    (*cspan_at(&family, INT64_C(0))) = sign * v;
+    (*cspan_at(&family, INT64_C(1))) = sign * a;
+    (*cspan_at(&family, INT64_C(2))) = sign * w;
+    (*cspan_at(&family, INT64_C(3))) = sign * b;
+    (*cspan_at(&family, INT64_C(13))) = 0.0;
+    (*cspan_at(&family, INT64_C(14))) = sign * (*cspan_at(&problem, INT64_C(4)));
+    (*cspan_at(&family, INT64_C(10))) = v;
+    (*cspan_at(&family, INT64_C(11))) = 0.0;
+    (*cspan_at(&family, INT64_C(12))) = 0.5 - 0.5 * sign;
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(6)), &slope, top - sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(7)), &slope, top + sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * b, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, top + sign * b, axis);
+    return sign * missing;
+}
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis)
+{
+    double change;
+    double slope;
+    if (time >= up)
+    {
+        (*result_0_0001) = up;
+        (*result_1_0001) = time - up;
+        (*result_2_0001) = (*cspan_at(&axis, INT64_C(3)));
+        return 0;
+    }
+    if (-time >= down)
+    {
+        (*result_0_0001) = down;
+        (*result_1_0001) = (-time) - down;
+        (*result_2_0001) = -(*cspan_at(&axis, INT64_C(3)));
+        return 0;
+    }
+    ramp_change(&change, &slope, fabs(time), axis);
+    if (time < 0.0)
+    {
+        (*result_0_0001) = -time;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = a - change;
+        return 0;
+    }
+    (*result_0_0001) = time;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = a + change;
+    return 0;
+}
+static double set_point(double place, double radius, array_double_1d family, array_double_1d axis)
+{
+    double part;
+    double p_sign;
+    double q_sign;
+    double a;
+    double b;
+    double t1;
+    double hold1;
+    double level1;
+    double t3;
+    double hold2;
+    double level2;
+    double t2;
+    double slope;
+    double gain;
+    double result;
+    part = place;
+    p_sign = 1.0;
+    q_sign = 1.0;
+    if (place >= 3.0)
+    {
+        part = 4.0 - place;
+        q_sign = -1.0;
+    }
+    else if (place >= 2.0)
+    {
+        part = place - 2.0;
+        p_sign = -1.0;
+        q_sign = -1.0;
+    }
+    else if (place >= 1.0)
+    {
+        part = 2.0 - place;
+        p_sign = -1.0;
+    }
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
+    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
+    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
+    (*cspan_at(&family, INT64_C(20))) = t1;
+    (*cspan_at(&family, INT64_C(21))) = hold1;
+    (*cspan_at(&family, INT64_C(22))) = level1;
+    (*cspan_at(&family, INT64_C(23))) = hold2;
+    (*cspan_at(&family, INT64_C(24))) = level2;
+    (*cspan_at(&family, INT64_C(25))) = t3;
+    gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
+    gain = gain + level1 * hold1 + level2 * hold2;
+    result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
+    return result;
+}
+static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double lower;
+    double e_lower;
+    double upper;
+    double e_upper;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double scale;
+    int64_t i;
+    double share;
+    double radius;
+    double error;
+    double newest;
+    lower = 0.0;
+    e_lower = -missing;
+    upper = span_min(span_max(0.25 * missing / (*cspan_at(&axis, INT64_C(3))), 1e-06 * largest), 0.25 * largest);
+    e_upper = set_point(place, upper, family, axis);
+    while((e_upper < 0.0) || (arc == INT64_C(6)))
+    {
+        if (!(upper < largest))
+        {
+            return -1.0;
+        }
+        lower = upper;
+        e_lower = e_upper;
+        upper = span_min(2.0 * upper, largest);
+        e_upper = set_point(place, upper, family, axis);
+        if ((arc == INT64_C(6)) && (e_lower >= 0.0) && (e_upper < 0.0))
+        {
+            break;
+        }
+    }
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_lower;
+    scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
+        {
+            break;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        radius = newest + share * (other - newest);
+        error = set_point(place, radius, family, axis);
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = radius;
+        e_newest = error;
+    }
+    return newest;
+}
+static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis)
+{
+    double error;
+    double level1;
+    double level2;
+    double fastest;
+    double slope;
+    double mean;
+    double stretch;
+    error = set_point(place, radius, family, axis);
+    level1 = (*cspan_at(&family, INT64_C(22)));
+    level2 = (*cspan_at(&family, INT64_C(24)));
+    segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
+    mean = 0.5 * (level1 + level2);
+    if ((fastest <= 0.0) || (mean == 0.0))
+    {
+        return 0;
+    }
+    stretch = 1.0 - error / (mean * fastest);
+    (*cspan_at(&family, INT64_C(26))) = stretch;
+    return stretch >= 1.0;
+}
 int64_t segfmu_ramp_pieces(array_double_1d axis)
 {
     int64_t i;
@@ -7536,262 +7994,297 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     }
     return duration;
 }
-static double linear_level(double gain, double a, double b, array_double_1d axis)
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
 {
-    double slope;
-    double half;
-    double rest;
-    double square;
-    slope = (*cspan_at(&axis, INT64_C(13)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(14)));
-    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
-    square = half * half + slope * rest;
-    if (square <= 0.0)
-    {
-        return -1.0;
-    }
-    return rest / (half + sqrt(square));
-}
-static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
-{
-    double t;
-    double level;
     int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(0))) = smoothness;
+    (*cspan_at(&axis, INT64_C(1))) = shape;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+    }
+}
+static double usual_share(void)
+{
+    return 0.1;
+}
+static double steeper_above(void)
+{
+    return 0.2;
+}
+static double moderate_share(void)
+{
+    return 0.02;
+}
+static double steepest_share(void)
+{
+    return 0.004;
+}
+static bool snap_is_last(array_double_1d axis)
+{
+    bool result;
+    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ((*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0);
+    return result;
+}
+static double saving(array_double_1d axis)
+{
+    double result;
+    result = 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)));
+    return result;
+}
+static bool plateau_parameters(double share, array_double_1d axis)
+{
+    int64_t boxes;
+    int64_t last;
+    int64_t level;
+    int64_t i;
+    double limit;
+    double rise;
+    double slope;
+    double time;
+    double variance;
+    double fourth;
+    double jerk;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    (*cspan_at(&axis, INT64_C(11))) = 1.0;
+    last = -INT64_C(1);
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
+        {
+            last = level;
+        }
+    }
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
+    {
+        if ((level > INT64_C(0)) || (last == INT64_C(0)))
+        {
+            (*cspan_at(&axis, INT64_C(21) + level)) = share;
+            if (level > last)
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
+            }
+            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
+            }
+        }
+    }
+    for (i = INT64_C(0); i < last; i += INT64_C(1))
+    {
+        level = last - INT64_C(1) - i;
+        limit = (*cspan_at(&axis, INT64_C(4) + level));
+        rise = 1e+60;
+        if (limit > 0.0)
+        {
+            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
+        }
+        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
+    }
+    if (last == INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
+    }
+    if (last <= INT64_C(1))
+    {
+        time = 1.0;
+        if (last == INT64_C(1))
+        {
+            time = (*cspan_at(&axis, INT64_C(16)));
+        }
+        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
+        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
+    }
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    if (jerk > 0.0)
+    {
+        rise = (*cspan_at(&axis, INT64_C(16)));
+        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
+        (*cspan_at(&axis, INT64_C(14))) = rise;
+        if (rise > 0.0)
+        {
+            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
+        }
+    }
+    return 1;
+}
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    int64_t j;
+    double limit;
+    double slope;
+    int64_t e;
     double change;
-    double growth;
-    double t_end;
-    double slope;
-    double first;
-    double second;
-    double error;
-    double rate;
-    double following;
-    double newton;
-    double reached;
-    bool far;
-    t = lower + (upper - lower) * sqrt(share);
-    level = a;
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    bounded = 0;
+    transition_peaks(k, psi, peaks);
+    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
+    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        ramp_change(&change, &growth, t, axis);
-        level = a + change;
-        segfmu_ramp_duration(&t_end, &slope, level - b, axis);
-        first = 0.5 * (a + level) * t;
-        second = 0.5 * (level + b) * t_end;
-        error = first + second - gain;
-        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
-        {
-            (*result_0_0001) = t;
-            (*result_1) = level;
-            return 0;
-        }
-        if (error > 0.0)
-        {
-            upper = t;
-        }
-        else
-        {
-            lower = t;
-        }
-        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
-        following = 0.5 * (lower + upper);
-        if (rate > 0.0)
-        {
-            newton = t - error / rate;
-            if (fabs(newton - t) <= 1e-09 * t)
-            {
-                ramp_change(&change, &growth, newton, axis);
-                (*result_0_0001) = newton;
-                (*result_1) = a + change;
-                return 0;
-            }
-            reached = first + second;
-            far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
-            if (far && (reached < 60.0 * t * rate))
-            {
-                newton = t * pow((gain / reached), (reached / (t * rate)));
-                if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
-                {
-                    newton = sqrt(span_max(lower, 0.001 * upper) * upper);
-                }
-            }
-            if ((newton > lower) && (newton < upper))
-            {
-                following = newton;
-            }
-        }
-        if (fabs(following - t) <= 4e-16 * t)
-        {
-            (*result_0_0001) = t;
-            (*result_1) = level;
-            return 0;
-        }
-        t = following;
+        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
     }
-    ramp_change(&change, &growth, t, axis);
-    (*result_0_0001) = t;
-    (*result_1) = a + change;
-    return 0;
+    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            bounded = 1;
+        }
+    }
+    slope = (*cspan_at(&axis, INT64_C(26)));
+    if (slope > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(12))) = 0.0;
+        (*cspan_at(&axis, INT64_C(13))) = slope;
+        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+        {
+            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
+        }
+    }
+    return bounded;
 }
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis)
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
 {
-    double linear_from;
-    double level;
-    double t;
-    double t_low;
+    int64_t i;
+    double duration;
     double slope;
-    double t_end;
-    double least;
-    double t_high;
-    double most;
-    double share;
-    linear_from = (*cspan_at(&axis, INT64_C(12)));
-    if (span_max(a, b) + linear_from <= high)
+    bool bounded;
+    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
     {
-        level = linear_level(gain, a, b, axis);
-        if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
-        {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(13))) + (*cspan_at(&axis, INT64_C(14)));
-            (*result_0_0001) = t;
-            (*result_1_0001) = 0.0;
-            (*result_2_0001) = level;
-            return 0;
-        }
+        (*cspan_at(&axis, i)) = 0.0;
     }
-    segfmu_ramp_duration(&t_low, &slope, low - a, axis);
-    segfmu_ramp_duration(&t_end, &slope, low - b, axis);
-    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
-    if (gain <= least)
+    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
+    bounded = 0;
+    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
     {
-        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
-        {
-            (*result_0_0001) = 0.0;
-            (*result_1_0001) = -1.0;
-            (*result_2_0001) = low;
-            return 0;
-        }
-        (*result_0_0001) = t_low;
-        (*result_1_0001) = 0.0;
-        (*result_2_0001) = low;
-        return 0;
-    }
-    segfmu_ramp_duration(&t_high, &slope, high - a, axis);
-    segfmu_ramp_duration(&t_end, &slope, high - b, axis);
-    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
-    if (gain >= most)
-    {
-        (*result_0_0001) = t_high;
-        (*result_1_0001) = (gain - most) / high;
-        (*result_2_0001) = high;
-        return 0;
-    }
-    share = (gain - least) / (most - least);
-    root_level(&t, &level, gain, a, b, t_low, t_high, share, axis);
-    (*result_0_0001) = t;
-    (*result_1_0001) = 0.0;
-    (*result_2_0001) = level;
-    return 0;
-}
-static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
-{
-    double v;
-    double a;
-    double b;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    double basis;
-    double slope;
-    double t2;
-    double y;
-    v = (*cspan_at(&family, INT64_C(0)));
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(20)));
-    hold1 = (*cspan_at(&family, INT64_C(21)));
-    level1 = (*cspan_at(&family, INT64_C(22)));
-    hold2 = (*cspan_at(&family, INT64_C(23)));
-    level2 = (*cspan_at(&family, INT64_C(24)));
-    t3 = (*cspan_at(&family, INT64_C(25)));
-    segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(26)));
-    basis = basis + (*cspan_at(&family, INT64_C(27))) * (t2 - basis);
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
-    {
-        (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    y = ramp_distance(v, a, level1, t1, t1, axis);
-    v = v + 0.5 * (a + level1) * t1;
-    if (hold1 > 0.0)
-    {
-        y = y + (v + 0.5 * level1 * hold1) * hold1;
-        v = v + level1 * hold1;
-    }
-    y = y + ramp_distance(v, level1, level2, t2, basis, axis);
-    v = v + 0.5 * (level1 + level2) * t2;
-    if (hold2 > 0.0)
-    {
-        y = y + (v + 0.5 * level2 * hold2) * hold2;
-        v = v + level2 * hold2;
-    }
-    y = y + ramp_distance(v, level2, b, t3, t3, axis);
-    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
-    (*result_1) = y;
-    return 0;
-}
-static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
-{
-    double a;
-    double b;
-    double last_ramp;
-    double hold2;
-    double t3;
-    double level2;
-    double change;
-    double slope;
-    double gain;
-    double low;
-    double t1;
-    double hold1;
-    double level1;
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    last_ramp = (*cspan_at(&family, INT64_C(5)));
-    hold2 = 0.0;
-    t3 = p;
-    if (p >= last_ramp)
-    {
-        t3 = last_ramp;
-        hold2 = p - last_ramp;
-        level2 = -(*cspan_at(&axis, INT64_C(3)));
+        bounded = plateau_parameters(share, axis);
     }
     else
     {
-        ramp_change(&change, &slope, p, axis);
-        level2 = b - change;
+        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
     }
-    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level2 + b) * t3 - level2 * hold2;
-    low = span_max(0.0, span_max(a, level2));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), axis);
-    if (hold1 < 0.0)
+    if (bounded)
     {
-        (*result_0) = -1.0;
-        (*result_1) = 0.0;
-        return 0;
+        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
+        (*cspan_at(&axis, INT64_C(10))) = duration;
     }
-    (*cspan_at(&family, INT64_C(20))) = t1;
-    (*cspan_at(&family, INT64_C(21))) = hold1;
-    (*cspan_at(&family, INT64_C(22))) = level1;
-    (*cspan_at(&family, INT64_C(23))) = hold2;
-    (*cspan_at(&family, INT64_C(24))) = level2;
-    (*cspan_at(&family, INT64_C(25))) = t3;
-    member_distance(result_0, result_1, family, axis);
-    return 0;
+    return bounded;
 }
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
 {
@@ -7884,12 +8377,6 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
         return other;
     }
     return newest;
-}
-static double saving(array_double_1d axis)
-{
-    double result;
-    result = 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)));
-    return result;
 }
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis)
 {
@@ -8232,671 +8719,6 @@ static double member_search(array_double_1d family, array_double_1d axis)
     }
     return -1.0;
 }
-static double peak_past_zero(double v, double a, double level, array_double_1d axis)
-{
-    double duration;
-    double slope;
-    double result;
-    segfmu_ramp_duration(&duration, &slope, a - level, axis);
-    if (level >= 0.0)
-    {
-        return v + 0.5 * a * duration;
-    }
-    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
-    return result;
-}
-static double level_past_zero(double v, double a, array_double_1d axis)
-{
-    double velocity_limit;
-    double top;
-    double shrink;
-    double lower;
-    double upper;
-    int64_t i;
-    double inner;
-    double outer;
-    double deepest;
-    double outside;
-    double level;
-    double inside;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    top = (*cspan_at(&axis, INT64_C(3)));
-    shrink = 0.6180339887498949;
-    lower = -top;
-    upper = 0.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        inner = upper - shrink * (upper - lower);
-        outer = lower + shrink * (upper - lower);
-        if (peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis))
-        {
-            upper = outer;
-        }
-        else
-        {
-            lower = inner;
-        }
-    }
-    deepest = 0.5 * (lower + upper);
-    if (peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis))
-    {
-        deepest = -top;
-    }
-    if (peak_past_zero(v, a, deepest, axis) > velocity_limit)
-    {
-        return 1.0;
-    }
-    inside = deepest;
-    outside = 0.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        level = 0.5 * (inside + outside);
-        if (peak_past_zero(v, a, level, axis) <= velocity_limit)
-        {
-            inside = level;
-        }
-        else
-        {
-            outside = level;
-        }
-    }
-    return inside;
-}
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
-{
-    double velocity_limit;
-    int64_t count;
-    double level;
-    double reached;
-    int64_t i;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double sign;
-    double past;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    count = INT64_C(0);
-    level = a;
-    reached = v;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        count = append_change(phases, count, level, 0.0, axis);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
-        {
-            (*result_0) = count;
-            (*result_1) = duration;
-            (*result_2) = y;
-            (*result_3) = end;
-            return 0;
-        }
-        count = count - INT64_C(1);
-        sign = 1.0;
-        if (level < 0.0)
-        {
-            sign = -1.0;
-        }
-        past = sign * level_past_zero(sign * reached, sign * level, axis);
-        if (past * sign > 0.0)
-        {
-            break;
-        }
-        count = append_change(phases, count, level, past, axis);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
-        level = past;
-    }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = 0.0;
-    (*result_2) = 0.0;
-    (*result_3) = 0.0;
-    return 0;
-}
-static bool nearly_brakes(double v, double a, array_double_1d axis)
-{
-    double velocity_limit;
-    double duration;
-    double slope;
-    double gain;
-    bool result;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    gain = 0.5 * a * duration;
-    result = (fabs(v + gain) > velocity_limit) && (fabs(v + (1.0 - saving(axis)) * gain) <= velocity_limit);
-    return result;
-}
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
-{
-    int64_t first;
-    int64_t last;
-    double spent;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double duration;
-    double y;
-    first = INT64_C(0);
-    last = INT64_C(0);
-    spent = 0.0;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
-    {
-        (*result_0_0001) = -INT64_C(3);
-        (*result_1) = 0.0;
-        return 0;
-    }
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        brake(&first, &duration, &y, &v, v, a, axis, trial);
-        if (first < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(1);
-            (*result_1) = 0.0;
-            return 0;
-        }
-        spent = duration;
-        distance = distance - y;
-        a = 0.0;
-    }
-    if (variant >= INT64_C(2))
-    {
-        brake(&last, &duration, &y, &w, w, -b, axis, trial);
-        if (last < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(2);
-            (*result_1) = 0.0;
-            return 0;
-        }
-        spent = spent + duration;
-        distance = distance - y;
-        b = 0.0;
-    }
-    (*cspan_at(&rest, INT64_C(0))) = v;
-    (*cspan_at(&rest, INT64_C(1))) = a;
-    (*cspan_at(&rest, INT64_C(2))) = w;
-    (*cspan_at(&rest, INT64_C(3))) = b;
-    (*cspan_at(&rest, INT64_C(4))) = distance;
-    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
-    (*result_0_0001) = first + last;
-    (*result_1) = spent;
-    return 0;
-}
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
-{
-    int64_t first;
-    double duration;
-    double y;
-    double end;
-    int64_t j;
-    int64_t i;
-    int64_t column;
-    int64_t last;
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
-        {
-            i = count - INT64_C(1) - j;
-            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
-            }
-        }
-        copy_phases(trial, phases, first);
-        count = first + count;
-    }
-    if (variant >= INT64_C(2))
-    {
-        brake(&last, &duration, &y, &end, (*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, trial);
-        reverse_phases(trial, INT64_C(0), last);
-        for (i = INT64_C(0); i < last; i += INT64_C(1))
-        {
-            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
-            }
-        }
-        count = count + last;
-    }
-    return count;
-}
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
-{
-    double top;
-    double sign;
-    double t1;
-    double hold;
-    double level;
-    int64_t result;
-    top = (*cspan_at(&axis, INT64_C(3)));
-    sign = 1.0;
-    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, axis);
-    if (hold < 0.0)
-    {
-        sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, axis);
-        if (hold < 0.0)
-        {
-            return -INT64_C(1);
-        }
-    }
-    count = append_ramp(phases, count, a, sign * level, t1, axis);
-    count = append_hold(phases, count, sign * level, hold);
-    result = append_change(phases, count, sign * level, 0.0, axis);
-    return result;
-}
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    int64_t row;
-    double w;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, axis);
-    if (row < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    w = (*cspan_at(&problem, INT64_C(2)));
-    count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-    (*result_0) = count;
-    (*result_1) = row;
-    (*result_2) = duration;
-    (*result_3) = y;
-    return 0;
-}
-static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    int64_t result;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if ((count < INT64_C(0)) || (cruise == 0.0))
-    {
-        return span_max_int(count, INT64_C(0));
-    }
-    hold = (distance - y) / cruise;
-    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
-    {
-        return INT64_C(0);
-    }
-    result = insert_hold(phases, count, row, 0.0, hold);
-    return result;
-}
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    bool falls_short;
-    int64_t i;
-    double middle;
-    double share;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    bool short_0001;
-    double lower;
-    double upper;
-    double cruise;
-    int64_t result;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = -(*cspan_at(&axis, INT64_C(2)));
-    other = (*cspan_at(&axis, INT64_C(2)));
-    before = other;
-    e_newest = 0.0;
-    e_other = 0.0;
-    e_before = 0.0;
-    falls_short = 1;
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        middle = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
-        if (i > INT64_C(0))
-        {
-            share = root_share(newest, other, before, e_newest, e_other, e_before);
-            middle = newest + share * (other - newest);
-        }
-        if ((middle - newest) * (middle - other) >= 0.0)
-        {
-            if (i > INT64_C(0))
-            {
-                break;
-            }
-            middle = 0.0;
-        }
-        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
-        error = y - distance;
-        short_0001 = (count < INT64_C(0)) || (error < 0.0);
-        if (count < INT64_C(0))
-        {
-            error = 0.0;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
-        newest = middle;
-        e_newest = error;
-        falls_short = short_0001;
-        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
-        {
-            other = newest;
-            break;
-        }
-    }
-    lower = newest;
-    upper = other;
-    if (!falls_short)
-    {
-        lower = other;
-        upper = newest;
-    }
-    cruise = lower;
-    if (cruise < 0.0)
-    {
-        cruise = upper;
-    }
-    result = with_cruise(phases, cruise, problem, axis);
-    return result;
-}
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double end;
-    double cruise;
-    double t;
-    double slope;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    end = fabs(b);
-    cruise = w;
-    if (from_start)
-    {
-        end = fabs(a);
-        cruise = v;
-    }
-    if (end == 0.0)
-    {
-        return INT64_C(0);
-    }
-    segfmu_ramp_duration(&t, &slope, end, axis);
-    if (from_start)
-    {
-        cruise = v + 0.5 * a * t;
-    }
-    else
-    {
-        cruise = w - 0.5 * b * t;
-    }
-    if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
-    {
-        return INT64_C(0);
-    }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
-    {
-        return INT64_C(0);
-    }
-    return span_max_int(count, INT64_C(0));
-}
-static double taylor_value(int64_t order, double t, array_double_1d state)
-{
-    int64_t j;
-    int64_t i;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
-    {
-        i = INT64_C(7) - j;
-        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
-    }
-    return value;
-}
-static double zero_time(int64_t order, double length, array_double_1d state)
-{
-    double lower;
-    double upper;
-    int64_t i;
-    double value;
-    double step;
-    double slope;
-    double newton;
-    double t;
-    lower = 0.0;
-    upper = length;
-    t = 0.5 * length;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        value = taylor_value(order, t, state);
-        if (value * (*cspan_at(&state, order)) > 0.0)
-        {
-            lower = t;
-        }
-        else
-        {
-            upper = t;
-        }
-        step = 0.5 * (lower + upper) - t;
-        slope = taylor_value(order + INT64_C(1), t, state);
-        if (slope != 0.0)
-        {
-            newton = (-value) / slope;
-            if ((t + newton > lower) && (t + newton < upper))
-            {
-                step = newton;
-            }
-        }
-        t = t + step;
-        if (fabs(step) <= 1e-09 * length)
-        {
-            break;
-        }
-    }
-    return t;
-}
-static void advance_piece(double length, array_double_1d state, array_double_1d end)
-{
-    int64_t order;
-    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-    {
-        (*cspan_at(&end, order)) = taylor_value(order, length, state);
-    }
-}
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
-{
-    int64_t order;
-    double limit;
-    double share;
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
-            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
-            {
-                (*cspan_at(&excess, order, INT64_C(0))) = share;
-                (*cspan_at(&excess, order, INT64_C(1))) = node;
-                (*cspan_at(&excess, order, INT64_C(2))) = holding;
-                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
-                if ((*cspan_at(&end, order)) < 0.0)
-                {
-                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
-                }
-            }
-        }
-    }
-}
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d state;
-    array_double_1d end;
-    array_double_2d excess;
-    int64_t q;
-    double rest;
-    int64_t i;
-    double step;
-    int64_t j;
-    int64_t order;
-    state = span_row(&work, INT64_C(129));
-    end = span_row(&work, INT64_C(129) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(124), INT64_C(128));
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
-    rest = length;
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
-    {
-        step = rest;
-        advance_piece(step, state, end);
-        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
-        {
-            order = q - j;
-            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
-            {
-                step = zero_time(order, step, state);
-                advance_piece(step, state, end);
-                (*cspan_at(&end, order)) = 0.0;
-            }
-        }
-        note_excess(q, node, holding, axis, end, excess);
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
-        }
-        rest = rest - step;
-        if (rest <= 0.0)
-        {
-            break;
-        }
-    }
-}
-static bool measure_excess(array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d excess;
-    array_double_1d state;
-    int64_t above;
-    int64_t q;
-    int64_t boxes;
-    double level;
-    int64_t order;
-    int64_t i;
-    int64_t row;
-    double ramp;
-    double change;
-    int64_t piece;
-    int64_t held;
-    double sign;
-    double basis;
-    double length;
-    double peak;
-    passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(124), INT64_C(128));
-    state = span_row(&work, INT64_C(129));
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    q = above + INT64_C(2);
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    level = 0.0;
-    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
-    {
-        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
-    }
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        row = INT64_C(49) + i;
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = 0.0;
-            if (order < q)
-            {
-                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
-            }
-        }
-        (*cspan_at(&state, q)) = level;
-        ramp = (*cspan_at(&work, row, INT64_C(11)));
-        change = (*cspan_at(&work, row, INT64_C(9))) - level;
-        if (ramp > 0.0)
-        {
-            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
-            {
-                held_level(&held, &sign, piece, boxes);
-                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
-                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
-                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
-                {
-                    (*cspan_at(&state, order)) = 0.0;
-                }
-                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
-                if (length > 0.0)
-                {
-                    piece_excess(length, i, 0, axis, work);
-                }
-            }
-        }
-        level = (*cspan_at(&work, row, INT64_C(9)));
-        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
-        {
-            for (order = q; order < INT64_C(8); order += INT64_C(1))
-            {
-                (*cspan_at(&state, order)) = 0.0;
-            }
-            (*cspan_at(&state, q)) = level;
-            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
-        }
-    }
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
     bool reverse;
@@ -9237,6 +9059,223 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
+{
+    double top;
+    double sign;
+    double t1;
+    double hold;
+    double level;
+    int64_t result;
+    top = (*cspan_at(&axis, INT64_C(3)));
+    sign = 1.0;
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, axis);
+    if (hold < 0.0)
+    {
+        sign = -1.0;
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, axis);
+        if (hold < 0.0)
+        {
+            return -INT64_C(1);
+        }
+    }
+    count = append_ramp(phases, count, a, sign * level, t1, axis);
+    count = append_hold(phases, count, sign * level, hold);
+    result = append_change(phases, count, sign * level, 0.0, axis);
+    return result;
+}
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    int64_t row;
+    double w;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, axis);
+    if (row < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    w = (*cspan_at(&problem, INT64_C(2)));
+    count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    reverse_phases(phases, row, count);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
+    (*result_0) = count;
+    (*result_1) = row;
+    (*result_2) = duration;
+    (*result_3) = y;
+    return 0;
+}
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    int64_t result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if ((count < INT64_C(0)) || (cruise == 0.0))
+    {
+        return span_max_int(count, INT64_C(0));
+    }
+    hold = (distance - y) / cruise;
+    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
+    {
+        return INT64_C(0);
+    }
+    result = insert_hold(phases, count, row, 0.0, hold);
+    return result;
+}
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
+    int64_t i;
+    double middle;
+    double share;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    bool short_0001;
+    double lower;
+    double upper;
+    double cruise;
+    int64_t result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = -(*cspan_at(&axis, INT64_C(2)));
+    other = (*cspan_at(&axis, INT64_C(2)));
+    before = other;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        middle = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
+        if (i > INT64_C(0))
+        {
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
+        }
+        if ((middle - newest) * (middle - other) >= 0.0)
+        {
+            if (i > INT64_C(0))
+            {
+                break;
+            }
+            middle = 0.0;
+        }
+        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
+        error = y - distance;
+        short_0001 = (count < INT64_C(0)) || (error < 0.0);
+        if (count < INT64_C(0))
+        {
+            error = 0.0;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
+        newest = middle;
+        e_newest = error;
+        falls_short = short_0001;
+        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
+        {
+            other = newest;
+            break;
+        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
+    }
+    cruise = lower;
+    if (cruise < 0.0)
+    {
+        cruise = upper;
+    }
+    result = with_cruise(phases, cruise, problem, axis);
+    return result;
+}
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double end;
+    double cruise;
+    double t;
+    double slope;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    end = fabs(b);
+    cruise = w;
+    if (from_start)
+    {
+        end = fabs(a);
+        cruise = v;
+    }
+    if (end == 0.0)
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t, &slope, end, axis);
+    if (from_start)
+    {
+        cruise = v + 0.5 * a * t;
+    }
+    else
+    {
+        cruise = w - 0.5 * b * t;
+    }
+    if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
+    {
+        return INT64_C(0);
+    }
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
+    {
+        return INT64_C(0);
+    }
+    return span_max_int(count, INT64_C(0));
+}
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     int64_t count;
@@ -9531,207 +9570,6 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
         y_before = y;
     }
 }
-static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
-{
-    double top;
-    double v;
-    double a;
-    double w;
-    double b;
-    double single;
-    double slope;
-    double missing;
-    double sign;
-    top = (*cspan_at(&axis, INT64_C(3)));
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
-    missing = w - v - 0.5 * (a + b) * single;
-    sign = 1.0;
-    if (missing < 0.0)
-    {
-        sign = -1.0;
-    }
-    (*cspan_at(&family, INT64_C(0))) = sign * v;
-    (*cspan_at(&family, INT64_C(1))) = sign * a;
-    (*cspan_at(&family, INT64_C(2))) = sign * w;
-    (*cspan_at(&family, INT64_C(3))) = sign * b;
-    (*cspan_at(&family, INT64_C(13))) = 0.0;
-    (*cspan_at(&family, INT64_C(14))) = sign * (*cspan_at(&problem, INT64_C(4)));
-    (*cspan_at(&family, INT64_C(10))) = v;
-    (*cspan_at(&family, INT64_C(11))) = 0.0;
-    (*cspan_at(&family, INT64_C(12))) = 0.5 - 0.5 * sign;
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(6)), &slope, top - sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(7)), &slope, top + sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * b, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, top + sign * b, axis);
-    return sign * missing;
-}
-static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis)
-{
-    double change;
-    double slope;
-    if (time >= up)
-    {
-        (*result_0_0001) = up;
-        (*result_1_0001) = time - up;
-        (*result_2_0001) = (*cspan_at(&axis, INT64_C(3)));
-        return 0;
-    }
-    if (-time >= down)
-    {
-        (*result_0_0001) = down;
-        (*result_1_0001) = (-time) - down;
-        (*result_2_0001) = -(*cspan_at(&axis, INT64_C(3)));
-        return 0;
-    }
-    ramp_change(&change, &slope, fabs(time), axis);
-    if (time < 0.0)
-    {
-        (*result_0_0001) = -time;
-        (*result_1_0001) = 0.0;
-        (*result_2_0001) = a - change;
-        return 0;
-    }
-    (*result_0_0001) = time;
-    (*result_1_0001) = 0.0;
-    (*result_2_0001) = a + change;
-    return 0;
-}
-static double set_point(double place, double radius, array_double_1d family, array_double_1d axis)
-{
-    double part;
-    double p_sign;
-    double q_sign;
-    double a;
-    double b;
-    double t1;
-    double hold1;
-    double level1;
-    double t3;
-    double hold2;
-    double level2;
-    double t2;
-    double slope;
-    double gain;
-    double result;
-    part = place;
-    p_sign = 1.0;
-    q_sign = 1.0;
-    if (place >= 3.0)
-    {
-        part = 4.0 - place;
-        q_sign = -1.0;
-    }
-    else if (place >= 2.0)
-    {
-        part = place - 2.0;
-        p_sign = -1.0;
-        q_sign = -1.0;
-    }
-    else if (place >= 1.0)
-    {
-        part = 2.0 - place;
-        p_sign = -1.0;
-    }
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
-    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
-    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(20))) = t1;
-    (*cspan_at(&family, INT64_C(21))) = hold1;
-    (*cspan_at(&family, INT64_C(22))) = level1;
-    (*cspan_at(&family, INT64_C(23))) = hold2;
-    (*cspan_at(&family, INT64_C(24))) = level2;
-    (*cspan_at(&family, INT64_C(25))) = t3;
-    gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
-    gain = gain + level1 * hold1 + level2 * hold2;
-    result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
-    return result;
-}
-static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
-{
-    double lower;
-    double e_lower;
-    double upper;
-    double e_upper;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    double scale;
-    int64_t i;
-    double share;
-    double radius;
-    double error;
-    double newest;
-    lower = 0.0;
-    e_lower = -missing;
-    upper = span_min(span_max(0.25 * missing / (*cspan_at(&axis, INT64_C(3))), 1e-06 * largest), 0.25 * largest);
-    e_upper = set_point(place, upper, family, axis);
-    while((e_upper < 0.0) || (arc == INT64_C(6)))
-    {
-        if (!(upper < largest))
-        {
-            return -1.0;
-        }
-        lower = upper;
-        e_lower = e_upper;
-        upper = span_min(2.0 * upper, largest);
-        e_upper = set_point(place, upper, family, axis);
-        if ((arc == INT64_C(6)) && (e_lower >= 0.0) && (e_upper < 0.0))
-        {
-            break;
-        }
-    }
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = e_upper;
-    e_other = e_lower;
-    e_before = e_lower;
-    scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
-    {
-        if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
-        {
-            break;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        radius = newest + share * (other - newest);
-        error = set_point(place, radius, family, axis);
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = radius;
-        e_newest = error;
-    }
-    return newest;
-}
-static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis)
-{
-    double error;
-    double level1;
-    double level2;
-    double fastest;
-    double slope;
-    double mean;
-    double stretch;
-    error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(22)));
-    level2 = (*cspan_at(&family, INT64_C(24)));
-    segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
-    mean = 0.5 * (level1 + level2);
-    if ((fastest <= 0.0) || (mean == 0.0))
-    {
-        return 0;
-    }
-    stretch = 1.0 - error / (mean * fastest);
-    (*cspan_at(&family, INT64_C(26))) = stretch;
-    return stretch >= 1.0;
-}
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double part;
@@ -10005,291 +9843,453 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
         }
     }
 }
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
+static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
-    int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    double duration;
+    double slope;
+    double result;
+    segfmu_ramp_duration(&duration, &slope, a - level, axis);
+    if (level >= 0.0)
     {
-        (*cspan_at(&coefficients, i)) = 0.0;
+        return v + 0.5 * a * duration;
     }
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
+    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
+    return result;
 }
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+static double level_past_zero(double v, double a, array_double_1d axis)
+{
+    double velocity_limit;
+    double top;
+    double shrink;
+    double lower;
+    double upper;
+    int64_t i;
+    double inner;
+    double outer;
+    double deepest;
+    double outside;
+    double level;
+    double inside;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    top = (*cspan_at(&axis, INT64_C(3)));
+    shrink = 0.6180339887498949;
+    lower = -top;
+    upper = 0.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        inner = upper - shrink * (upper - lower);
+        outer = lower + shrink * (upper - lower);
+        if (peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis))
+        {
+            upper = outer;
+        }
+        else
+        {
+            lower = inner;
+        }
+    }
+    deepest = 0.5 * (lower + upper);
+    if (peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis))
+    {
+        deepest = -top;
+    }
+    if (peak_past_zero(v, a, deepest, axis) > velocity_limit)
+    {
+        return 1.0;
+    }
+    inside = deepest;
+    outside = 0.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        level = 0.5 * (inside + outside);
+        if (peak_past_zero(v, a, level, axis) <= velocity_limit)
+        {
+            inside = level;
+        }
+        else
+        {
+            outside = level;
+        }
+    }
+    return inside;
+}
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
+{
+    double velocity_limit;
+    int64_t count;
+    double level;
+    double reached;
+    int64_t i;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double sign;
+    double past;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        count = append_change(phases, count, level, 0.0, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
+        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
+        sign = 1.0;
+        if (level < 0.0)
+        {
+            sign = -1.0;
+        }
+        past = sign * level_past_zero(sign * reached, sign * level, axis);
+        if (past * sign > 0.0)
+        {
+            break;
+        }
+        count = append_change(phases, count, level, past, axis);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
+        level = past;
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
+    return 0;
+}
+static bool nearly_brakes(double v, double a, array_double_1d axis)
+{
+    double velocity_limit;
+    double duration;
+    double slope;
+    double gain;
+    bool result;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    gain = 0.5 * a * duration;
+    result = (fabs(v + gain) > velocity_limit) && (fabs(v + (1.0 - saving(axis)) * gain) <= velocity_limit);
+    return result;
+}
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
+{
+    int64_t first;
+    int64_t last;
+    double spent;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double duration;
+    double y;
+    first = INT64_C(0);
+    last = INT64_C(0);
+    spent = 0.0;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
+    {
+        (*result_0_0001) = -INT64_C(3);
+        (*result_1) = 0.0;
+        return 0;
+    }
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &v, v, a, axis, trial);
+        if (first < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(1);
+            (*result_1) = 0.0;
+            return 0;
+        }
+        spent = duration;
+        distance = distance - y;
+        a = 0.0;
+    }
+    if (variant >= INT64_C(2))
+    {
+        brake(&last, &duration, &y, &w, w, -b, axis, trial);
+        if (last < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(2);
+            (*result_1) = 0.0;
+            return 0;
+        }
+        spent = spent + duration;
+        distance = distance - y;
+        b = 0.0;
+    }
+    (*cspan_at(&rest, INT64_C(0))) = v;
+    (*cspan_at(&rest, INT64_C(1))) = a;
+    (*cspan_at(&rest, INT64_C(2))) = w;
+    (*cspan_at(&rest, INT64_C(3))) = b;
+    (*cspan_at(&rest, INT64_C(4))) = distance;
+    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
+    (*result_0_0001) = first + last;
+    (*result_1) = spent;
+    return 0;
+}
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
+{
+    int64_t first;
+    double duration;
+    double y;
+    double end;
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    int64_t last;
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
+            }
+        }
+        copy_phases(trial, phases, first);
+        count = first + count;
+    }
+    if (variant >= INT64_C(2))
+    {
+        brake(&last, &duration, &y, &end, (*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, trial);
+        reverse_phases(trial, INT64_C(0), last);
+        for (i = INT64_C(0); i < last; i += INT64_C(1))
+        {
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
+            }
+        }
+        count = count + last;
+    }
+    return count;
+}
+static double taylor_value(int64_t order, double t, array_double_1d state)
 {
     int64_t j;
     int64_t i;
-    double factor;
-    int64_t m;
     double value;
     value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
     {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
+        i = INT64_C(7) - j;
+        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
     }
     return value;
 }
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+static double zero_time(int64_t order, double length, array_double_1d state)
 {
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
     double lower;
     double upper;
-    double left;
-    double middle;
+    int64_t i;
+    double value;
+    double step;
     double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    double newton;
+    double t;
+    lower = 0.0;
+    upper = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        value = taylor_value(order, t, state);
+        if (value * (*cspan_at(&state, order)) > 0.0)
         {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
+            lower = t;
+        }
+        else
+        {
+            upper = t;
+        }
+        step = 0.5 * (lower + upper) - t;
+        slope = taylor_value(order + INT64_C(1), t, state);
+        if (slope != 0.0)
+        {
+            newton = (-value) / slope;
+            if ((t + newton > lower) && (t + newton < upper))
             {
-                best = value;
-                at = i;
+                step = newton;
             }
         }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
+        t = t + step;
+        if (fabs(step) <= 1e-09 * length)
         {
-            lower = 0.0;
+            break;
         }
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
     }
+    return t;
 }
-void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+static void advance_piece(double length, array_double_1d state, array_double_1d end)
 {
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    int64_t order;
+    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
     {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(0))) = smoothness;
-    (*cspan_at(&axis, INT64_C(1))) = shape;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+        (*cspan_at(&end, order)) = taylor_value(order, length, state);
     }
 }
-static double usual_share(void)
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
 {
-    return 0.1;
-}
-static double steeper_above(void)
-{
-    return 0.2;
-}
-static double moderate_share(void)
-{
-    return 0.02;
-}
-static double steepest_share(void)
-{
-    return 0.004;
-}
-static bool snap_is_last(array_double_1d axis)
-{
-    bool result;
-    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ((*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0);
-    return result;
-}
-static bool plateau_parameters(double share, array_double_1d axis)
-{
-    int64_t boxes;
-    int64_t last;
-    int64_t level;
-    int64_t i;
+    int64_t order;
     double limit;
-    double rise;
-    double slope;
-    double time;
-    double variance;
-    double fourth;
-    double jerk;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(11))) = 1.0;
-    last = -INT64_C(1);
-    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    double share;
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
-        {
-            last = level;
-        }
-    }
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
-    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
-    {
-        if ((level > INT64_C(0)) || (last == INT64_C(0)))
-        {
-            (*cspan_at(&axis, INT64_C(21) + level)) = share;
-            if (level > last)
-            {
-                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
-            }
-            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
-            {
-                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
-            }
-        }
-    }
-    for (i = INT64_C(0); i < last; i += INT64_C(1))
-    {
-        level = last - INT64_C(1) - i;
-        limit = (*cspan_at(&axis, INT64_C(4) + level));
-        rise = 1e+60;
+        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
         if (limit > 0.0)
         {
-            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
-        }
-        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
-    }
-    if (last == INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
-    }
-    if (last <= INT64_C(1))
-    {
-        time = 1.0;
-        if (last == INT64_C(1))
-        {
-            time = (*cspan_at(&axis, INT64_C(16)));
-        }
-        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
-    }
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    if (jerk > 0.0)
-    {
-        rise = (*cspan_at(&axis, INT64_C(16)));
-        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
-        (*cspan_at(&axis, INT64_C(14))) = rise;
-        if (rise > 0.0)
-        {
-            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
+            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
+            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
+            {
+                (*cspan_at(&excess, order, INT64_C(0))) = share;
+                (*cspan_at(&excess, order, INT64_C(1))) = node;
+                (*cspan_at(&excess, order, INT64_C(2))) = holding;
+                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
+                if ((*cspan_at(&end, order)) < 0.0)
+                {
+                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
+                }
+            }
         }
     }
-    return 1;
 }
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
 {
-    int64_t k;
+    array_double_1d state;
+    array_double_1d end;
+    array_double_2d excess;
+    int64_t q;
+    double rest;
+    int64_t i;
+    double step;
     int64_t j;
-    double limit;
-    double slope;
-    int64_t e;
-    double change;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    bounded = 0;
-    transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
-    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+    int64_t order;
+    state = span_row(&work, INT64_C(129));
+    end = span_row(&work, INT64_C(129) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(124), INT64_C(128));
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    rest = length;
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
-    }
-    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
-        if (limit > 0.0)
+        step = rest;
+        advance_piece(step, state, end);
+        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
         {
-            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
-            bounded = 1;
+            order = q - j;
+            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
+            {
+                step = zero_time(order, step, state);
+                advance_piece(step, state, end);
+                (*cspan_at(&end, order)) = 0.0;
+            }
+        }
+        note_excess(q, node, holding, axis, end, excess);
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
+        }
+        rest = rest - step;
+        if (rest <= 0.0)
+        {
+            break;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(26)));
-    if (slope > 0.0)
-    {
-        (*cspan_at(&axis, INT64_C(12))) = 0.0;
-        (*cspan_at(&axis, INT64_C(13))) = slope;
-        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-        {
-            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
-        }
-    }
-    return bounded;
 }
-bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+static bool measure_excess(array_double_1d axis, array_double_2d work)
 {
+    array_double_1d passing;
+    array_double_2d excess;
+    array_double_1d state;
+    int64_t above;
+    int64_t q;
+    int64_t boxes;
+    double level;
+    int64_t order;
     int64_t i;
-    double duration;
-    double slope;
-    bool bounded;
-    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
+    int64_t row;
+    double ramp;
+    double change;
+    int64_t piece;
+    int64_t held;
+    double sign;
+    double basis;
+    double length;
+    double peak;
+    passing = span_row(&work, INT64_C(48));
+    excess = span_rows(&work, INT64_C(124), INT64_C(128));
+    state = span_row(&work, INT64_C(129));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    q = above + INT64_C(2);
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
+    level = 0.0;
+    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
     {
-        (*cspan_at(&axis, i)) = 0.0;
+        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
     }
-    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
-    bounded = 0;
-    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        bounded = plateau_parameters(share, axis);
+        row = INT64_C(49) + i;
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = 0.0;
+            if (order < q)
+            {
+                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
+            }
+        }
+        (*cspan_at(&state, q)) = level;
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        change = (*cspan_at(&work, row, INT64_C(9))) - level;
+        if (ramp > 0.0)
+        {
+            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+            {
+                held_level(&held, &sign, piece, boxes);
+                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
+                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
+                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
+                {
+                    (*cspan_at(&state, order)) = 0.0;
+                }
+                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
+                if (length > 0.0)
+                {
+                    piece_excess(length, i, 0, axis, work);
+                }
+            }
+        }
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        {
+            for (order = q; order < INT64_C(8); order += INT64_C(1))
+            {
+                (*cspan_at(&state, order)) = 0.0;
+            }
+            (*cspan_at(&state, q)) = level;
+            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
+        }
     }
-    else
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
     {
-        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
+        {
+            return 1;
+        }
     }
-    if (bounded)
-    {
-        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(10))) = duration;
-    }
-    return bounded;
+    return 0;
 }
 static double power_of(double base, int64_t exponent)
 {

@@ -6,11 +6,11 @@ before. If no level beyond zero helps, no profile of ramps keeps the limit, and 
 refused. From zero acceleration on, a plan always exists (docs/planner.md).
 """
 
+from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Braking, Phase, Problem
-from segfmu.kernels.planner.search import saving
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:

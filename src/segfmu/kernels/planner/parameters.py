@@ -69,6 +69,11 @@ def snap_is_last(axis: 'float[:]') -> bool:
     return axis[Axis.SHARES] == 0.0 and axis[Axis.RISES + 1] == 0.0
 
 
+def saving(axis: 'float[:]') -> float:
+    """The share of their duration that ramps of the snap save without smoothness, and a little."""
+    return 0.6 * axis[Axis.SHARES + 1]
+
+
 def ramp_parameters(share: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Set the ramp parameters of an axis whose limits are set (Axis).
 

@@ -13,9 +13,9 @@ after braking the boundary accelerations to zero. After braking both, the last f
 its distance is continuous in the cruise velocity and unbounded at the two limits (docs/planner.md).
 """
 
+from segfmu.kernels.planner.arcs import loop_form
 from segfmu.kernels.planner.braking import braked, nearly_brakes, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.loop import loop_form
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
 from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.passing import passing_form

@@ -5,6 +5,7 @@ BY_TIME of a family (Family) selects one of them, TARGET is its value.
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member
+from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
 
@@ -150,11 +151,6 @@ def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> floa
         if value <= family[Family.TARGET]:
             return bracketed_root(p, 0.0, value, f_start, family, axis)
     return -1.0
-
-
-def saving(axis: 'float[:]') -> float:
-    """The share of their duration that ramps of the snap save without smoothness, and a little."""
-    return 0.6 * axis[Axis.SHARES + 1]
 
 
 def note_near(y: float, duration: float, family: 'float[:]', axis: 'float[:]') -> None:

@@ -15,9 +15,9 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 * the shortest profile at a slower pace, if it passes zero jerk with snap.
 """
 
+from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
-from segfmu.kernels.planner.loop import timed_loop
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
 from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import (
