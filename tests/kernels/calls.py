@@ -178,7 +178,7 @@ def trajectory_calls() -> dict[str, Call]:
             np.zeros(4, dtype=np.int64),
         ),
         "anchor_plan": (
-            zeros(3, 1), found.timing, found.coefficients.copy(), found.offsets,
+            zeros(3, 1), bounds, found.timing, found.coefficients.copy(), found.offsets,
         ),
         "meet_ends": (9.0, found.timing.copy(), found.offsets),
         "join_plans": (

@@ -717,6 +717,7 @@ def meet_ends(
 
 def anchor_plan(
     ends: Floats,
+    limits: Floats,
     timing: Floats,
     coefficients: Floats,
     offsets: Integers,

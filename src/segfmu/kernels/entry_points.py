@@ -198,8 +198,8 @@ ENTRY_POINTS = (
         cut_offsets="bounds",
     ),
     entry(
-        "trajectory.cut", "anchor_plan", ends=("axes", 1), timing=("pieces", Timing.SIZE),
-        coefficients=("pieces", 4), offsets="axes + 1",
+        "trajectory.cut", "anchor_plan", ends=("axes", 1), limits=("axes", 1),
+        timing=("pieces", Timing.SIZE), coefficients=("pieces", 4), offsets="axes + 1",
     ),
     entry("trajectory.cut", "meet_ends", timing=("pieces", Timing.SIZE), offsets="bounds"),
     entry(

@@ -88,10 +88,10 @@ class Pieces:
         backend.meet_ends(clock, timing, self.offsets)
         return replace(self, timing=timing)
 
-    def anchored(self, ends: FloatArray) -> Pieces:
+    def anchored(self, ends: FloatArray, limits: FloatArray) -> Pieces:
         """The same, changed by rounding errors: each axis ends exactly in `ends` (axes, ..)."""
         coefficients = self.coefficients.copy()
-        backend.anchor_plan(ends, self.timing, coefficients, self.offsets)
+        backend.anchor_plan(ends, limits, self.timing, coefficients, self.offsets)
         return replace(self, coefficients=coefficients)
 
     def starts(self) -> FloatArray:
@@ -141,13 +141,13 @@ class Leads:
     failed: int = -1
     following: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
 
-    def anchored(self, velocity: FloatArray) -> Leads:
+    def anchored(self, velocity: FloatArray, limits: FloatArray) -> Leads:
         """The same, changed by rounding errors: each axis ends exactly at a velocity (axes,)."""
         parts = [self.pieces.axis(axis) for axis in range(len(self.states))]
         for axis, part in enumerate(parts):
             if part.used > 0:
                 end = [[self.states[axis, WaypointState.POSITION], velocity[axis]]]
-                parts[axis] = part.anchored(np.array(end))
+                parts[axis] = part.anchored(np.array(end), limits[axis : axis + 1])
         pieces = Pieces.together(parts, self.pieces.coefficients.shape[1])
         return replace(self, pieces=pieces, following=np.array([p.used > 0 for p in parts]))
 

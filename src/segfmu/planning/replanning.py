@@ -127,7 +127,7 @@ def _kept(
     times = np.vstack([np.zeros(trajectory.axes), arrivals, ends])
     points, last = request.waypoints[1:-1], request.waypoints[-1]
     target = Waypoint(last.position, last.velocity, last.acceleration, dwell=dwell)
-    for pieces in (rest, rest.anchored(target.state(2))):
+    for pieces in (rest, rest.anchored(target.state(2), request.problem.limits)):
         first = Waypoint(*pieces.starts().T)
         request = request._replace(waypoints=(first, *points, target))
         states = np.stack([p.state(trajectory.smoothness) for p in request.waypoints])
@@ -266,9 +266,10 @@ def _held(request: Request, leads: Leads, rest: Pieces) -> Trajectory:
         return found
     # rounding errors of the whole old plan against its last bit; then leads that are shorter than
     # the clock resolves
-    for other in (leads, following(rest, velocity, request.problem.limits)):
+    limits = request.problem.limits
+    for other in (leads, following(rest, velocity, limits)):
         if other is not None:
-            found, proved = _joined(request, other.anchored(velocity))
+            found, proved = _joined(request, other.anchored(velocity, limits))
             if proved or verify(found).passed:
                 return found
     require(found)

@@ -69,7 +69,7 @@ def test_an_anchored_plan_ends_where_it_should() -> None:
     timing, coefficients, offsets = cut(0.5)
     ends = np.array([[1.0 + 1e-12, 1e-13], [2.0, 0.0]])
     before = coefficients.copy()
-    anchor_plan(ends, timing, coefficients, offsets)
+    anchor_plan(ends, PLAN.limits.table(2, 4), timing, coefficients, offsets)
     lengths = timing[offsets[1:] - 1, 1]
     for axis, row in enumerate(offsets[1:] - 1):
         piece = np.polynomial.Polynomial(coefficients[row])

@@ -161,6 +161,7 @@ static double integrate_hull(int64_t count, double start, double length, array_d
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static double least_peak(int64_t order, array_double_1d limits);
+static double rounding_error(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
@@ -6140,6 +6141,12 @@ static double least_peak(int64_t order, array_double_1d limits)
         below = before;
     }
     return 1e-05 * limit;
+}
+static double rounding_error(int64_t order, array_double_1d limits)
+{
+    double result;
+    result = 4e-10 * least_peak(order, limits);
+    return result;
 }
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
 {
@@ -16079,7 +16086,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     count = stage_phases(order, end, free, lead);
     seen = span_min_int(order, smoothness - INT64_C(2));
     chain = span_row(&lead, INT64_C(45) + seen);
-    if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(200)))
+    if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
@@ -16191,7 +16198,7 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     int64_t first;
     int64_t row;
     int64_t i;
-    first = INT64_C(200);
+    first = INT64_C(400);
     for (row = first; row < last; row += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -16219,7 +16226,7 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     width = coefficients.shape[INT64_C(1)];
     for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
     {
-        value = evaluate_piece(coefficients, INT64_C(200), width, 0.0, i);
+        value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
         if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(4), i))))
         {
             return 0;
@@ -16235,7 +16242,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     double rest;
     double best;
     array_double_2d check;
-    first = INT64_C(200);
+    first = INT64_C(400);
     last = settle(order, row, lead, timing, coefficients);
     if (last < INT64_C(0))
     {
@@ -16283,7 +16290,7 @@ static bool try_end(int64_t order, int64_t stage, double end, array_double_1d li
         (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
     (*cspan_at(&lead, INT64_C(6), stage)) = span_min(span_max(end, -bound), bound);
-    result = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
+    result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     return result;
 }
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -16367,7 +16374,7 @@ static void search_ends(int64_t order, array_double_1d limits, array_double_2d l
     {
         (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(6), i));
     }
-    try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
+    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     if (is_settled(span_row(&lead, INT64_C(1)), smoothness))
     {
         return;
@@ -16414,7 +16421,7 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
             {
                 (*cspan_at(&lead, INT64_C(6), j)) = (*cspan_at(&lead, INT64_C(7), j));
             }
-            gained = try_lead(order, INT64_C(200), limits, lead, timing, coefficients);
+            gained = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
             if ((i > INT64_C(1)) && (!gained))
             {
                 break;
@@ -16470,8 +16477,8 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
     tried = INT64_C(0);
     for (row = first; row < last; row += INT64_C(1))
     {
-        place = INT64_C(200) + row - first;
-        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(200), INT64_C(4))) || (tried >= INT64_C(8)))
+        place = INT64_C(400) + row - first;
+        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(400), INT64_C(4))) || (tried >= INT64_C(8)))
         {
             break;
         }
@@ -16519,7 +16526,7 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     }
     for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), i)) = 4e-10 * least_peak(i, limits);
+        (*cspan_at(&lead, INT64_C(5), i)) = rounding_error(i, limits);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
@@ -16795,7 +16802,7 @@ static void add_power(double value, int64_t order, double before, array_double_2
         (*cspan_at(&coefficients, row, power)) = (*cspan_at(&coefficients, row, power)) + term;
     }
 }
-void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
 {
     int64_t width;
     int64_t axis;
@@ -16806,6 +16813,7 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
     int64_t j;
     int64_t order;
     double wanted;
+    double rounding;
     int64_t repeat;
     double missed;
     width = coefficients.shape[INT64_C(1)];
@@ -16820,6 +16828,11 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
             {
                 order = span_floor_div(width, INT64_C(2)) - j;
                 wanted = 0.0;
+                rounding = 0.0;
+                if ((order > INT64_C(0)) && (order <= limits.shape[INT64_C(1)]))
+                {
+                    rounding = rounding_error(order, span_row(&limits, axis));
+                }
                 if (i > INT64_C(0))
                 {
                     wanted = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
@@ -16831,7 +16844,10 @@ void segfmu_anchor_plan(array_double_2d ends, array_double_2d timing, array_doub
                 for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
                 {
                     missed = wanted - evaluate_piece(coefficients, row, width, length, order);
-                    add_power(missed, order, length, coefficients, row);
+                    if (fabs(missed) > rounding)
+                    {
+                        add_power(missed, order, length, coefficients, row);
+                    }
                 }
             }
         }

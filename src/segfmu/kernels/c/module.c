@@ -2477,9 +2477,9 @@ static PyObject *call_find_lead(
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 264)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 45)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 400)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 400)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 800)
         && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_axis + 2), 0, in_plan_timing->shape[0])) {
         answer = PyBool_FromLong(segfmu_find_lead(
             in_order,
@@ -2661,25 +2661,30 @@ static PyObject *call_anchor_plan(
     arguments call = {.function = "anchor_plan", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_ends;
+    Py_buffer *in_limits;
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     (void)self;
-    if (take_count(&call, count, 4)
+    if (take_count(&call, count, 5)
         && (in_ends = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_ends->shape[0])
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_at_least(&call, "ends", 1, in_ends->shape[1], 1)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 1)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
         && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
         segfmu_anchor_plan(
             (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});

@@ -1341,7 +1341,7 @@ enum {
 };
 
 enum {
-    LEAD_ROWS_PIECES = 200
+    LEAD_ROWS_PIECES = 400
 };
 
 enum {

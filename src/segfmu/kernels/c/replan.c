@@ -94,8 +94,8 @@ static int keep_rest(replanning *t, const segfmu_problem *p, double clock, doubl
         return status;
     }
     /* rounding errors of a whole motion may be large against what is left of it */
-    segfmu_anchor_plan(matrix(full + k * width, k, width), t->rest.timing, t->rest.coefficients,
-                       t->rest.offsets);
+    segfmu_anchor_plan(matrix(full + k * width, k, width), matrix((double *)t->limits, k, width),
+                       t->rest.timing, t->rest.coefficients, t->rest.offsets);
     segfmu_start_states(&t->rest, t->smoothness, full);
     return segfmu_judge_pieces(t, &t->rest, p->points, full, times, space, trajectory);
 }

@@ -35,8 +35,9 @@ static void hold_velocities(replanning *t, const double *velocities, int anchore
         times[k + axis] = times[2 * k + axis] = duration;
         if (anchored) {
             array_int64_t_1d part = {t->leads.offsets.data + axis, {2}};
-            segfmu_anchor_plan(matrix(end, 1, STATE), t->leads.timing, t->leads.coefficients,
-                               part);
+            array_double_2d limits = matrix((double *)t->limits + axis * (n + 1), 1, n + 1);
+            segfmu_anchor_plan(matrix(end, 1, STATE), limits, t->leads.timing,
+                               t->leads.coefficients, part);
         }
     }
     t->plan.offsets.data[k] = k;

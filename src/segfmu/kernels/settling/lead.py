@@ -8,7 +8,7 @@ from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usua
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
 from segfmu.kernels.settling.search import search_lead, try_lead
-from segfmu.kernels.trajectory.check import least_peak
+from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
@@ -100,8 +100,7 @@ def find_lead(
     ):
         return False
     for i in range(1, smoothness + 1):
-        # less than half of the jump that the check allows
-        lead[LeadWork.ROUNDING, i] = 4e-10 * least_peak(i, limits)
+        lead[LeadWork.ROUNDING, i] = rounding_error(i, limits)
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
     search_lead(order, limits, lead, timing, coefficients)

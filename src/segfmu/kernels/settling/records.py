@@ -29,7 +29,7 @@ class Lead(Record):
 class LeadRows(Codes):
     """Most pieces of a lead; its arrays have twice as many rows, the second half is work space."""
 
-    PIECES = 200
+    PIECES = 400
 
 
 class LeadWork(Record):

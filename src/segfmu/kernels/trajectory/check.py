@@ -102,6 +102,11 @@ def least_peak(order: int, limits: 'float[:]') -> float:
     return 1e-5 * limit
 
 
+def rounding_error(order: int, limits: 'float[:]') -> float:
+    """Error of a derivative that is rounding alone: less than half of the jump that may be."""
+    return 4e-10 * least_peak(order, limits)
+
+
 def check_axis(
     first: int,
     last: int,

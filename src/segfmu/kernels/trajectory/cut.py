@@ -1,5 +1,6 @@
 """Parts of plans: what is left from a time on, and one plan's pieces after another's."""
 
+from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
 from segfmu.kernels.trajectory.pieces import clear_piece
 from segfmu.kernels.trajectory.records import Timing
@@ -137,6 +138,7 @@ def add_power(
 
 def anchor_plan(
     ends: 'float[:,:]',
+    limits: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
@@ -145,6 +147,7 @@ def anchor_plan(
 
     Derivatives that it does not have are zero there. Rounding errors of a whole motion may be large
     against what is left of it: from the last piece on, each one is led to the start of the next.
+    What is rounding against the limits (axes, c_1 ..) stays: on a long piece it would add up.
     """
     width = coefficients.shape[1]
     for axis in range(offsets.shape[0] - 1):
@@ -156,6 +159,9 @@ def anchor_plan(
             for j in range(width // 2 + 1):
                 order = width // 2 - j
                 wanted = 0.0
+                rounding = 0.0
+                if order > 0 and order <= limits.shape[1]:
+                    rounding = rounding_error(order, limits[axis, :])
                 if i > 0:
                     wanted = evaluate_piece(coefficients, row + 1, width, 0.0, order)
                 elif order < ends.shape[1]:
@@ -163,7 +169,8 @@ def anchor_plan(
                 # the second time without the rounding errors of what the first one removes
                 for repeat in range(2):
                     missed = wanted - evaluate_piece(coefficients, row, width, length, order)
-                    add_power(missed, order, length, coefficients, row)
+                    if abs(missed) > rounding:
+                        add_power(missed, order, length, coefficients, row)
 
 
 def join_plans(
