@@ -78,6 +78,19 @@ def test_an_anchored_plan_ends_where_it_should() -> None:
     np.testing.assert_allclose(coefficients, before, atol=1e-10)
 
 
+@pytest.mark.parametrize(("start", "end"), [(0.0, 40.0), (17.3, 40.0), (17.3, -0.0121)])
+def test_an_anchored_cruise_of_minutes_stays_where_it_is(start: float, end: float) -> None:
+    # an error of the pop of 1e-17 at its end would be one of the position of metres at its start
+    limits = Limits(0.0447, 1.88, 1.0, None, None, 0.2145)
+    found = plan([Waypoint(start), Waypoint(end)], limits, smoothness=6)
+    before = found.coefficients.copy()
+    coefficients = before.copy()
+    anchor_plan(
+        np.array([[end]]), limits.table(1, 6), found.timing, coefficients, found.offsets
+    )
+    np.testing.assert_allclose(coefficients, before, rtol=0.0, atol=1e-12)
+
+
 def test_axes_meet_where_rounding_alone_keeps_them_apart() -> None:
     # two axes end together but for rounding, the third one ends earlier
     timing = np.array([[0.0, 0.5], [0.5, 1e-7], [0.0, 0.5 + 1e-7 - 3e-16], [0.0, 0.4]])
