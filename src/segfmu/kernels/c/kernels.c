@@ -11659,6 +11659,7 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
 static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double shortest;
+    bool snap_last;
     int64_t way;
     double found;
     int64_t used;
@@ -11669,8 +11670,13 @@ static int64_t passing_form(double longest, int64_t count, array_double_2d ramps
     {
         return INT64_C(0);
     }
+    snap_last = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
     for (way = INT64_C(0); way < INT64_C(3); way += INT64_C(1))
     {
+        if (snap_last && ((way == INT64_C(2)) || ((way == INT64_C(1)) && (used == INT64_C(0)))))
+        {
+            break;
+        }
         found = passing_duration(way, shortest, problem, axis, work);
         if ((found > 0.0) && (found < shortest))
         {
