@@ -317,7 +317,7 @@ static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double
 static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool release_touch(int64_t kind, array_double_2d work);
 static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
-static bool meet_limits(bool upward, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -11280,14 +11280,16 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
     }
     return INT64_C(0);
 }
-static bool meet_limits(bool upward, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
+    array_double_1d passing;
     int64_t q;
     int64_t added;
     int64_t attempt;
     int64_t place;
     int64_t row;
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    passing = span_row(&work, INT64_C(48));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     added = INT64_C(0);
     for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
     {
@@ -11307,6 +11309,10 @@ static bool meet_limits(bool upward, array_double_1d problem, array_double_1d ax
             {
                 return 0;
             }
+        }
+        if (sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67))) >= longest)
+        {
+            return 0;
         }
         added = INT64_C(0);
         place = overlong_plateau(work);
@@ -11630,7 +11636,7 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     }
     else
     {
-        found = meet_limits(way == INT64_C(1), problem, axis, work);
+        found = meet_limits(way == INT64_C(1), longest, problem, axis, work);
     }
     if (!found)
     {
@@ -11718,7 +11724,7 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
         {
             return INT64_C(0);
         }
-        if ((!meet_limits(0, problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
+        if ((!meet_limits(0, 1e+300, problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
         {
             return INT64_C(0);
         }

@@ -217,7 +217,7 @@ def passing_duration(
     if way == 2:
         found = slow_down(longest, problem, axis, work)
     else:
-        found = meet_limits(way == 1, problem, axis, work)
+        found = meet_limits(way == 1, longest, problem, axis, work)
     if not found:
         return -1.0
     return sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
@@ -285,6 +285,6 @@ def timed_passing(
         passing[Passing.TARGET] = shortest * (1.0 + longer * (i + 1) / steps)
         if not solve_rotated(problem, axis, work):
             return 0
-        if not meet_limits(False, problem, axis, work) or passing[Passing.PACE] > 1.0:
+        if not meet_limits(False, 1e300, problem, axis, work) or passing[Passing.PACE] > 1.0:
             return 0
     return write_sequence(phases, axis, work)

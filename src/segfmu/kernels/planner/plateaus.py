@@ -4,6 +4,7 @@
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
+from segfmu.kernels.planner.sequence import sequence_duration
 
 
 def keep_sequence(row: int, work: 'float[:,:]') -> None:
@@ -225,13 +226,14 @@ def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
 
 
 def meet_limits(
-    upward: bool, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    upward: bool, longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Add plateaus to a solved sequence, or take their holds, until it keeps all limits.
 
-    upward: the derivatives of low order first.
+    upward: the derivatives of low order first. False also as soon as it takes `longest` [s].
     """
-    q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    passing = work[PlanWork.PASSING, :]
+    q = int(passing[Passing.ABOVE]) + 2
     added = 0
     for attempt in range(16):
         if attempt > 0 and not solve_sequence(problem, axis, work):
@@ -243,6 +245,8 @@ def meet_limits(
                 return False
             if not solve_sequence(problem, axis, work):
                 return False
+        if sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :]) >= longest:
+            return False
         added = 0
         place = overlong_plateau(work)
         if place >= 0:
