@@ -8998,6 +8998,10 @@ static double highest_within(double inside, double outside, double e_inside, dou
             inside = level;
             e_inside = error;
             newest_inside = 1;
+            if (probing && (outside - inside <= 1e-05 * outside))
+            {
+                break;
+            }
             constant = constant || probing;
         }
         else if (probing)

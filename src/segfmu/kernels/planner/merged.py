@@ -220,6 +220,8 @@ def highest_within(
             inside = level
             e_inside = error
             newest_inside = True
+            if probing and outside - inside <= 1e-5 * outside:
+                break
             constant = constant or probing
         elif probing:
             break
