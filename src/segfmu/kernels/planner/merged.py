@@ -220,6 +220,7 @@ def highest_within(
             inside = level
             e_inside = error
             newest_inside = True
+            # close enough: what exceeds the limit is next to it
             if probing and outside - inside <= 1e-5 * outside:
                 break
             constant = constant or probing
