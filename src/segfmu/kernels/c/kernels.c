@@ -225,6 +225,7 @@ static double usual_share(void);
 static double steeper_above(void);
 static double moderate_share(void);
 static double steepest_share(void);
+static bool ramps_suffice(array_double_1d axis);
 static bool snap_is_last(array_double_1d axis);
 static double saving(array_double_1d axis);
 static bool plateau_parameters(double share, array_double_1d axis);
@@ -337,7 +338,6 @@ static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
-static bool ramps_suffice(array_double_1d axis);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
@@ -8132,10 +8132,16 @@ static double steepest_share(void)
 {
     return 0.004;
 }
+static bool ramps_suffice(array_double_1d axis)
+{
+    bool result;
+    result = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
+    return result;
+}
 static bool snap_is_last(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ((*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0);
+    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ramps_suffice(axis);
     return result;
 }
 static double saving(array_double_1d axis)
@@ -11669,7 +11675,7 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
 static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double shortest;
-    bool snap_last;
+    bool few;
     int64_t way;
     double found;
     int64_t used;
@@ -11680,10 +11686,10 @@ static int64_t passing_form(double longest, int64_t count, array_double_2d ramps
     {
         return INT64_C(0);
     }
-    snap_last = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
+    few = ramps_suffice(axis);
     for (way = INT64_C(0); way < INT64_C(3); way += INT64_C(1))
     {
-        if (snap_last && ((way == INT64_C(2)) || ((way == INT64_C(1)) && (used == INT64_C(0)))))
+        if (few && ((way == INT64_C(2)) || ((way == INT64_C(1)) && (used == INT64_C(0)))))
         {
             break;
         }
@@ -12039,12 +12045,6 @@ static bool is_done(array_double_1d problem)
         return 0;
     }
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
-    return result;
-}
-static bool ramps_suffice(array_double_1d axis)
-{
-    bool result;
-    result = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
     return result;
 }
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)

@@ -56,7 +56,7 @@ replanning segfmu_begin_replanning(
 {
     const int64_t k = old->axes, n = old->smoothness;
     replanning t = {.axes = k, .smoothness = n, .rows = most_rows(points, k, n, old->pieces),
-              .limits = limits};
+                    .limits = limits};
     t.now = take(&space, k * (n + 1));
     t.ends = take(&space, k * DELAYED_STATE_SIZE);
     t.rest = take_pieces(&space, t.rows, k, n);
@@ -92,8 +92,8 @@ void segfmu_rest_end(const replanning *t, int64_t axis, double *end)
     end[DELAYED_STATE_DELAY] = when[TIMING_START] + length;
 }
 
-static void append(piece_list *list, int64_t *count, const double *timing, const double *coefficients,
-                   int64_t rows)
+static void append(piece_list *list, int64_t *count, const double *timing,
+                   const double *coefficients, int64_t rows)
 {
     const int64_t width = list->coefficients.shape[1];
     for (int64_t i = 0; i < rows * TIMING_SIZE; i++) {

@@ -64,9 +64,14 @@ def steepest_share() -> float:
     return 0.004
 
 
+def ramps_suffice(axis: 'float[:]') -> bool:
+    """Whether no limit above the snap makes ramps of the acceleration take longer than needed."""
+    return axis[Axis.RISES + 1] == 0.0
+
+
 def snap_is_last(axis: 'float[:]') -> bool:
     """Whether the snap is the highest limit of an axis whose ramp parameters are set."""
-    return axis[Axis.SHARES] == 0.0 and axis[Axis.RISES + 1] == 0.0
+    return axis[Axis.SHARES] == 0.0 and ramps_suffice(axis)
 
 
 def saving(axis: 'float[:]') -> float:

@@ -9,6 +9,7 @@ from math import sqrt
 
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
+from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import append_hold, total_duration
 from segfmu.kernels.planner.plateaus import (
     insert_node,
@@ -251,9 +252,9 @@ def passing_form(
     if not first_solution(count, ramps, problem, axis, work):
         return 0
     # where levels of the jerk fail at first, other ways hardly help: 0.5 % in one of 2,000 plans
-    snap_last = axis[Axis.RISES + 1] == 0.0
+    few = ramps_suffice(axis)
     for way in range(3):
-        if snap_last and (way == 2 or (way == 1 and used == 0)):
+        if few and (way == 2 or (way == 1 and used == 0)):
             break
         found = passing_duration(way, shortest, problem, axis, work)
         if found > 0.0 and found < shortest:

@@ -17,7 +17,7 @@ from segfmu.kernels.planner.arcs import loop_form
 from segfmu.kernels.planner.braking import braked, nearly_brakes, surround
 from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
-from segfmu.kernels.planner.parameters import snap_is_last
+from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
 from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import (
     append_change,
@@ -136,11 +136,6 @@ def is_done(problem: 'float[:]') -> bool:
     if problem[Problem.DISTANCE] != 0.0 or problem[Problem.V] != problem[Problem.W]:
         return False
     return problem[Problem.A] == problem[Problem.B]
-
-
-def ramps_suffice(axis: 'float[:]') -> bool:
-    """Whether no limit above the snap makes ramps of the acceleration take longer than needed."""
-    return axis[Axis.RISES + 1] == 0.0
 
 
 def shortest_profile(
