@@ -271,6 +271,7 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double deep_level(double v, double a, array_double_1d axis);
 static double level_past_zero(double v, double a, array_double_1d axis);
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
 static bool nearly_brakes(double v, double a, array_double_1d axis);
@@ -9873,59 +9874,99 @@ static double peak_past_zero(double v, double a, double level, array_double_1d a
     result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
     return result;
 }
-static double level_past_zero(double v, double a, array_double_1d axis)
+static double deep_level(double v, double a, array_double_1d axis)
 {
     double velocity_limit;
-    double top;
     double shrink;
     double lower;
     double upper;
-    int64_t i;
     double inner;
     double outer;
-    double deepest;
-    double outside;
-    double level;
-    double inside;
+    double at_inner;
+    double at_outer;
+    int64_t i;
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    top = (*cspan_at(&axis, INT64_C(3)));
     shrink = 0.6180339887498949;
-    lower = -top;
+    lower = -(*cspan_at(&axis, INT64_C(3)));
     upper = 0.0;
+    if (peak_past_zero(v, a, lower, axis) <= velocity_limit)
+    {
+        return lower;
+    }
+    inner = upper - shrink * (upper - lower);
+    outer = lower + shrink * (upper - lower);
+    at_inner = peak_past_zero(v, a, inner, axis);
+    at_outer = peak_past_zero(v, a, outer, axis);
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        inner = upper - shrink * (upper - lower);
-        outer = lower + shrink * (upper - lower);
-        if (peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis))
+        if (at_inner <= velocity_limit)
+        {
+            return inner;
+        }
+        if (at_outer <= velocity_limit)
+        {
+            return outer;
+        }
+        if (at_inner < at_outer)
         {
             upper = outer;
+            outer = inner;
+            at_outer = at_inner;
+            inner = upper - shrink * (upper - lower);
+            at_inner = peak_past_zero(v, a, inner, axis);
         }
         else
         {
             lower = inner;
+            inner = outer;
+            at_inner = at_outer;
+            outer = lower + shrink * (upper - lower);
+            at_outer = peak_past_zero(v, a, outer, axis);
         }
     }
-    deepest = 0.5 * (lower + upper);
-    if (peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis))
+    return 1.0;
+}
+static double level_past_zero(double v, double a, array_double_1d axis)
+{
+    double velocity_limit;
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
+    int64_t i;
+    double share;
+    double level;
+    double error;
+    double inside;
+    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
+    inside = deep_level(v, a, axis);
+    if (inside > 0.0)
     {
-        deepest = -top;
+        return inside;
     }
-    if (peak_past_zero(v, a, deepest, axis) > velocity_limit)
-    {
-        return 1.0;
-    }
-    inside = deepest;
-    outside = 0.0;
+    newest = inside;
+    e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit;
+    other = 0.0;
+    e_other = peak_past_zero(v, a, other, axis) - velocity_limit;
+    before = other;
+    e_before = e_other;
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        level = 0.5 * (inside + outside);
-        if (peak_past_zero(v, a, level, axis) <= velocity_limit)
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        level = newest + share * (other - newest);
+        if ((level == newest) || (level == other))
+        {
+            break;
+        }
+        error = peak_past_zero(v, a, level, axis) - velocity_limit;
+        next_bracket(&other, &before, &e_other, &e_before, error <= 0.0 != (e_newest <= 0.0), newest, other, e_newest, e_other);
+        newest = level;
+        e_newest = error;
+        if (error <= 0.0)
         {
             inside = level;
-        }
-        else
-        {
-            outside = level;
         }
     }
     return inside;
@@ -10914,6 +10955,8 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     array_double_1d residual;
     int64_t count;
     double error;
+    bool quick;
+    double earlier;
     int64_t i;
     double share;
     double reached;
@@ -10928,8 +10971,22 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     }
     run_sequence(problem, passing, axis, nodes, residual);
     error = residual_norm(count, residual);
+    quick = ramps_suffice(axis);
+    earlier = error;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
+        if (error <= 2e-15)
+        {
+            break;
+        }
+        if (quick && (i > INT64_C(0)) && (span_floor_mod(i, INT64_C(4)) == INT64_C(0)))
+        {
+            if (error > 0.7 * earlier)
+            {
+                break;
+            }
+            earlier = error;
+        }
         newton_step(count, problem, axis, work);
         share = longest_step(work);
         reached = error;

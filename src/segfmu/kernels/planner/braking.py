@@ -6,6 +6,7 @@ before. If no level beyond zero helps, no profile of ramps keeps the limit, and 
 refused. From zero acceleration on, a plan always exists (docs/planner.md).
 """
 
+from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
 from segfmu.kernels.planner.ramp import ramp_duration
@@ -21,37 +22,70 @@ def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
     return ramp_extreme_velocity(v, a, level, duration, duration, axis)
 
 
+def deep_level(v: float, a: float, axis: 'float[:]') -> float:
+    """A level past zero to which a ramp from a > 0 keeps the velocity limit; 1 if there is none.
+
+    Golden section, as far as needed: the extreme velocity falls with the depth of the level, and
+    may rise again.
+    """
+    velocity_limit = axis[Axis.VELOCITY]
+    shrink = 0.6180339887498949
+    lower = -axis[Axis.ACCELERATION]
+    upper = 0.0
+    if peak_past_zero(v, a, lower, axis) <= velocity_limit:
+        return lower
+    inner = upper - shrink * (upper - lower)
+    outer = lower + shrink * (upper - lower)
+    at_inner = peak_past_zero(v, a, inner, axis)
+    at_outer = peak_past_zero(v, a, outer, axis)
+    for i in range(60):
+        if at_inner <= velocity_limit:
+            return inner
+        if at_outer <= velocity_limit:
+            return outer
+        if at_inner < at_outer:
+            upper = outer
+            outer = inner
+            at_outer = at_inner
+            inner = upper - shrink * (upper - lower)
+            at_inner = peak_past_zero(v, a, inner, axis)
+        else:
+            lower = inner
+            inner = outer
+            at_inner = at_outer
+            outer = lower + shrink * (upper - lower)
+            at_outer = peak_past_zero(v, a, outer, axis)
+    return 1.0
+
+
 def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
     """The level nearest to zero to which a ramp from a > 0 keeps the velocity limit [m/s2].
 
     v is the velocity at its start. Returns 1 if there is no such level.
     """
     velocity_limit = axis[Axis.VELOCITY]
-    top = axis[Axis.ACCELERATION]
-    shrink = 0.6180339887498949
-    lower = -top
-    upper = 0.0
-    # golden section: the extreme velocity falls with the depth of the level, and may rise again
+    inside = deep_level(v, a, axis)
+    if inside > 0.0:
+        return inside
+    newest = inside
+    e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit
+    other = 0.0
+    e_other = peak_past_zero(v, a, other, axis) - velocity_limit
+    before = other
+    e_before = e_other
     for i in range(60):
-        inner = upper - shrink * (upper - lower)
-        outer = lower + shrink * (upper - lower)
-        if peak_past_zero(v, a, inner, axis) < peak_past_zero(v, a, outer, axis):
-            upper = outer
-        else:
-            lower = inner
-    deepest = 0.5 * (lower + upper)
-    if peak_past_zero(v, a, -top, axis) < peak_past_zero(v, a, deepest, axis):
-        deepest = -top
-    if peak_past_zero(v, a, deepest, axis) > velocity_limit:
-        return 1.0
-    inside = deepest
-    outside = 0.0
-    for i in range(60):
-        level = 0.5 * (inside + outside)
-        if peak_past_zero(v, a, level, axis) <= velocity_limit:
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        level = newest + share * (other - newest)
+        if level == newest or level == other:
+            break
+        error = peak_past_zero(v, a, level, axis) - velocity_limit
+        other, before, e_other, e_before = next_bracket(
+            (error <= 0.0) != (e_newest <= 0.0), newest, other, e_newest, e_other
+        )
+        newest = level
+        e_newest = error
+        if error <= 0.0:
             inside = level
-        else:
-            outside = level
     return inside
 
 
