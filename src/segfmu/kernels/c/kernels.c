@@ -7143,15 +7143,15 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(20)));
-    hold1 = (*cspan_at(&family, INT64_C(21)));
-    level1 = (*cspan_at(&family, INT64_C(22)));
-    hold2 = (*cspan_at(&family, INT64_C(23)));
-    level2 = (*cspan_at(&family, INT64_C(24)));
-    t3 = (*cspan_at(&family, INT64_C(25)));
+    t1 = (*cspan_at(&family, INT64_C(23)));
+    hold1 = (*cspan_at(&family, INT64_C(24)));
+    level1 = (*cspan_at(&family, INT64_C(25)));
+    hold2 = (*cspan_at(&family, INT64_C(26)));
+    level2 = (*cspan_at(&family, INT64_C(27)));
+    t3 = (*cspan_at(&family, INT64_C(28)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(26)));
-    basis = basis + (*cspan_at(&family, INT64_C(27))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(29)));
+    basis = basis + (*cspan_at(&family, INT64_C(30))) * (t2 - basis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
@@ -7217,12 +7217,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(20))) = t1;
-    (*cspan_at(&family, INT64_C(21))) = hold1;
-    (*cspan_at(&family, INT64_C(22))) = level1;
-    (*cspan_at(&family, INT64_C(23))) = hold2;
-    (*cspan_at(&family, INT64_C(24))) = level2;
-    (*cspan_at(&family, INT64_C(25))) = t3;
+    (*cspan_at(&family, INT64_C(23))) = t1;
+    (*cspan_at(&family, INT64_C(24))) = hold1;
+    (*cspan_at(&family, INT64_C(25))) = level1;
+    (*cspan_at(&family, INT64_C(26))) = hold2;
+    (*cspan_at(&family, INT64_C(27))) = level2;
+    (*cspan_at(&family, INT64_C(28))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -7336,12 +7336,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(20))) = t1;
-    (*cspan_at(&family, INT64_C(21))) = hold1;
-    (*cspan_at(&family, INT64_C(22))) = level1;
-    (*cspan_at(&family, INT64_C(23))) = hold2;
-    (*cspan_at(&family, INT64_C(24))) = level2;
-    (*cspan_at(&family, INT64_C(25))) = t3;
+    (*cspan_at(&family, INT64_C(23))) = t1;
+    (*cspan_at(&family, INT64_C(24))) = hold1;
+    (*cspan_at(&family, INT64_C(25))) = level1;
+    (*cspan_at(&family, INT64_C(26))) = hold2;
+    (*cspan_at(&family, INT64_C(27))) = level2;
+    (*cspan_at(&family, INT64_C(28))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -7415,8 +7415,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(22)));
-    level2 = (*cspan_at(&family, INT64_C(24)));
+    level1 = (*cspan_at(&family, INT64_C(25)));
+    level2 = (*cspan_at(&family, INT64_C(27)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if ((fastest <= 0.0) || (mean == 0.0))
@@ -7424,7 +7424,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
         return 0;
     }
     stretch = 1.0 - error / (mean * fastest);
-    (*cspan_at(&family, INT64_C(26))) = stretch;
+    (*cspan_at(&family, INT64_C(29))) = stretch;
     return stretch >= 1.0;
 }
 int64_t segfmu_ramp_pieces(array_double_1d axis)
@@ -8474,10 +8474,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(22)))) * (*cspan_at(&family, INT64_C(20)));
-    gain = gain + (*cspan_at(&family, INT64_C(22))) * (*cspan_at(&family, INT64_C(21)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(24))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(25)));
-    loss = loss + (*cspan_at(&family, INT64_C(24))) * (*cspan_at(&family, INT64_C(23)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(25)))) * (*cspan_at(&family, INT64_C(23)));
+    gain = gain + (*cspan_at(&family, INT64_C(25))) * (*cspan_at(&family, INT64_C(24)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(27))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(28)));
+    loss = loss + (*cspan_at(&family, INT64_C(27))) * (*cspan_at(&family, INT64_C(26)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -8645,8 +8645,8 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double f_upper;
     double result;
     target = (*cspan_at(&family, INT64_C(14)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(19)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(19)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(22)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(22)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -8673,50 +8673,80 @@ static double member_search(array_double_1d family, array_double_1d axis)
 {
     double target;
     int64_t passed;
-    double previous;
+    int64_t begin;
     double lower;
     double f_lower;
+    bool whole;
     double p;
     int64_t i;
     double value;
     double duration;
     double upper;
+    double f_upper;
     bool inside;
+    double outside;
+    bool found;
     double result;
     target = (*cspan_at(&family, INT64_C(14)));
     passed = INT64_C(0);
-    previous = 0.0;
+    begin = INT64_C(0);
     lower = -1.0;
     f_lower = 0.0;
+    whole = (*cspan_at(&family, INT64_C(4))) == (*cspan_at(&axis, INT64_C(3)));
+    if (whole && ((*cspan_at(&family, INT64_C(15))) > 0.5))
+    {
+        passed = (int64_t)((*cspan_at(&family, INT64_C(15))));
+        begin = (int64_t)((*cspan_at(&family, INT64_C(19))));
+        lower = (*cspan_at(&family, INT64_C(20)));
+        f_lower = (*cspan_at(&family, INT64_C(21)));
+        if ((begin > INT64_C(13)) && (lower >= 0.0) && (f_lower > target))
+        {
+            return -1.0;
+        }
+    }
     p = 0.0;
-    for (i = INT64_C(0); i < INT64_C(36); i += INT64_C(1))
+    for (i = begin; i < INT64_C(36); i += INT64_C(1))
     {
         p = (*cspan_at(&family, INT64_C(16))) * i * i / 144.0;
         canonical_value(&value, &duration, p, family, axis);
         upper = p;
+        f_upper = value;
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            lower = window_edge(INT64_C(24), p, previous, family, axis);
+            outside = (*cspan_at(&family, INT64_C(16))) * (i - INT64_C(1)) * (i - INT64_C(1)) / 144.0;
+            lower = window_edge(INT64_C(24), p, outside, family, axis);
             canonical_value(&f_lower, &duration, lower, family, axis);
         }
         if ((!inside) && (lower >= 0.0))
         {
             upper = window_edge(INT64_C(24), lower, p, family, axis);
-            canonical_value(&value, &duration, upper, family, axis);
+            canonical_value(&f_upper, &duration, upper, family, axis);
         }
-        if ((lower >= 0.0) && ((f_lower - target) * (value - target) <= 0.0) && (value != f_lower))
+        found = (lower >= 0.0) && ((f_lower - target) * (f_upper - target) <= 0.0);
+        found = found && (f_upper != f_lower);
+        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(15))))))
         {
-            if (passed == (int64_t)((*cspan_at(&family, INT64_C(15)))))
+            if (whole)
             {
-                if (value > f_lower)
+                (*cspan_at(&family, INT64_C(19))) = i + INT64_C(1);
+                (*cspan_at(&family, INT64_C(20))) = p;
+                if (!inside)
                 {
-                    result = bracketed_root(lower, upper, f_lower, value, family, axis);
-                    return result;
+                    (*cspan_at(&family, INT64_C(20))) = -1.0;
                 }
-                result = bracketed_root(upper, lower, value, f_lower, family, axis);
+                (*cspan_at(&family, INT64_C(21))) = f_upper;
+            }
+            if (f_upper > f_lower)
+            {
+                result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
                 return result;
             }
+            result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
+            return result;
+        }
+        if (found)
+        {
             passed = passed + INT64_C(1);
         }
         lower = -1.0;
@@ -8729,7 +8759,6 @@ static double member_search(array_double_1d family, array_double_1d axis)
                 return -1.0;
             }
         }
-        previous = p;
     }
     return -1.0;
 }
@@ -8779,13 +8808,13 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(26))) = 1.0;
+    (*cspan_at(&family, INT64_C(29))) = 1.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
     (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
-    (*cspan_at(&family, INT64_C(19))) = -1.0;
+    (*cspan_at(&family, INT64_C(22))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -8804,21 +8833,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(22)));
-    level2 = (*cspan_at(&family, INT64_C(24)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(20))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(21))));
+    level1 = (*cspan_at(&family, INT64_C(25)));
+    level2 = (*cspan_at(&family, INT64_C(27)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(23))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(24))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(26))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(29))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(26)));
+        duration = basis * (*cspan_at(&family, INT64_C(29)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(27))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(30))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(23))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(25))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(26))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(28))), axis);
     if ((*cspan_at(&family, INT64_C(11))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -8852,7 +8881,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(19))) = p;
+    (*cspan_at(&family, INT64_C(22))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -9595,8 +9624,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double duration;
     double y;
     double error;
-    (*cspan_at(&family, INT64_C(26))) = 1.0;
-    (*cspan_at(&family, INT64_C(27))) = 0.0;
+    (*cspan_at(&family, INT64_C(29))) = 1.0;
+    (*cspan_at(&family, INT64_C(30))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -9608,7 +9637,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(27))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(30))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -9620,7 +9649,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(27))) = 1.0;
+            (*cspan_at(&family, INT64_C(30))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;

@@ -1460,7 +1460,7 @@ static PyObject *call_shortest_profile(
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 33)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
         && has_at_least(&call, "work", 0, in_work->shape[0], 166)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 28)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 31)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1490,7 +1490,7 @@ static PyObject *call_timed_profile(
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 6)
         && has_at_least(&call, "work", 0, in_work->shape[0], 166)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 28)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 31)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1534,7 +1534,7 @@ static PyObject *call_plan_phases(
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 6)
         && has_at_least(&call, "work", 0, in_work->shape[0], 166)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 28)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 31)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -2877,7 +2877,7 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 214)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 28)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 31)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_plan_motion(
@@ -2940,7 +2940,7 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 214)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 28)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 31)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_motion(

@@ -261,30 +261,48 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
     Neither duration nor distance is monotone along the family. The duration falls and rises again
     as a first level with a long way back gives way to a shorter one; the distance does so while the
     velocity in between is negative. So the search steps through the members, up to nine times
-    SCALE.
+    SCALE. With the highest first level it goes on where it found the member before.
     """
     target = family[Family.TARGET]
     passed = 0
-    previous = 0.0
+    begin = 0
     lower = -1.0
     f_lower = 0.0
+    whole = family[Family.HIGHEST] == axis[Axis.ACCELERATION]
+    if whole and family[Family.MEMBER] > 0.5:
+        passed = int(family[Family.MEMBER])
+        begin = int(family[Family.PASSED])
+        lower = family[Family.PASSED_INSIDE]
+        f_lower = family[Family.PASSED_VALUE]
+        if begin > 13 and lower >= 0.0 and f_lower > target:
+            return -1.0
     p = 0.0
-    for i in range(36):
+    for i in range(begin, 36):
         p = family[Family.SCALE] * i * i / 144.0
         value, duration = canonical_value(p, family, axis)
         upper = p
+        f_upper = value
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            lower = window_edge(24, p, previous, family, axis)
+            outside = family[Family.SCALE] * (i - 1) * (i - 1) / 144.0
+            lower = window_edge(24, p, outside, family, axis)
             f_lower, duration = canonical_value(lower, family, axis)
         if not inside and lower >= 0.0:
             upper = window_edge(24, lower, p, family, axis)
-            value, duration = canonical_value(upper, family, axis)
-        if lower >= 0.0 and (f_lower - target) * (value - target) <= 0.0 and value != f_lower:
-            if passed == int(family[Family.MEMBER]):
-                if value > f_lower:
-                    return bracketed_root(lower, upper, f_lower, value, family, axis)
-                return bracketed_root(upper, lower, value, f_lower, family, axis)
+            f_upper, duration = canonical_value(upper, family, axis)
+        found = lower >= 0.0 and (f_lower - target) * (f_upper - target) <= 0.0
+        found = found and f_upper != f_lower
+        if found and passed == int(family[Family.MEMBER]):
+            if whole:
+                family[Family.PASSED] = i + 1
+                family[Family.PASSED_INSIDE] = p
+                if not inside:
+                    family[Family.PASSED_INSIDE] = -1.0
+                family[Family.PASSED_VALUE] = f_upper
+            if f_upper > f_lower:
+                return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
+            return bracketed_root(upper, lower, f_upper, f_lower, family, axis)
+        if found:
             passed = passed + 1
         lower = -1.0
         if inside:
@@ -292,5 +310,4 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
             f_lower = value
             if i > 12 and value > target:
                 return -1.0
-        previous = p
     return -1.0
