@@ -270,6 +270,7 @@ static double loop_root(int64_t arc, double lower, double upper, double e_lower,
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
 static double deep_level(double v, double a, array_double_1d axis);
 static double level_past_zero(double v, double a, array_double_1d axis);
@@ -331,6 +332,7 @@ static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool pace_down(int64_t steps, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
@@ -344,11 +346,15 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
+static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static double cruise_sample(int64_t sample, array_double_1d axis);
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
 static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
@@ -373,7 +379,8 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
-static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double first_feasible(double accuracy, double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double earlier_feasible(double start, double end, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
 static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
@@ -7419,11 +7426,22 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     level2 = (*cspan_at(&family, INT64_C(27)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
-    if ((fastest <= 0.0) || (mean == 0.0))
+    if (fastest <= 0.0)
     {
         return 0;
     }
-    stretch = 1.0 - error / (mean * fastest);
+    if (mean != 0.0)
+    {
+        stretch = 1.0 - error / (mean * fastest);
+    }
+    else if (((*cspan_at(&family, INT64_C(13))) > 0.5) && (radius == 0.0) && (error == 0.0))
+    {
+        stretch = (*cspan_at(&family, INT64_C(14))) / fastest;
+    }
+    else
+    {
+        return 0;
+    }
     (*cspan_at(&family, INT64_C(29))) = stretch;
     return stretch >= 1.0;
 }
@@ -8809,6 +8827,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(15))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
     (*cspan_at(&family, INT64_C(29))) = 1.0;
+    (*cspan_at(&family, INT64_C(30))) = 0.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
@@ -9671,8 +9690,13 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     member_distance(&duration, &y, family, axis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
+        error = duration - (*cspan_at(&family, INT64_C(14)));
+        if (fabs(error) <= 1e-15 * duration)
+        {
+            error = 0.0;
+        }
         (*result_0) = duration;
-        (*result_1) = duration - (*cspan_at(&family, INT64_C(14)));
+        (*result_1) = error;
         return 0;
     }
     error = y - (*cspan_at(&family, INT64_C(14)));
@@ -9876,7 +9900,7 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
     missing = set_loop(problem, axis, family);
     (*cspan_at(&family, INT64_C(13))) = 1.0;
     (*cspan_at(&family, INT64_C(14))) = target;
-    for (arc = INT64_C(0); arc < INT64_C(7); arc += INT64_C(1))
+    for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
     {
         sample = INT64_C(0);
         while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
@@ -9888,7 +9912,33 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
                 keep_nearest(used, problem, axis, cell, work);
             }
         }
+        if (is_enclosed(work))
+        {
+            return;
+        }
     }
+}
+static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d family;
+    array_double_2d trial;
+    double missing;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(45));
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    missing = set_loop(problem, axis, family);
+    arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
+    if (sample < INT64_C(0))
+    {
+        (*result_0_0001) = -INT64_C(1);
+        (*result_1_0001) = -1.0;
+        return 0;
+    }
+    used = write_member(trial, family, axis);
+    (*result_0_0001) = sample;
+    (*result_1_0001) = valid_duration(trial, used, problem, axis);
+    return 0;
 }
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
@@ -9968,6 +10018,7 @@ static double level_past_zero(double v, double a, array_double_1d axis)
     double share;
     double level;
     double error;
+    bool crossed;
     double inside;
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     inside = deep_level(v, a, axis);
@@ -9990,13 +10041,15 @@ static double level_past_zero(double v, double a, array_double_1d axis)
             break;
         }
         error = peak_past_zero(v, a, level, axis) - velocity_limit;
-        next_bracket(&other, &before, &e_other, &e_before, error <= 0.0 != (e_newest <= 0.0), newest, other, e_newest, e_other);
-        newest = level;
-        e_newest = error;
+        crossed = newest == inside;
         if (error <= 0.0)
         {
+            crossed = newest != inside;
             inside = level;
         }
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = level;
+        e_newest = error;
     }
     return inside;
 }
@@ -11800,33 +11853,47 @@ static int64_t passing_form(double longest, int64_t count, array_double_2d ramps
     }
     return used;
 }
-static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool pace_down(int64_t steps, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
-    double shortest;
     double longer;
-    int64_t steps;
     int64_t i;
-    int64_t result;
     restore_sequence(INT64_C(86), work);
     passing = span_row(&work, INT64_C(48));
-    shortest = sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67)));
     longer = (*cspan_at(&problem, INT64_C(5))) / shortest - 1.0;
-    steps = span_min_int((int64_t)(20.0 * longer) + INT64_C(1), INT64_C(10));
     for (i = INT64_C(0); i < steps; i += INT64_C(1))
     {
         (*cspan_at(&passing, INT64_C(5))) = shortest * (1.0 + longer * (i + INT64_C(1)) / steps);
         if (!solve_rotated(problem, axis, work))
         {
-            return INT64_C(0);
+            return 0;
         }
         if ((!meet_limits(0, 1e+300, problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
         {
-            return INT64_C(0);
+            return 0;
         }
     }
-    result = write_sequence(phases, axis, work);
-    return result;
+    return 1;
+}
+static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    double shortest;
+    int64_t steps;
+    int64_t i;
+    int64_t result;
+    restore_sequence(INT64_C(86), work);
+    shortest = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
+    steps = span_min_int((int64_t)(20.0 * ((*cspan_at(&problem, INT64_C(5))) / shortest - 1.0)) + INT64_C(1), INT64_C(10));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if (pace_down(steps, shortest, problem, axis, work))
+        {
+            result = write_sequence(phases, axis, work);
+            return result;
+        }
+        steps = INT64_C(4) * steps;
+    }
+    return INT64_C(0);
 }
 static double least_lever(double c, double gain, array_double_1d axis)
 {
@@ -12394,22 +12461,39 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
     }
     return count;
 }
-static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
+static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases)
 {
     int64_t count;
     int64_t row;
+    double duration;
     double y;
     double rest;
-    double duration;
     cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    rest = (*cspan_at(&problem, INT64_C(4))) - y;
-    if ((count < INT64_C(0)) || (covering && (rest * cruise <= 0.0)))
+    if (count < INT64_C(0))
     {
-        return 1e+300;
+        (*result_0) = 1e+300;
+        (*result_1_0001) = 1e+300;
+        return 0;
     }
+    rest = (*cspan_at(&problem, INT64_C(4))) - y;
+    if (rest * cruise <= 0.0)
+    {
+        (*result_0) = duration;
+        (*result_1_0001) = 1e+300;
+        return 0;
+    }
+    (*result_0) = duration;
+    (*result_1_0001) = duration + rest / cruise;
+    return 0;
+}
+static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
+{
+    double duration;
+    double covered;
+    cruise_times(&duration, &covered, cruise, problem, axis, phases);
     if (covering)
     {
-        duration = duration + rest / cruise;
+        return covered;
     }
     return duration;
 }
@@ -12447,43 +12531,72 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     }
     return span_min(t_p, t_q);
 }
-static int64_t turning_ends(bool covering, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+static double cruise_sample(int64_t sample, array_double_1d axis)
+{
+    double result;
+    result = (*cspan_at(&axis, INT64_C(2))) * (2.0 * sample / INT64_C(24) - 1.0);
+    return result;
+}
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
     array_double_2d ends;
-    double velocity_limit;
-    int64_t samples;
-    double first;
-    double second;
-    int64_t i;
-    double third;
-    double cruise;
     double lower;
     double upper;
     double turn;
+    int64_t result;
+    if (spent + least <= after)
+    {
+        return count;
+    }
     phases = span_rows(&work, INT64_C(0), INT64_C(13));
     ends = span_rows(&work, INT64_C(26), INT64_C(42));
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    samples = INT64_C(24);
+    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), axis);
+    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), axis);
+    turn = turning_time(lower, upper, covering, problem, axis, phases);
+    result = insert_end(spent + span_min(turn, least), after, count, ends);
+    return result;
+}
+static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d phases;
+    double first;
+    double second;
+    double first_covered;
+    double second_covered;
+    int64_t i;
+    double third;
+    double third_covered;
+    double cruise;
+    phases = span_rows(&work, INT64_C(0), INT64_C(13));
     first = 1e+300;
     second = 1e+300;
-    for (i = INT64_C(0); i < samples + INT64_C(2); i += INT64_C(1))
+    first_covered = 1e+300;
+    second_covered = 1e+300;
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
         third = 1e+300;
-        if (i <= samples)
+        third_covered = 1e+300;
+        if (i < INT64_C(25))
         {
-            cruise = velocity_limit * (2.0 * i / samples - 1.0);
-            third = cruise_time(cruise, covering, problem, axis, phases);
+            cruise = cruise_sample(i, axis);
+            cruise_times(&third, &third_covered, cruise, problem, axis, phases);
         }
         if ((second < 1e+300) && (first >= second) && (third >= second))
         {
-            lower = velocity_limit * span_max(2.0 * (i - INT64_C(2)) / samples - 1.0, -1.0);
-            upper = velocity_limit * span_min(2.0 * i / samples - 1.0, 1.0);
-            turn = turning_time(lower, upper, covering, problem, axis, phases);
-            count = insert_end(spent + span_min(turn, second), after, count, ends);
+            count = insert_turn(i - INT64_C(1), 0, second, spent, after, problem, axis, work, count);
+        }
+        if ((second_covered < 1e+300) && (first_covered >= second_covered))
+        {
+            if (third_covered >= second_covered)
+            {
+                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, problem, axis, work, count);
+            }
         }
         first = second;
         second = third;
+        first_covered = second_covered;
+        second_covered = third_covered;
     }
     return count;
 }
@@ -12545,14 +12658,36 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     }
     return count;
 }
-static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d ends;
+    double longest;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    ends = span_rows(&work, INT64_C(26), INT64_C(42));
+    longest = usual_duration(problem, axis);
+    for (arc = INT64_C(0); arc < INT64_C(5); arc += INT64_C(1))
+    {
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            next_loop(&sample, &duration, arc, sample, longest, problem, axis, work);
+            if (duration >= 0.0)
+            {
+                count = insert_end(duration, after, count, ends);
+            }
+        }
+    }
+    return count;
+}
+static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
     array_double_1d rest;
     int64_t variant;
     int64_t taken;
     double spent;
-    int64_t kind;
     int64_t count;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     rest = span_row(&work, INT64_C(44));
@@ -12564,11 +12699,12 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
         {
             continue;
         }
-        count = covering_ends(spent, after, rest, axis, work, count);
-        for (kind = INT64_C(0); kind < INT64_C(2); kind += INT64_C(1))
+        if ((variant == INT64_C(0)) && ((after < 1.1 * shortest) || (!snap_is_last(axis))))
         {
-            count = turning_ends(kind == INT64_C(1), spent, after, rest, axis, work, count);
+            count = loop_ends(after, rest, axis, work, count);
         }
+        count = covering_ends(spent, after, rest, axis, work, count);
+        count = turning_ends(spent, after, rest, axis, work, count);
     }
     return count;
 }
@@ -12977,7 +13113,6 @@ static void usual_cruise(array_double_1d problem, array_double_1d axis, array_do
 }
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
-    double target;
     usual_cruise(problem, axis, cell, work);
     if (!is_enclosed(work))
     {
@@ -12986,11 +13121,6 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
     if (!is_enclosed(work))
     {
         timed_merged(problem, axis, cell, work);
-    }
-    target = (*cspan_at(&problem, INT64_C(5)));
-    if ((!is_enclosed(work)) && (early_window(target, problem, axis) >= target))
-    {
-        timed_loop(problem, axis, cell, work);
     }
 }
 static void clear_nearest(array_double_2d work)
@@ -13216,6 +13346,10 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
         }
         clear_nearest(work);
         timed_between(rest, axis, cell, work);
+        if ((variant == INT64_C(0)) && (!is_enclosed(work)))
+        {
+            timed_loop(rest, axis, cell, work);
+        }
         if (is_enclosed(work))
         {
             weight = nearest_weight(rest, axis, nearest);
@@ -13307,14 +13441,14 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     (*cspan_at(&cell, INT64_C(67), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
     return 1;
 }
-static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
+static double first_feasible(double accuracy, double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double duration;
     int64_t i;
-    duration = inside * (1.0 - 3e-09);
+    duration = inside * (1.0 - 0.75 * accuracy);
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        if ((duration <= outside) || (inside - outside <= 4e-09 * inside))
+        if ((duration <= outside) || (inside - outside <= accuracy * inside))
         {
             break;
         }
@@ -13330,31 +13464,61 @@ static double first_feasible(double outside, double inside, array_double_2d cell
     }
     return inside;
 }
+static double earlier_feasible(double start, double end, array_double_2d cell, array_double_1d axis, array_double_2d work)
+{
+    double outside;
+    int64_t i;
+    double duration;
+    double result;
+    outside = start;
+    if (start > 1.1 * (*cspan_at(&cell, INT64_C(67), INT64_C(0))))
+    {
+        return end;
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        duration = start * (1.0 + 0.004 * pow(2.0, (double)(i)));
+        if (duration > 0.98 * end)
+        {
+            break;
+        }
+        if (set_duration(duration, cell, axis, work))
+        {
+            result = first_feasible(0.0001, outside, duration, cell, axis, work);
+            return result;
+        }
+        outside = duration;
+    }
+    return end;
+}
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
     double delay;
+    double shortest;
     int64_t sweep;
     int64_t count;
     int64_t i;
-    double growth;
     double duration;
+    double growth;
+    double result;
     after = start;
     delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - delay;
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after - delay, span_row(&cell, INT64_C(66)), axis, work);
+        count = gap_ends(after - delay, shortest, span_row(&cell, INT64_C(66)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             duration = delay + (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
-                if ((*cspan_at(&axis, INT64_C(11))) > 0.5)
+                if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
                 {
-                    return duration;
+                    duration = first_feasible(4e-09, after, duration, cell, axis, work);
                 }
-                duration = first_feasible(after, duration, cell, axis, work);
-                return duration;
+                result = earlier_feasible(start, duration, cell, axis, work);
+                return result;
             }
             after = duration;
         }
@@ -13369,8 +13533,8 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
         duration = after * growth;
         if (set_duration(duration, cell, axis, work))
         {
-            duration = first_feasible(after, duration, cell, axis, work);
-            return duration;
+            result = first_feasible(4e-09, after, duration, cell, axis, work);
+            return result;
         }
         after = duration;
         if (i > INT64_C(230))

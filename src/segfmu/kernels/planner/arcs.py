@@ -6,7 +6,7 @@ from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
 from segfmu.kernels.planner.merged import write_member
 from segfmu.kernels.planner.phases import copy_phases, valid_duration
 from segfmu.kernels.planner.records import Axis, Family, LoopArc, PlanWork, Problem
-from segfmu.kernels.planner.timed_cruise import keep_nearest
+from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
 
 def loop_excess(
@@ -38,7 +38,10 @@ def loop_excess(
             return -1.0, 0.0
     duration, y = member_distance(family, axis)
     if family[Family.BY_TIME] > 0.5:
-        return duration, duration - family[Family.TARGET]
+        error = duration - family[Family.TARGET]
+        if abs(error) <= 1e-15 * duration:
+            error = 0.0
+        return duration, error
     error = y - family[Family.TARGET]
     # states on another plan have its rounding errors, and an arc can end at the distance
     if abs(error) <= 2e-13 * (abs(y) + axis[Axis.VELOCITY] * duration):
@@ -182,16 +185,37 @@ def loop_form(
 def timed_loop(
     problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
-    """Nearest profiles of all arcs that last the problem's duration."""
+    """Nearest profiles of the arcs that last the problem's duration, until they enclose it."""
     family = work[PlanWork.FAMILY, :]
     target = problem[Problem.DURATION]
     missing = set_loop(problem, axis, family)
     family[Family.BY_TIME] = 1.0
     family[Family.TARGET] = target
-    for arc in range(7):
+    for arc in range(LoopArc.SINGLE + 1):
         sample = 0
         while sample >= 0 and sample < 48:
             sample, duration = arc_root(arc, sample, missing, target, family, axis)
             if sample >= 0:
                 used = write_member(work[PlanWork.TRIAL:PlanWork.BEST, :], family, axis)
                 keep_nearest(used, problem, axis, cell, work)
+        if is_enclosed(work):
+            return
+
+
+def next_loop(
+    arc: int, sample: int, longest: float, problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """The next member of an arc that covers the distance, after a sample 0 .. 47 of its places.
+
+    longest: the longest duration that is looked for [s]. Returns the sample after it (-1: none) and
+    its duration (-1: it exceeds the velocity limit).
+    """
+    family = work[PlanWork.FAMILY, :]
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    missing = set_loop(problem, axis, family)
+    sample, duration = arc_root(arc, sample, missing, longest, family, axis)
+    if sample < 0:
+        return -1, -1.0
+    used = write_member(trial, family, axis)
+    return sample, valid_duration(trial, used, problem, axis)

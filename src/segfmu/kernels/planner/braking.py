@@ -79,13 +79,13 @@ def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
         if level == newest or level == other:
             break
         error = peak_past_zero(v, a, level, axis) - velocity_limit
-        other, before, e_other, e_before = next_bracket(
-            (error <= 0.0) != (e_newest <= 0.0), newest, other, e_newest, e_other
-        )
+        crossed = newest == inside
+        if error <= 0.0:
+            crossed = newest != inside
+            inside = level
+        other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
         newest = level
         e_newest = error
-        if error <= 0.0:
-            inside = level
     return inside
 
 

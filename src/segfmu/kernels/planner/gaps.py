@@ -6,12 +6,14 @@ to the families of the shortest profile. Or a new kind of profile begins to exis
 the duration over a family.
 """
 
+from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.phases import valid_duration
 from segfmu.kernels.planner.profile import usual_duration
-from segfmu.kernels.planner.records import Axis, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -32,6 +34,22 @@ def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') ->
     return count
 
 
+def cruise_times(
+    cruise: float, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]'
+) -> 'tuple[float, float]':
+    """Duration of the paper's form, and that with the cruise that covers the distance.
+
+    1e300 if there is no such form.
+    """
+    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
+    if count < 0:
+        return 1e300, 1e300
+    rest = problem[Problem.DISTANCE] - y
+    if rest * cruise <= 0.0:
+        return duration, 1e300
+    return duration, duration + rest / cruise
+
+
 def cruise_time(
     cruise: float,
     covering: bool,
@@ -39,16 +57,10 @@ def cruise_time(
     axis: 'float[:]',
     phases: 'float[:,:]',
 ) -> float:
-    """Duration of the paper's form; if `covering`, with the cruise that covers the distance.
-
-    1e300 if there is no such form.
-    """
-    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
-    rest = problem[Problem.DISTANCE] - y
-    if count < 0 or (covering and rest * cruise <= 0.0):
-        return 1e300
+    """One of both (`cruise_times`)."""
+    duration, covered = cruise_times(cruise, problem, axis, phases)
     if covering:
-        duration = duration + rest / cruise
+        return covered
     return duration
 
 
@@ -82,8 +94,10 @@ def turning_time(
     return min(t_p, t_q)
 
 
-def turning_ends(
+def insert_turn(
+    sample: int,
     covering: bool,
+    least: float,
     spent: float,
     after: float,
     problem: 'float[:]',
@@ -91,28 +105,59 @@ def turning_ends(
     work: 'float[:,:]',
     count: int,
 ) -> int:
-    """Insert the minima of the paper's form's duration over all cruise velocities.
+    """Insert the minimum of `cruise_time` next to a sample, which takes `least` [s]."""
+    # the minimum is shorter still
+    if spent + least <= after:
+        return count
+    phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
+    lower = cruise_sample(max(sample - 1, 0), axis)
+    upper = cruise_sample(min(sample + 1, 24), axis)
+    turn = turning_time(lower, upper, covering, problem, axis, phases)
+    return insert_end(spent + min(turn, least), after, count, ends)
+
+
+def cruise_sample(sample: int, axis: 'float[:]') -> float:
+    """One of 25 cruise velocities within the limit."""
+    return axis[Axis.VELOCITY] * (2.0 * sample / 24 - 1.0)
+
+
+def turning_ends(
+    spent: float,
+    after: float,
+    problem: 'float[:]',
+    axis: 'float[:]',
+    work: 'float[:,:]',
+    count: int,
+) -> int:
+    """Insert the minima of the paper's form's durations (`cruise_times`) over all cruise velocities.
 
     `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    velocity_limit = axis[Axis.VELOCITY]
-    samples = 24
     first = 1e300
     second = 1e300
-    for i in range(samples + 2):
+    first_covered = 1e300
+    second_covered = 1e300
+    for i in range(26):
         third = 1e300
-        if i <= samples:
-            cruise = velocity_limit * (2.0 * i / samples - 1.0)
-            third = cruise_time(cruise, covering, problem, axis, phases)
+        third_covered = 1e300
+        if i < 25:
+            cruise = cruise_sample(i, axis)
+            third, third_covered = cruise_times(cruise, problem, axis, phases)
         if second < 1e300 and first >= second and third >= second:
-            lower = velocity_limit * max(2.0 * (i - 2) / samples - 1.0, -1.0)
-            upper = velocity_limit * min(2.0 * i / samples - 1.0, 1.0)
-            turn = turning_time(lower, upper, covering, problem, axis, phases)
-            count = insert_end(spent + min(turn, second), after, count, ends)
+            count = insert_turn(
+                i - 1, False, second, spent, after, problem, axis, work, count
+            )
+        if second_covered < 1e300 and first_covered >= second_covered:
+            if third_covered >= second_covered:
+                count = insert_turn(
+                    i - 1, True, second_covered, spent, after, problem, axis, work, count
+                )
         first = second
         second = third
+        first_covered = second_covered
+        second_covered = third_covered
     return count
 
 
@@ -157,11 +202,31 @@ def covering_ends(
     return count
 
 
+def loop_ends(
+    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int
+) -> int:
+    """Insert the durations of profiles next to a single ramp (arcs.py) that cover the distance."""
+    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
+    longest = usual_duration(problem, axis)
+    for arc in range(LoopArc.SINGLE):
+        sample = 0
+        while sample >= 0 and sample < 48:
+            sample, duration = next_loop(arc, sample, longest, problem, axis, work)
+            if duration >= 0.0:
+                count = insert_end(duration, after, count, ends)
+    return count
+
+
 def gap_ends(
-    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    after: float,
+    shortest: float,
+    problem: 'float[:]',
+    axis: 'float[:]',
+    work: 'float[:,:]',
 ) -> int:
     """Write the shortest durations above a given one at which a gap can end; returns their number.
 
+    `shortest` is the duration of the shortest profile [s].
     They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per
     row.
     """
@@ -172,7 +237,9 @@ def gap_ends(
         taken, spent = braked(variant, problem, axis, trial, rest)
         if taken < 0:
             continue
+        # where the snap is the highest limit, they hardly matter for longer durations
+        if variant == 0 and (after < 1.1 * shortest or not snap_is_last(axis)):
+            count = loop_ends(after, rest, axis, work, count)
         count = covering_ends(spent, after, rest, axis, work, count)
-        for kind in range(2):
-            count = turning_ends(kind == 1, spent, after, rest, axis, work, count)
+        count = turning_ends(spent, after, rest, axis, work, count)
     return count

@@ -81,14 +81,15 @@ def next_feasible(
     """
     after = start
     delay = cell[Cell.PLACE, Place.DELAY]
+    shortest = cell[Cell.RESULT, Interval.SHORTEST] - delay
     for sweep in range(8):
-        count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
+        count = gap_ends(after - delay, shortest, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
             duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + 1e-9)
             if set_duration(duration, cell, axis, work):
-                if axis[Axis.PLATEAU] > 0.5:
-                    return duration
-                return first_feasible(after, duration, cell, axis, work)
+                if axis[Axis.PLATEAU] < 0.5:
+                    duration = first_feasible(4e-9, after, duration, cell, axis, work)
+                return earlier_feasible(start, duration, cell, axis, work)
             after = duration
         if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:
             break
@@ -96,7 +97,7 @@ def next_feasible(
     for i in range(600):
         duration = after * growth
         if set_duration(duration, cell, axis, work):
-            return first_feasible(after, duration, cell, axis, work)
+            return first_feasible(4e-9, after, duration, cell, axis, work)
         after = duration
         if i > 230:
             growth = 1.02
@@ -105,17 +106,42 @@ def next_feasible(
     return -1.0
 
 
+def earlier_feasible(
+    start: float, end: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+) -> float:
+    """A feasible duration in (start, end], where `start` is infeasible and `end` feasible.
+
+    A little beyond the shortest profile, means of other families can last less than all durations
+    that `gap_ends` tells.
+    """
+    outside = start
+    if start > 1.1 * cell[Cell.RESULT, Interval.SHORTEST]:
+        return end
+    for i in range(4):
+        duration = start * (1.0 + 0.004 * 2**i)
+        if duration > 0.98 * end:
+            break
+        if set_duration(duration, cell, axis, work):
+            return first_feasible(1e-4, outside, duration, cell, axis, work)
+        outside = duration
+    return end
+
+
 def first_feasible(
+    accuracy: float,
     outside: float,
     inside: float,
     cell: 'float[:,:]',
     axis: 'float[:]',
     work: 'float[:,:]',
 ) -> float:
-    """The first feasible duration between an infeasible and a feasible one, to 4e-9 of it."""
-    duration = inside * (1.0 - 3e-9)
+    """The first feasible duration between an infeasible and a feasible one.
+
+    accuracy: by which share it may be longer than that.
+    """
+    duration = inside * (1.0 - 0.75 * accuracy)
     for i in range(60):
-        if duration <= outside or inside - outside <= 4e-9 * inside:
+        if duration <= outside or inside - outside <= accuracy * inside:
             break
         if set_duration(duration, cell, axis, work):
             inside = duration

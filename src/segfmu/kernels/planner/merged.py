@@ -60,6 +60,7 @@ def set_family(
     family[Family.MEMBER] = -1.0
     family[Family.SCALE] = last_ramp
     family[Family.STRETCH] = 1.0
+    family[Family.FLATNESS] = 0.0
 
 
 def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> None:

@@ -269,6 +269,25 @@ def passing_form(
     return used
 
 
+def pace_down(
+    steps: int, shortest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Slow the sequence that was found down in steps from `shortest` to the problem's duration [s].
+
+    False if that breaks a limit or fails.
+    """
+    restore_sequence(PlanWork.FOUND, work)
+    passing = work[PlanWork.PASSING, :]
+    longer = problem[Problem.DURATION] / shortest - 1.0
+    for i in range(steps):
+        passing[Passing.TARGET] = shortest * (1.0 + longer * (i + 1) / steps)
+        if not solve_rotated(problem, axis, work):
+            return False
+        if not meet_limits(False, 1e300, problem, axis, work) or passing[Passing.PACE] > 1.0:
+            return False
+    return True
+
+
 def timed_passing(
     phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
@@ -277,15 +296,13 @@ def timed_passing(
     Returns the number of its phases; 0 if that breaks a limit.
     """
     restore_sequence(PlanWork.FOUND, work)
-    passing = work[PlanWork.PASSING, :]
-    shortest = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])
-    longer = problem[Problem.DURATION] / shortest - 1.0
-    # by little each time, as plateaus begin and end on the way
-    steps = min(int(20.0 * longer) + 1, 10)
-    for i in range(steps):
-        passing[Passing.TARGET] = shortest * (1.0 + longer * (i + 1) / steps)
-        if not solve_rotated(problem, axis, work):
-            return 0
-        if not meet_limits(False, 1e300, problem, axis, work) or passing[Passing.PACE] > 1.0:
-            return 0
-    return write_sequence(phases, axis, work)
+    shortest = sequence_duration(
+        work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
+    )
+    # by little each time, as plateaus begin and end on the way, but levels that meet are stepped over
+    steps = min(int(20.0 * (problem[Problem.DURATION] / shortest - 1.0)) + 1, 10)
+    for i in range(3):
+        if pace_down(steps, shortest, problem, axis, work):
+            return write_sequence(phases, axis, work)
+        steps = 4 * steps
+    return 0

@@ -48,7 +48,6 @@ from segfmu.kernels.planner.timed_cruise import (
     scan_cruises,
     timed_cruise,
 )
-from segfmu.kernels.planner.window import early_window
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
@@ -96,9 +95,6 @@ def timed_between(
         scan_cruises(problem, axis, cell, work)
     if not is_enclosed(work):
         timed_merged(problem, axis, cell, work)
-    target = problem[Problem.DURATION]
-    if not is_enclosed(work) and early_window(target, problem, axis) >= target:
-        timed_loop(problem, axis, cell, work)
 
 
 def usual_cruise(
@@ -237,6 +233,8 @@ def timed_profile(
             continue
         clear_nearest(work)
         timed_between(rest, axis, cell, work)
+        if variant == 0 and not is_enclosed(work):
+            timed_loop(rest, axis, cell, work)
         if is_enclosed(work):
             weight = nearest_weight(rest, axis, nearest)
             surround_nearest(variant, axis, cell, work)

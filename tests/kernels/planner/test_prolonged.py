@@ -1,0 +1,89 @@
+"""Durations that smooth motions have: a gap between feasible durations must not contain them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.polynomial import chebyshev, polynomial
+
+from segfmu import InfeasibleError, Limits, Waypoint, plan, verify
+
+# smoothness, limits, velocity and acceleration at both ends, distance: of polynomials that last 1 s
+# and keep 77 or 95 % of the limits; segfmu once found their durations infeasible
+MOTIONS = (
+    (4, (0.3177, 0.3468, 1.3003, 4.0037), 0.152636, 4 / 15, 0.152636, -4 / 15,
+     0.20977885714285713),
+    (4, (0.1281801106, 0.3384028267, 1.30026, 4.550000259), 0.0, -0.260257815136,
+     -0.016853797863, 0.260257815136, -0.0641964307464),
+    (4, (0.05262560826, 0.2492757488, 1.05021, 3.878596659), 0.0201384035915, -0.237358003421,
+     0.0501096049886, 0.237310536783, -0.0163096746734),
+    (3, (0.1021398526, 0.3010344736, 1.05021, 3.139888307), 0.00884666592625, 0.286642170232,
+     -0.00501783990397, -0.286642170232, 0.0617013755988),
+    (5, (0.1204128624, 0.2084686335, 1.05021, 4.247169015, 35.53789349), 0.114655985354,
+     -0.198499075662, 0.102496276437, 0.198501855341, 0.0634641065414),
+    (6, (0.09930985097, 0.25667874, 1.30026, 5.35984156, 43.71778868, 437.0701391),
+     0.00248859433486, 0.197405703502, 0.0, -0.197405703502, 0.0463634806571),
+)
+
+
+@pytest.mark.parametrize(("smoothness", "limits", "v", "a", "w", "b", "distance"), MOTIONS)
+def test_a_duration_that_a_smooth_motion_has(
+    smoothness: int, limits: tuple[float, ...], v: float, a: float, w: float, b: float,
+    distance: float,
+) -> None:
+    points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
+    trajectory = plan(points, Limits(*limits), smoothness=smoothness, duration=1.0)
+    assert trajectory.duration == pytest.approx(1.0, rel=1e-12)
+    assert verify(trajectory).passed
+
+
+def test_axes_meet_shortly_after_their_shortest_profiles() -> None:
+    """Both axes have smooth motions of 1 s; the second one none of the first one's shortest."""
+    points = [
+        Waypoint([0.0, 0.0], [0.58395618075, 0.045833333333], [-0.90124569484, -0.26666666667]),
+        Waypoint(
+            [0.057142857143, -0.01130952381], [-0.58395618075, 0.045833333333],
+            [-1.4345790282, 0.26666666667],
+        ),
+    ]
+    limits = Limits([0.642480269, 0.05042675], [1.57835254, 0.293392], 1.10022, 3.38771491)
+    trajectory = plan(points, limits)
+    assert 0.983 < trajectory.duration < 0.985
+    assert verify(trajectory).passed
+
+
+def smooth_motion(rng: np.random.Generator, smoothness: int) -> np.ndarray:
+    """Coefficients of a polynomial on [0, 1] whose derivatives above the second vanish at its ends."""
+    factor = chebyshev.cheb2poly(rng.normal(size=rng.integers(1, 9)))
+    jerk = polynomial.polymul(polynomial.polypow([0.0, 1.0, -1.0], smoothness - 2), factor)
+    acceleration = polynomial.polyint(jerk)
+    acceleration[0] = rng.choice([0.0, -0.5, -1.0]) * polynomial.polyval(1.0, acceleration)
+    velocity = polynomial.polyint(acceleration)
+    velocity[0] = rng.choice([0.0, -0.5, -1.0, rng.normal()]) * polynomial.polyval(1.0, velocity)
+    return polynomial.polyint(velocity)
+
+
+def prolonged(rng: np.random.Generator, smoothness: int) -> bool:
+    """Whether the states of a smooth motion are joined in its duration, with 10 % of slack."""
+    motion = smooth_motion(rng, smoothness)
+    times = np.linspace(0.0, 1.0, 401)
+    orders = [polynomial.polyder(motion, k) for k in range(max(smoothness, 3) + 1)]
+    limits = [1.1 * np.abs(polynomial.polyval(times, c)).max() for c in orders[1:]]
+    points = [
+        Waypoint(*(float(polynomial.polyval(t, c)) for c in orders[:3])) for t in (0.0, 1.0)
+    ]
+    try:
+        shortest = plan(points, Limits(*limits), smoothness=smoothness)
+        if shortest.duration > 1.0:
+            return False
+        plan(points, Limits(*limits), smoothness=smoothness, duration=1.0)
+    except InfeasibleError:
+        return False
+    return True
+
+
+@pytest.mark.parametrize(("smoothness", "refused"), [(2, 0), (3, 0), (4, 1), (5, 2)])
+def test_most_durations_of_smooth_motions(smoothness: int, refused: int) -> None:
+    """Of 300. At smoothness 6 one in seven is refused (docs/planner.md)."""
+    rng = np.random.default_rng(smoothness)
+    assert sum(not prolonged(rng, smoothness) for i in range(300)) <= refused
