@@ -13970,7 +13970,10 @@ static int64_t check_numbers(array_double_3d states, array_double_2d limits, arr
             for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
             {
                 value = (*cspan_at(&states, j, axis, i));
-                continue;
+                if (fabs(value) <= 1.7976931348623157e+308)
+                {
+                    continue;
+                }
                 (*cspan_at(&report, INT64_C(2))) = value;
                 if (i == INT64_C(0))
                 {

@@ -71,8 +71,12 @@ int segfmu_settle_targets(
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
     segfmu_settle_states(cuboid(states + k * width, points - 1, k, width), t->limits);
-    return (int)segfmu_check_problem(
+    const int64_t status = segfmu_check_problem(
         cuboid(states, points, k, width), t->limits, vector(report, REFUSAL_SIZE));
+    if (status == PLAN_STATUS_PLANNED) {
+        memset(report, 0, SEGFMU_REPORT * sizeof *report);
+    }
+    return (int)status;
 }
 
 void segfmu_rest_end(const replanning *t, int64_t axis, double *end)

@@ -51,6 +51,8 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
         p, take(&space, MOTION_WORK_SIZE * MOTION_WORK_COLUMNS));
     piece_list found = segfmu_take_pieces(&space, segfmu_most_pieces(m, k, n), k, n);
     array_double_2d times = matrix(take(&space, (m + 1) * k), m + 1, k);
+    double *report = work.data + (MOTION_WORK_PLAN + PLAN_WORK_REFUSAL) * MOTION_WORK_COLUMNS;
+    memset(report, 0, sizeof trajectory->report);
     segfmu_settle_states(states, limits);
     int64_t status = segfmu_plan_motion(
         states, vector((double *)p->dwells, m), limits, axes, cells, found.timing,
@@ -58,9 +60,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     if (status == PLAN_STATUS_PLANNED || status == PLAN_STATUS_CHECK_FAILED) {
         segfmu_describe(&found, m, times.data, trajectory);
     } else {
-        memcpy(trajectory->report,
-               work.data + (MOTION_WORK_PLAN + PLAN_WORK_REFUSAL) * MOTION_WORK_COLUMNS,
-               sizeof trajectory->report);
+        memcpy(trajectory->report, report, sizeof trajectory->report);
     }
     return (int)status;
 }

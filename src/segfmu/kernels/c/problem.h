@@ -19,8 +19,8 @@ typedef struct {
     array_int64_t_1d offsets;
 } piece_list;
 
-/* Most pieces of a plan: two profiles of each interval of an axis, cut at all their switching times,
-   and a dwell; a ramp has 2^(n-1) - 1 pieces. */
+/* Most pieces of a plan: two profiles of each interval of an axis, cut at all their switching
+   times, and a dwell; a ramp has 2^(n-1) - 1 pieces. */
 static inline int64_t segfmu_most_pieces(int64_t points, int64_t axes, int64_t smoothness)
 {
     const int64_t phases = 2 * (CELL_ABOVE - CELL_BELOW);
@@ -39,7 +39,8 @@ static inline piece_list segfmu_take_pieces(
     return p;
 }
 
-/* Whether sizes, choices and times are in range, with a report; segfmu_check_problem does the rest. */
+/* Whether sizes, choices and times are in range, with a report; segfmu_check_problem judges limits
+   and states. */
 static inline int segfmu_in_range(const segfmu_problem *p, double *report)
 {
     memset(report, 0, SEGFMU_REPORT * sizeof *report);

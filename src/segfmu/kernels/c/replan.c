@@ -47,11 +47,12 @@ static int plan_after(replanning *t, const segfmu_problem *p, double *full, doub
     array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS),
                                   PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
     array_double_1d dwells = vector((double *)p->dwells, m);
+    double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
+    memset(report, 0, sizeof trajectory->report);
     int64_t status = segfmu_plan_phases(
         states, dwells, t->limits, vector(options, PLAN_OPTIONS_SIZE), axes, profiles, work);
     if (status < 0) {
-        memcpy(trajectory->report, work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS,
-               sizeof trajectory->report);
+        memcpy(trajectory->report, report, sizeof trajectory->report);
         return (int)status;
     }
     array_double_2d expansion = matrix(take(&space, EXPANSION_SIZE * EXPANSION_COLUMNS),
@@ -171,7 +172,8 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
         return status;
     }
     const int moves = status == PLAN_STATUS_PLANNED;
-    if (moves && segfmu_find_leads(&t, TO_PLAN, problem->shape, full + k * (t.smoothness + 1)) >= 0) {
+    const double *targets = full + k * (t.smoothness + 1);
+    if (moves && segfmu_find_leads(&t, TO_PLAN, problem->shape, targets) >= 0) {
         status = PLAN_STATUS_NO_PROFILE;
     } else if (moves) {
         status = plan_after(&t, problem, full, times, t.space, trajectory);

@@ -26,9 +26,6 @@ static void hold_velocities(replanning *t, int anchored, double *states, double 
         end[WAYPOINT_STATE_ACCELERATION] = 0.0;
         piece[PIECE_POSITION] = end[WAYPOINT_STATE_POSITION];
         piece[PIECE_VELOCITY] = velocity;
-        for (int64_t i = 0; i <= n; i++) {
-            states[axis * (n + 1) + i] = t->now[axis * (n + 1) + i];
-        }
         last[WAYPOINT_STATE_POSITION] = end[WAYPOINT_STATE_POSITION] + velocity * hold;
         times[axis] = 0.0;
         times[k + axis] = times[2 * k + axis] = duration;
@@ -94,6 +91,7 @@ static int check_velocities(const replanning *t, const double *velocities, doubl
             return PLAN_STATUS_WAYPOINT_VELOCITY;
         }
     }
+    memset(report, 0, SEGFMU_REPORT * sizeof *report);
     return PLAN_STATUS_PLANNED;
 }
 
@@ -116,7 +114,6 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     const int64_t failed = segfmu_find_leads(&t, TO_VELOCITY, SHAPE_PLATEAU, targets);
     if (failed >= 0) {
         trajectory->report[REFUSAL_AXIS] = (double)failed;
-        trajectory->report[REFUSAL_INTERVAL] = 0.0;
         return PLAN_STATUS_NO_PROFILE;
     }
     status = PLAN_STATUS_CHECK_FAILED;

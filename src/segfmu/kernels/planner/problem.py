@@ -48,7 +48,8 @@ def check_numbers(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
             report[Refusal.AXIS] = axis
             for i in range(WaypointState.SIZE):
                 value = states[j, axis, i]
-                if value - value == 0.0:
+                # the largest double
+                if abs(value) <= 1.7976931348623157e308:
                     continue
                 report[Refusal.VALUE] = value
                 if i == WaypointState.POSITION:
