@@ -27,12 +27,15 @@ SEGFMU_API size_t segfmu_replan_size(
              the time: what the problem says of it is not read but for dwells[0], which must be 0.
              Consecutive waypoints differ.
 
-   All options of the problem hold for the new plan. What is left of the trajectory is kept if the
-   problem has one more waypoint, the trajectory ends there as the problem asks, and no new plan is
-   shorter by 1 %. As the problem asks means: in the same position, velocity and acceleration within
-   a plan's tolerance of 1e-9 (relative); with the dwell dwells[1] of the trajectory, of which the rest counts once it has
-   begun; after `duration`, if that is not 0; all axes at the same time, unless `synchronization` is
-   SEGFMU_NONE; within `limits`. With a `sample_time` it is never kept. `shape` counts for new plans.
+   All options of the problem hold for a new plan. If the problem has one more
+   waypoint, what is left of the trajectory is kept unless a new plan is shorter by 1 %. It must do what
+   the problem asks:
+
+   - It ends in that position, velocity and acceleration, within a plan's tolerance of 1e-9 (relative).
+   - dwells[1] is the trajectory's own last dwell. If it has begun, what is left of it counts.
+   - duration is 0, or that of the rest. sample_time is 0.
+   - All axes end together, unless synchronization is SEGFMU_NONE.
+   - It keeps the limits. The shape does not matter.
 
    If no plan keeps the limits at once, the trajectory is followed to its end first.
 
