@@ -129,11 +129,14 @@ static int keep_rest(const replanning *t, const segfmu_trajectory *old, double t
     const int64_t k = t->axes, width = t->smoothness + 1;
     double *states = take(&space, 2 * k * width), *targets = states + k * width;
     replanning kept = *t;
+    if (p->points != 2 || p->sample_time > 0.0) {
+        return PLAN_STATUS_NO_PROFILE;
+    }
+    /* the plan in the trajectory no longer needs its leads */
     kept.rest = t->leads;
     segfmu_cut_rest(old, time, &kept.rest);
     segfmu_meet_ends(old->duration, kept.rest.timing, kept.rest.offsets);
-    if (p->points != 2 || p->sample_time > 0.0
-        || !ends_as_asked(&kept, old, p, full + k * width, times)) {
+    if (!ends_as_asked(&kept, old, p, full + k * width, times)) {
         return PLAN_STATUS_NO_PROFILE;
     }
     memcpy(states, full, (size_t)(2 * k * width) * sizeof *states);

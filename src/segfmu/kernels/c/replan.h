@@ -27,11 +27,10 @@ SEGFMU_API size_t segfmu_replan_size(
              the time: what the problem says of it is not read but for dwells[0], which must be 0.
              Consecutive waypoints differ.
 
-   All options of the problem hold for a new plan. If the problem has one more
-   waypoint, what is left of the trajectory is kept unless a new plan is shorter by 1 %. It must do what
-   the problem asks:
+   All options of the problem hold for a new plan. If the problem has one more waypoint, what is left
+   of the trajectory is kept unless a new plan is shorter by 1 %. It must do what the problem asks:
 
-   - It ends in that position, velocity and acceleration, within a plan's tolerance of 1e-9 (relative).
+   - It ends in the position, velocity and acceleration of that waypoint, to 1e-9 (relative).
    - dwells[1] is the trajectory's own last dwell. If it has begun, what is left of it counts.
    - duration is 0, or that of the rest. sample_time is 0.
    - All axes end together, unless synchronization is SEGFMU_NONE.
