@@ -112,8 +112,8 @@ PLAN = Messages(
         "ramp; give limits.jerk or a higher one",
         PlanStatus.MOVING_DWELL: "axis {AXIS}, waypoint {INTERVAL+1}: a dwell needs a waypoint at "
         "rest; omit its velocity and acceleration, or the dwell",
-        PlanStatus.OUT_OF_RANGE: "the number of waypoints or an option of the planner is out of "
-        "range",
+        PlanStatus.OUT_OF_RANGE: "the number of waypoints, an option of the planner, or a limit, a "
+        "position or a dwell is out of range",
         PlanStatus.CHECK_FAILED: "the plan breaks a limit or misses a waypoint by more than 1e-9 "
         "(relative): the problem is badly scaled; choose limits and distances of similar size",
         PlanStatus.SAME_WAYPOINTS: "waypoints {INTERVAL+1} and {INTERVAL+2} are the same; "

@@ -1,55 +1,141 @@
-"""The C entry points of replanning, in a program without Python, give what Python's give."""
+"""The C entry points of replanning, without Python, give what Python's give."""
 
 from __future__ import annotations
 
-import subprocess
-from pathlib import Path
+from collections.abc import Sequence
 
+import numpy as np
 import pytest
 
-from segfmu import Limits, Waypoint, plan, replan, stop
-from segfmu.codegen.native import TARGET
-from tests.compiler import CC, needs_cc
+from segfmu import Limits, Trajectory, Waypoint, plan, reach_velocity, replan, stop
+from segfmu.planning.problem import SYNCHRONIZATIONS
+from tests.kernels.planner.c_planner import Asked, Planner, Result
 
-pytestmark = needs_cc
 LIMITS = Limits([1.0, 0.8], 1.0, [4.0, 3.0], 20.0)
+START, TARGET = Waypoint([0.0, 0.0]), Waypoint([1.0, 0.5])
+RESTING = Waypoint(TARGET.position, dwell=5.0)
+PASSED = Waypoint(TARGET.position, [0.3, 0.2], [0.0, 0.1])
+SHARES = [5e-324, 1e-15, 1e-11, 0.05, 0.2, 0.5, 0.8, 1.0 - 1e-5, 1.0 - 1e-9, 1.0 - 1e-15, 1.0]
 
 
-@pytest.fixture(scope="module")
-def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The driver, compiled from the sources that ship."""
-    program = tmp_path_factory.mktemp("driver") / "driver"
-    names = ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")
-    sources = [Path(__file__).with_name("replan_driver.c"), *(TARGET / name for name in names)]
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1"]
-    unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
-    subprocess.run(
-        [CC, *flags, *unused, f"-I{TARGET}", *sources, "-lm", "-o", program], check=True
-    )
-    return program
+def require_same(found: Result, expected: Trajectory) -> None:
+    """Require the durations, the states at the start and the positions of Python's plan."""
+    n = expected.smoothness
+    assert found.status == 0
+    assert found.duration == pytest.approx(expected.duration, rel=1e-12)
+    for d in range(n + 1):
+        assert found(0.0, d) == pytest.approx(expected(0.0, d), rel=1e-9, abs=1e-9)
+    times = np.linspace(0.0, expected.duration, 20)
+    assert np.array([found(t) for t in times]) == pytest.approx(expected(times), abs=1e-11)
+    for d in range(3):
+        end = found(found.duration, d)
+        assert end == pytest.approx(expected(expected.duration, d), rel=1e-9, abs=1e-9)
+    assert found.arrivals == pytest.approx(expected.axis_waypoint_times[-1], rel=1e-9, abs=1e-12)
+
+
+def asked(targets: Waypoint | Sequence[Waypoint], n: int = 4, **changes) -> Asked:
+    points = [targets] if isinstance(targets, Waypoint) else targets
+    return Asked([START, *points], LIMITS, n, **changes)
 
 
 @pytest.mark.parametrize("n", [3, 4, 5, 6])
+@pytest.mark.parametrize("share", SHARES)
+def test_c_replans_as_python_does(planner: Planner, n: int, share: float) -> None:
+    old, expected = planner.plan(asked(TARGET, n)), plan([START, TARGET], LIMITS, smoothness=n)
+    time, other = share * expected.duration, Waypoint([0.2, -0.4])
+    require_same(old, expected)
+    require_same(planner.replan(old, time, asked(TARGET, n)), replan(expected, time, TARGET))
+    require_same(planner.replan(old, time, asked(other, n)), replan(expected, time, other))
+    require_same(planner.reach(old, time, [0.0, 0.0], LIMITS.table(2, n)), stop(expected, time))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
 @pytest.mark.parametrize(
-    "share", [5e-324, 1e-15, 1e-11, 0.05, 0.2, 0.5, 0.8, 1.0 - 1e-5, 1.0 - 1e-9, 1.0 - 1e-15, 1.0]
+    "targets",
+    [
+        Waypoint([1.0, 0.5], [0.1, 0.0]), Waypoint([1.0, 0.5], [0.5, 0.0]),
+        Waypoint([1.0, 0.5], [0.0, 0.0], [0.2, 0.0]), PASSED, RESTING,
+        Waypoint([0.2, -0.4], dwell=2.0), [Waypoint([0.2, -0.4], dwell=1.0), TARGET],
+        Waypoint([1.0, 0.4], [1e-12, 0.0], dwell=1.0),
+    ],
 )
-def test_c_replans_as_python_does(driver: Path, n: int, share: float) -> None:
-    old = plan([Waypoint([0.0, 0.0]), Waypoint([1.0, 0.5])], LIMITS, smoothness=n)
-    time = share * old.duration
-    table = LIMITS.table(2, n)
-    text = " ".join(str(x) for x in [n, time, *table.ravel()])
-    done = subprocess.run(
-        [driver], input=text, capture_output=True, text=True, check=True, timeout=20
-    )
-    rows = [[float(x) for x in line.split()] for line in done.stdout.splitlines()]
-    expected = [
-        old, replan(old, time, Waypoint([1.0, 0.5])), replan(old, time, Waypoint([0.2, -0.4])),
-        stop(old, time),
-    ]
-    for row, found in zip(rows, expected, strict=True):
-        assert row[0] == 0.0
-        assert row[1] == pytest.approx(found.duration, rel=1e-12)
-        assert row[2 : n + 3] == pytest.approx(
-            [float(found(0.0, d)[0]) for d in range(n + 1)], rel=1e-9, abs=1e-9
-        )
-        assert row[n + 3 :] == pytest.approx(found(found.duration).tolist(), abs=1e-12)
+def test_other_states_and_dwells_at_the_target(planner: Planner, targets, share: float) -> None:
+    old, expected = planner.plan(asked(TARGET)), plan([START, TARGET], LIMITS)
+    time = share * expected.duration
+    require_same(planner.replan(old, time, asked(targets)), replan(expected, time, targets))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9, 1.0 - 1e-9])
+@pytest.mark.parametrize(
+    ("target", "synchronize"),
+    [(PASSED, "waypoints"), (PASSED, "total"), *((RESTING, s) for s in SYNCHRONIZATIONS)],
+)
+def test_the_rest_is_kept(
+    planner: Planner, target: Waypoint, share: float, synchronize: str
+) -> None:
+    request = asked(target, synchronization=SYNCHRONIZATIONS.index(synchronize))
+    old = planner.plan(request)
+    expected = plan([START, target], LIMITS, synchronize=synchronize)
+    time = share * expected.duration
+    kept = planner.replan(old, time, request)
+    require_same(kept, replan(expected, time, target))
+    assert kept.duration == pytest.approx(old.duration - time, rel=1e-6)
+    # of the dwell, what is left: then the same again
+    left = min(target.dwell, *kept.ends)
+    again = planner.replan(kept, 0.1 * kept.duration, asked(
+        Waypoint(target.position, target.velocity, target.acceleration, dwell=left),
+        synchronization=SYNCHRONIZATIONS.index(synchronize),
+    ))
+    assert again.status == 0
+    assert again.duration == pytest.approx(0.9 * kept.duration, rel=1e-6)
+
+
+@pytest.mark.parametrize("synchronize", ["waypoints", "total"])
+def test_axes_meet_where_the_old_plan_let_them_not(planner: Planner, synchronize: str) -> None:
+    old = planner.plan(asked(TARGET, synchronization=SYNCHRONIZATIONS.index("none")))
+    assert old.ends[1] < old.ends[0] - 0.1
+    request = asked(TARGET, synchronization=SYNCHRONIZATIONS.index(synchronize))
+    found = planner.replan(old, 0.5 * old.duration, request)
+    assert found.status == 0
+    assert found.ends[1] == pytest.approx(found.ends[0], rel=1e-12)
+    assert found(found.duration) == pytest.approx(TARGET.position, abs=1e-9)
+
+
+@pytest.mark.parametrize("target", [TARGET, Waypoint([0.2, -0.4])])
+def test_duration_and_sample_time_hold_for_any_target(planner: Planner, target: Waypoint) -> None:
+    old = planner.plan(asked(TARGET))
+    found = planner.replan(old, 0.7, asked(target, duration=20.0))
+    assert (found.status, found.duration) == (0, pytest.approx(20.0, rel=1e-12))
+    found = planner.replan(old, 0.7, asked(target, sample_time=0.5))
+    assert found.status == 0
+    assert found.duration / 0.5 == pytest.approx(round(found.duration / 0.5), rel=1e-12)
+
+
+def test_the_rest_is_kept_if_it_takes_the_duration(planner: Planner) -> None:
+    request = asked(TARGET, duration=20.0)
+    old = planner.plan(request)
+    left = planner.replan(old, 7.0, asked(TARGET, duration=13.0))
+    assert left(6.0) == pytest.approx(old(13.0), abs=1e-12)
+    more = planner.replan(old, 7.0, request)
+    assert (more.status, more.duration) == (0, pytest.approx(20.0, rel=1e-12))
+
+
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.7, 1.0])
+@pytest.mark.parametrize(
+    "velocity", [[0.3, -0.2], [1.0, 0.8], [0.0, 0.4], [1.0 + 1e-10, 0.8 - 1e-10]]
+)
+def test_c_reaches_velocities_as_python_does(planner: Planner, share: float, velocity) -> None:
+    old, expected = planner.plan(asked(TARGET)), plan([START, TARGET], LIMITS)
+    time = share * expected.duration
+    found = planner.reach(old, time, velocity, LIMITS.table(2, 4))
+    require_same(found, reach_velocity(expected, velocity, time))
+
+
+def test_a_kept_rest_does_not_jump_at_its_start(planner: Planner) -> None:
+    # on a long way small differences at the end are large ones at the start
+    targets = [Waypoint([50.0, 50.0], [0.3, 0.3], [0.1 + e, 0.1 + e]) for e in (0.0, 0.9e-9)]
+    old = planner.plan(asked(targets[0]))
+    found = planner.replan(old, 1.0, asked(targets[1]))
+    assert found.status == 0
+    for d in range(5):
+        assert found(0.0, d) == pytest.approx(old(1.0, d), abs=1e-9)

@@ -21,8 +21,8 @@ from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
 
 KERNELS = (
-    "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "records.h",
-    "segfmu.h", "span.h", "visible.h",
+    "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "problem.h",
+    "records.h", "segfmu.h", "span.h", "visible.h",
 )
 GLUE = (
     "checksum.h", "feed.c", "feed.h", "glue.h", "instance.c", "model.h", "oldest.h", "say.c",

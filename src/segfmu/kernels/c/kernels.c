@@ -403,6 +403,8 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
 static void set_problems(array_double_3d states, array_double_3d cells);
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t check_limits(array_double_2d limits, array_double_1d report);
+static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static bool differ(double before, double value);
 static double settle_value(double value, double limit);
 static int64_t sensing_rows(double sample_time, double dead_time);
@@ -14124,28 +14126,78 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;
 }
+static int64_t check_limits(array_double_2d limits, array_double_1d report)
+{
+    int64_t axis;
+    int64_t order;
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(0))) = axis;
+        for (order = INT64_C(0); order < limits.shape[INT64_C(1)]; order += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&limits, axis, order));
+            if ((order < INT64_C(2)) && (!((*cspan_at(&limits, axis, order)) > 0.0)))
+            {
+                return (-INT64_C(14)) - order;
+            }
+            if (!((*cspan_at(&limits, axis, order)) >= 0.0))
+            {
+                return -INT64_C(11);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report)
+{
+    int64_t j;
+    int64_t axis;
+    int64_t i;
+    double value;
+    for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(1))) = j;
+        for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(0))) = axis;
+            for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+            {
+                value = (*cspan_at(&states, j, axis, i));
+                if (fabs(value) <= 1.7976931348623157e+308)
+                {
+                    continue;
+                }
+                (*cspan_at(&report, INT64_C(2))) = value;
+                if (i == INT64_C(0))
+                {
+                    return -INT64_C(11);
+                }
+                (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&limits, axis, i - INT64_C(1)));
+                return (-INT64_C(7)) + INT64_C(1) - i;
+            }
+        }
+    }
+    return INT64_C(0);
+}
 static bool differ(double before, double value)
 {
     return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
 }
 int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report)
 {
-    int64_t axis;
-    int64_t order;
     int64_t j;
     int64_t different;
+    int64_t axis;
     int64_t i;
-    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    int64_t status;
+    status = check_limits(limits, report);
+    if (status == INT64_C(0))
     {
-        (*cspan_at(&report, INT64_C(0))) = axis;
-        for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
-        {
-            (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&limits, axis, order));
-            if (!((*cspan_at(&limits, axis, order)) > 0.0))
-            {
-                return (-INT64_C(14)) - order;
-            }
-        }
+        status = check_numbers(states, limits, report);
+    }
+    if (status < INT64_C(0))
+    {
+        return status;
     }
     for (j = INT64_C(1); j < states.shape[INT64_C(0)]; j += INT64_C(1))
     {

@@ -3,24 +3,14 @@
 
 #include <math.h>
 
-static piece_list take_pieces(double **space, int64_t rows, int64_t axes, int64_t smoothness)
-{
-    piece_list p;
-    p.timing = matrix(take(space, rows * TIMING_SIZE), rows, TIMING_SIZE);
-    p.coefficients = matrix(take(space, rows * 2 * smoothness), rows, 2 * smoothness);
-    p.offsets.data = (int64_t *)(void *)take(space, axes + 1);
-    p.offsets.shape[0] = axes + 1;
-    return p;
-}
+/* of velocity and acceleration at the end of a plan, relative to their limits */
+static const double ROUNDING = 1e-11;
 
-/* As many rows as plan.c has for a plan, as the leads take, and as the old plan has. */
+/* As many rows as a plan takes, as the leads take, and as the old plan has. */
 static int64_t most_rows(int64_t points, int64_t axes, int64_t smoothness, int64_t old)
 {
-    const int64_t profiles = 2 * (CELL_ABOVE - CELL_BELOW);
-    const int64_t interval = profiles * ((INT64_C(1) << (smoothness - 1)) - 1) + 1;
-    const int64_t plan = ((points - 1) * interval + 2) * axes + SPARE_ROWS;
     const int64_t leads = axes * LEAD_ROWS_PIECES, rest = old + axes + 1;
-    return plan + (leads > rest ? leads : rest);
+    return segfmu_most_pieces(points, axes, smoothness) + (leads > rest ? leads : rest);
 }
 
 size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int64_t pieces)
@@ -54,22 +44,39 @@ void segfmu_start_states(const piece_list *list, int64_t smoothness, double *sta
 replanning segfmu_begin_replanning(
     const segfmu_trajectory *old, double time, int64_t points, const double *limits, double *space)
 {
-    const int64_t k = old->axes, n = old->smoothness;
-    replanning t = {.axes = k, .smoothness = n, .rows = most_rows(points, k, n, old->pieces),
-                    .limits = limits};
+    const int64_t k = old->axes, n = old->smoothness, rows = most_rows(points, k, n, old->pieces);
+    replanning t = {.axes = k, .smoothness = n, .limits = matrix((double *)limits, k, n + 1)};
     t.now = take(&space, k * (n + 1));
     t.ends = take(&space, k * DELAYED_STATE_SIZE);
-    t.rest = take_pieces(&space, t.rows, k, n);
-    t.leads = take_pieces(&space, t.rows, k, n);
-    t.plan = take_pieces(&space, t.rows, k, n);
-    t.joined = take_pieces(&space, 2 * t.rows, k, n);
+    t.rest = segfmu_take_pieces(&space, rows, k, n);
+    t.leads = segfmu_take_pieces(&space, rows, k, n);
+    t.plan = segfmu_take_pieces(&space, rows, k, n);
+    t.joined = segfmu_take_pieces(&space, 2 * rows, k, n);
     t.space = space;
-    array_int64_t_1d offsets = {(int64_t *)old->offsets, {k + 1}};
-    segfmu_cut_plan(time, matrix((double *)old->timing, old->pieces, TIMING_SIZE),
-                    matrix((double *)old->coefficients, old->pieces, 2 * n), offsets,
-                    t.rest.timing, t.rest.coefficients, t.rest.offsets);
+    segfmu_cut_rest(old, time, &t.rest);
     segfmu_start_states(&t.rest, n, t.now);
     return t;
+}
+
+void segfmu_cut_rest(const segfmu_trajectory *old, double time, piece_list *rest)
+{
+    array_int64_t_1d offsets = {(int64_t *)old->offsets, {old->axes + 1}};
+    segfmu_cut_plan(time, matrix((double *)old->timing, old->pieces, TIMING_SIZE),
+                    matrix((double *)old->coefficients, old->pieces, 2 * old->smoothness), offsets,
+                    rest->timing, rest->coefficients, rest->offsets);
+}
+
+int segfmu_settle_targets(
+    const replanning *t, int64_t points, double *states, double *report)
+{
+    const int64_t k = t->axes, width = t->smoothness + 1;
+    segfmu_settle_states(cuboid(states + k * width, points - 1, k, width), t->limits);
+    const int64_t status = segfmu_check_problem(
+        cuboid(states, points, k, width), t->limits, vector(report, REFUSAL_SIZE));
+    if (status == PLAN_STATUS_PLANNED) {
+        memset(report, 0, SEGFMU_REPORT * sizeof *report);
+    }
+    return (int)status;
 }
 
 void segfmu_rest_end(const replanning *t, int64_t axis, double *end)
@@ -108,9 +115,10 @@ static void append(piece_list *list, int64_t *count, const double *timing,
 int segfmu_ends_at_velocity(
     const replanning *t, int64_t axis, const double *target, const double *end, int found)
 {
-    const double *limits = t->limits + axis * (t->smoothness + 1);
-    return fabs(end[WAYPOINT_STATE_VELOCITY] - target[WAYPOINT_STATE_VELOCITY]) <= 1e-11 * limits[0]
-        && fabs(end[WAYPOINT_STATE_ACCELERATION]) <= 1e-11 * limits[1]
+    const double *limits = t->limits.data + axis * (t->smoothness + 1);
+    const double missed = end[WAYPOINT_STATE_VELOCITY] - target[WAYPOINT_STATE_VELOCITY];
+    return fabs(missed) <= ROUNDING * limits[0]
+        && fabs(end[WAYPOINT_STATE_ACCELERATION]) <= ROUNDING * limits[1]
         && (!found || end[DELAYED_STATE_DELAY] < t->ends[axis * DELAYED_STATE_SIZE
                                                          + DELAYED_STATE_DELAY]);
 }
@@ -132,7 +140,7 @@ static int find_one(replanning *t, int64_t order, int64_t axis, const double *ta
     aim[PROBLEM_B] = target[WAYPOINT_STATE_ACCELERATION];
     int found = segfmu_find_lead(
         order, axis, t->rest.offsets, t->rest.timing, t->rest.coefficients,
-        vector((double *)t->limits + axis * width, width), work, timing, coefficients);
+        span_row(&t->limits, axis), work, timing, coefficients);
     for (int64_t i = 0; i < STATE; i++) {
         end[i] = reached[i];
     }
@@ -140,7 +148,7 @@ static int find_one(replanning *t, int64_t order, int64_t axis, const double *ta
     return found;
 }
 
-int segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double *targets)
+int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double *targets)
 {
     const int64_t n = t->smoothness, rows = 2 * LEAD_ROWS_PIECES;
     double *space = t->space;
@@ -155,7 +163,7 @@ int segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double 
     const double *best = work.data + LEAD_WORK_BEST * LEAD_WORK_COLUMNS;
     t->leads.offsets.data[0] = 0;
     for (int64_t axis = 0; axis < t->axes; axis++) {
-        const double *target = targets + axis * STATE;
+        const double *target = targets + axis * (n + 1);
         double *end = t->ends + axis * DELAYED_STATE_SIZE, last[DELAYED_STATE_SIZE];
         work.data[LEAD_WORK_AXIS * LEAD_WORK_COLUMNS + AXIS_SHAPE] = (double)shape;
         int found = find_one(t, order, axis, target, work, timing, coefficients);
@@ -171,11 +179,11 @@ int segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double 
         } else if (found) {
             append(&t->leads, &count, timing.data, coefficients.data, (int64_t)best[LEAD_COUNT]);
         } else {
-            return 0;
+            return axis;
         }
         t->leads.offsets.data[axis + 1] = count;
     }
-    return 1;
+    return -1;
 }
 
 int segfmu_judge_pieces(
@@ -185,23 +193,10 @@ int segfmu_judge_pieces(
     const int64_t k = t->axes, n = t->smoothness;
     array_double_2d check = matrix(take(&space, CHECK_SIZE * CHECK_COLUMNS), CHECK_SIZE,
                                    CHECK_COLUMNS);
-    trajectory->points = points;
-    trajectory->axes = k;
-    trajectory->smoothness = n;
-    trajectory->pieces = found->offsets.data[k];
-    trajectory->timing = found->timing.data;
-    trajectory->coefficients = found->coefficients.data;
-    trajectory->offsets = found->offsets.data;
-    trajectory->times = times;
-    trajectory->ends = times + points * k;
-    trajectory->duration = 0.0;
-    for (int64_t axis = 0; axis < k; axis++) {
-        trajectory->duration = span_max(trajectory->duration, trajectory->ends[axis]);
-    }
+    segfmu_describe(found, points, times, trajectory);
     int64_t wrong = segfmu_check_plan(
         cuboid(states, points, k, n + 1), matrix(times, points + 1, k), found->timing,
-        found->coefficients, found->offsets, matrix((double *)t->limits, k, n + 1), TOLERANCE,
-        check);
+        found->coefficients, found->offsets, t->limits, PLAN_TOLERANCE, check);
     return wrong == 0 ? PLAN_STATUS_PLANNED : PLAN_STATUS_CHECK_FAILED;
 }
 

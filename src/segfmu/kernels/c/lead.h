@@ -3,27 +3,17 @@
 #ifndef SEGFMU_LEAD_H
 #define SEGFMU_LEAD_H
 
-#include "arrays.h"
-#include "records.h"
+#include "problem.h"
 #include "replan.h"
 
 /* what a lead goes to: the order of the derivative that its last stage leads to a value */
 enum { TO_VELOCITY = 1, TO_PLAN = 2 };
 enum { STATE = WAYPOINT_STATE_SIZE };
 
-/* of limits, jumps and waypoints, relative */
-static const double TOLERANCE = 1e-9;
-
-/* The pieces of all axes. */
-typedef struct {
-    array_double_2d timing, coefficients;
-    array_int64_t_1d offsets;
-} piece_list;
-
 /* What one call works with; `rest` is what is left of the old plan. */
 typedef struct {
-    int64_t axes, smoothness, rows;
-    const double *limits;
+    int64_t axes, smoothness;
+    array_double_2d limits;      /* (k, n + 1) */
     double *now;                 /* (k, n + 1): state at the start */
     double *ends;                /* (k, DelayedState): where leads end */
     piece_list rest, leads, plan, joined;
@@ -33,6 +23,14 @@ typedef struct {
 /* The rest of the old plan from a time on, and work space as large as segfmu_replan_size tells. */
 replanning segfmu_begin_replanning(
     const segfmu_trajectory *old, double time, int64_t points, const double *limits, double *space);
+
+/* What is left of the old plan from a time on. */
+void segfmu_cut_rest(const segfmu_trajectory *old, double time, piece_list *rest);
+
+/* Settle the targets of states (m, k, n + 1), which begin with the start. Returns PLANNED, or why
+   states or limits are refused, with a report (Refusal). */
+int segfmu_settle_targets(
+    const replanning *t, int64_t points, double *states, double *report);
 
 /* The states (k, n + 1) in which the pieces of axes begin; that of an axis without stays. */
 void segfmu_start_states(const piece_list *list, int64_t smoothness, double *states);
@@ -44,8 +42,8 @@ void segfmu_rest_end(const replanning *t, int64_t axis, double *end);
 int segfmu_ends_at_velocity(
     const replanning *t, int64_t axis, const double *target, const double *end, int found);
 
-/* The leads of all axes to targets (k, WaypointState); 0 if one has none. */
-int segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double *targets);
+/* The leads of all axes to targets (k, n + 1); the first axis that has none, or -1. */
+int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double *targets);
 
 /* Show pieces as the trajectory, judged; states (m, k, n + 1), times (m + 1, k). */
 int segfmu_judge_pieces(

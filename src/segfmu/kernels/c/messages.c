@@ -103,7 +103,8 @@ bool segfmu_plan_message(
         return true;
     case -11:
         snprintf(text, size,
-            "the number of waypoints or an option of the planner is out of range");
+            "the number of waypoints, an option of the planner, or a limit, a position "
+            "or a dwell is out of range");
         return true;
     case -12:
         snprintf(text, size,

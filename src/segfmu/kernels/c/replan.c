@@ -1,10 +1,10 @@
 /* Replanning to waypoints: the planner behind leads, and the old plan as the last resort. */
-#include <math.h>
-
 #include "lead.h"
 
 /* a plan to the same target replaces the rest of the old one if it takes less than this share */
 static const double SHORTER = 0.99;
+/* of times, which nothing but rounding changes, relative */
+static const double SAME_TIME = 1e-12;
 
 /* States of the waypoints as far as derivative n; the first one is the start. */
 static double *full_states(const replanning *t, const segfmu_problem *p, double **space)
@@ -25,8 +25,8 @@ static double *full_states(const replanning *t, const segfmu_problem *p, double 
 }
 
 /* The plan behind the leads. */
-static int plan_after(replanning *t, const segfmu_problem *p, const double *full, double *space,
-                      segfmu_trajectory *trajectory)
+static int plan_after(replanning *t, const segfmu_problem *p, double *full, double *times,
+                      double *space, segfmu_trajectory *trajectory)
 {
     const int64_t k = t->axes, n = t->smoothness, m = p->points, cells = (m - 1) * k;
     array_double_3d states = cuboid(take(&space, m * k * DELAYED_STATE_SIZE), m, k,
@@ -40,104 +40,152 @@ static int plan_after(replanning *t, const segfmu_problem *p, const double *full
         state[DELAYED_STATE_DELAY] = i < k ? source[DELAYED_STATE_DELAY] : 0.0;
     }
     double *options = take(&space, PLAN_OPTIONS_SIZE);
-    options[PLAN_OPTIONS_SMOOTHNESS] = (double)n;
-    options[PLAN_OPTIONS_SHAPE] = (double)p->shape;
-    options[PLAN_OPTIONS_SYNCHRONIZATION] = (double)p->synchronization;
-    options[PLAN_OPTIONS_SAMPLE_TIME] = p->sample_time;
-    options[PLAN_OPTIONS_DURATION] = p->duration;
+    segfmu_write_options(p, options);
     array_double_2d axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE);
     array_double_3d profiles = cuboid(take(&space, cells * CELL_SIZE * CELL_COLUMNS), cells,
                                       CELL_SIZE, CELL_COLUMNS);
     array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS),
                                   PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
     array_double_1d dwells = vector((double *)p->dwells, m);
+    double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
+    memset(report, 0, sizeof trajectory->report);
     int64_t status = segfmu_plan_phases(
-        states, dwells, matrix((double *)t->limits, k, n + 1),
-        vector(options, PLAN_OPTIONS_SIZE), axes, profiles, work);
+        states, dwells, t->limits, vector(options, PLAN_OPTIONS_SIZE), axes, profiles, work);
     if (status < 0) {
-        for (int i = 0; i < REFUSAL_SIZE; i++) {
-            trajectory->report[i] = work.data[PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS + i];
-        }
+        memcpy(trajectory->report, report, sizeof trajectory->report);
         return (int)status;
     }
     array_double_2d expansion = matrix(take(&space, EXPANSION_SIZE * EXPANSION_COLUMNS),
                                        EXPANSION_SIZE, EXPANSION_COLUMNS);
-    double *times = take(&space, (m + 1) * k);
     segfmu_expand_plan(states, dwells, axes, profiles, t->plan.timing, t->plan.coefficients,
                        t->plan.offsets, matrix(times, m + 1, k), expansion);
-    return segfmu_join_leads(t, m, (double *)full, times, space, trajectory);
+    return segfmu_join_leads(t, m, full, times, space, trajectory);
 }
 
-/* The rest of the old plan, which took `clock`, if it ends in the only target. */
-static int keep_rest(replanning *t, const segfmu_problem *p, double clock, double *full,
-                     double *times, double *space, segfmu_trajectory *trajectory)
+/* The plan behind all that is left of the old one. */
+static int plan_behind(replanning *t, const segfmu_problem *p, double *full, double *times,
+                       segfmu_trajectory *trajectory)
+{
+    t->leads = t->rest;
+    for (int64_t axis = 0; axis < t->axes; axis++) {
+        segfmu_rest_end(t, axis, t->ends + axis * DELAYED_STATE_SIZE);
+    }
+    /* with rounding errors in its velocity an axis at rest would count as moving */
+    segfmu_settle_states(cuboid(t->ends, 1, t->axes, DELAYED_STATE_SIZE), t->limits);
+    return plan_after(t, p, full, times, t->space, trajectory);
+}
+
+/* Whether two states of an axis are the same within the tolerance of a plan that takes `clock`. */
+static int same_state(const replanning *t, int64_t axis, double clock, const double *a,
+                      const double *b)
+{
+    const double *limits = t->limits.data + axis * (t->smoothness + 1);
+    /* at least what segfmu_check_plan takes for the distance that is covered */
+    double scale = limits[0] * (clock + 1e-9 * limits[0] / limits[1])
+        + 1e-5 * fabs(b[WAYPOINT_STATE_POSITION]);
+    for (int i = 0; i < STATE; i++) {
+        if (!(fabs(a[i] - b[i]) <= PLAN_TOLERANCE * scale)) {
+            return 0;
+        }
+        scale = limits[i];
+    }
+    return 1;
+}
+
+/* Whether the rest of the old plan ends in the target with its dwell, the axes together if asked;
+   its times (3, k). */
+static int ends_as_asked(const replanning *t, const segfmu_trajectory *old,
+                         const segfmu_problem *p, const double *targets, double *times)
+{
+    const int64_t k = t->axes;
+    const double *arrivals = old->times + (old->points - 1) * k;
+    const double same = SAME_TIME * old->duration;
+    double *stops = times + 2 * k, end[DELAYED_STATE_SIZE], dwell = p->dwells[1];
+    for (int64_t axis = 0; axis < k; axis++) {
+        segfmu_rest_end(t, axis, end);
+        stops[axis] = end[DELAYED_STATE_DELAY];
+        const double together = p->duration > 0.0 ? p->duration : stops[0];
+        const int meets = p->synchronization != SYNCHRONIZATION_NONE || p->duration > 0.0;
+        if (!same_state(t, axis, old->duration, end, targets + axis * (t->smoothness + 1))
+            || fabs(old->ends[axis] - arrivals[axis] - p->dwells[1]) > same
+            || (meets && fabs(stops[axis] - together) > same)) {
+            return 0;
+        }
+        dwell = span_min(dwell, stops[axis]);
+    }
+    /* of a dwell that has begun is left what all axes have left */
+    for (int64_t axis = 0; axis < k; axis++) {
+        times[axis] = 0.0;
+        times[k + axis] = stops[axis] - dwell;
+    }
+    return 1;
+}
+
+/* The rest of the old plan, if it does what the problem asks for; t->rest stays as it is. */
+static int keep_rest(const replanning *t, const segfmu_trajectory *old, double time,
+                     const segfmu_problem *p, const double *full, double *times, double *space,
+                     segfmu_trajectory *trajectory)
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
-    double end[DELAYED_STATE_SIZE];
-    if (p->points != 2) {
+    double *states = take(&space, 2 * k * width), *targets = states + k * width;
+    replanning kept = *t;
+    if (p->points != 2 || p->sample_time > 0.0) {
         return PLAN_STATUS_NO_PROFILE;
     }
-    segfmu_meet_ends(clock, t->rest.timing, t->rest.offsets);
-    for (int64_t axis = 0; axis < k; axis++) {
-        const double *target = full + (k + axis) * width;
-        segfmu_rest_end(t, axis, end);
-        times[axis] = 0.0;
-        times[k + axis] = times[2 * k + axis] = end[DELAYED_STATE_DELAY];
-        double missed = target[WAYPOINT_STATE_POSITION] - end[WAYPOINT_STATE_POSITION];
-        if (fabs(missed) > TOLERANCE * (fabs(target[WAYPOINT_STATE_POSITION])
-                                        + t->limits[axis * width] * end[DELAYED_STATE_DELAY])) {
-            return PLAN_STATUS_NO_PROFILE;
-        }
+    /* the plan in the trajectory no longer needs its leads */
+    kept.rest = t->leads;
+    segfmu_cut_rest(old, time, &kept.rest);
+    segfmu_meet_ends(old->duration, kept.rest.timing, kept.rest.offsets);
+    if (!ends_as_asked(&kept, old, p, full + k * width, times)) {
+        return PLAN_STATUS_NO_PROFILE;
     }
-    int status = segfmu_judge_pieces(t, &t->rest, p->points, full, times, space, trajectory);
+    memcpy(states, full, (size_t)(2 * k * width) * sizeof *states);
+    int status = segfmu_judge_pieces(&kept, &kept.rest, 2, states, times, space, trajectory);
     if (status == PLAN_STATUS_PLANNED) {
         return status;
     }
     /* rounding errors of a whole motion may be large against what is left of it */
-    segfmu_anchor_plan(matrix(full + k * width, k, width), matrix((double *)t->limits, k, width),
-                       t->rest.timing, t->rest.coefficients, t->rest.offsets);
-    segfmu_start_states(&t->rest, t->smoothness, full);
-    return segfmu_judge_pieces(t, &t->rest, p->points, full, times, space, trajectory);
+    segfmu_anchor_plan(matrix(targets, k, width), t->limits, kept.rest.timing,
+                       kept.rest.coefficients, kept.rest.offsets);
+    segfmu_start_states(&kept.rest, t->smoothness, states);
+    for (int64_t axis = 0; axis < k; axis++) {
+        if (!same_state(t, axis, old->duration, states + axis * width, full + axis * width)) {
+            return PLAN_STATUS_NO_PROFILE;
+        }
+    }
+    return segfmu_judge_pieces(&kept, &kept.rest, 2, states, times, space, trajectory);
 }
 
 int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_problem *problem,
                   double *space, segfmu_trajectory *trajectory)
 {
-    for (int i = 0; i < REFUSAL_SIZE; i++) {
-        trajectory->report[i] = 0.0;
-    }
-    if (problem->points < 2 || problem->axes != old->axes || !(time >= 0.0)
-        || problem->smoothness != old->smoothness || problem->dwells[0] != 0.0) {
+    if (!segfmu_in_range(problem, trajectory->report) || !(time >= 0.0 && isfinite(time))
+        || problem->axes != old->axes || problem->smoothness != old->smoothness
+        || problem->dwells[0] != 0.0) {
         return PLAN_STATUS_OUT_OF_RANGE;
     }
-    replanning t = segfmu_begin_replanning(old, time, problem->points, problem->limits, space);
+    const int64_t m = problem->points;
+    replanning t = segfmu_begin_replanning(old, time, m, problem->limits, space);
+    const int64_t k = t.axes;
     double *full = full_states(&t, problem, &t.space);
-    double *times = take(&t.space, (problem->points + 1) * t.axes);
-    double *targets = take(&t.space, t.axes * STATE);
-    for (int64_t i = 0; i < t.axes * STATE; i++) {
-        const int64_t axis = i / STATE;
-        targets[i] = full[(t.axes + axis) * (t.smoothness + 1) + i % STATE];
+    double *times = take(&t.space, (m + 1) * k), *kept_times = take(&t.space, 3 * k);
+    segfmu_trajectory kept = {0};
+    int status = segfmu_settle_targets(&t, m, full, trajectory->report);
+    if (status != PLAN_STATUS_PLANNED && status != PLAN_STATUS_SAME_WAYPOINTS) {
+        return status;
     }
-    segfmu_trajectory kept = *trajectory;
-    int keeps = keep_rest(&t, problem, old->duration, full, times, t.space, &kept);
-    int status = PLAN_STATUS_NO_PROFILE;
-    if (segfmu_find_leads(&t, TO_PLAN, problem->shape, targets)) {
-        status = plan_after(&t, problem, full, t.space, trajectory);
+    const int moves = status == PLAN_STATUS_PLANNED;
+    const double *targets = full + k * (t.smoothness + 1);
+    if (moves && segfmu_find_leads(&t, TO_PLAN, problem->shape, targets) >= 0) {
+        status = PLAN_STATUS_NO_PROFILE;
+    } else if (moves) {
+        status = plan_after(&t, problem, full, times, t.space, trajectory);
     }
+    int keeps = keep_rest(&t, old, time, problem, full, kept_times, t.space, &kept);
     if (keeps == PLAN_STATUS_PLANNED
         && (status < 0 || !(trajectory->duration < SHORTER * kept.duration))) {
         *trajectory = kept;
         return PLAN_STATUS_PLANNED;
     }
-    if (status < 0) {
-        t.leads = t.rest;
-        for (int64_t axis = 0; axis < t.axes; axis++) {
-            segfmu_rest_end(&t, axis, t.ends + axis * DELAYED_STATE_SIZE);
-        }
-        /* with rounding errors in its velocity an axis at rest would count as moving */
-        segfmu_settle_states(cuboid(t.ends, 1, t.axes, DELAYED_STATE_SIZE),
-                             matrix((double *)t.limits, t.axes, t.smoothness + 1));
-        status = plan_after(&t, problem, full, t.space, trajectory);
-    }
-    return status;
+    return moves && status < 0 ? plan_behind(&t, problem, full, times, trajectory) : status;
 }

@@ -34,7 +34,7 @@ typedef struct {
     int64_t shape;               /* of the ramps */
     int64_t synchronization;     /* of the axes */
     double sample_time;          /* s; intervals last a multiple of it; 0: any time */
-    double duration;             /* s, in total; 0: the shortest */
+    double duration;             /* s, in total, finite; 0: the shortest */
     const double *positions;     /* (m, k) */
     const double *velocities;    /* (m, k) */
     const double *accelerations; /* (m, k) */

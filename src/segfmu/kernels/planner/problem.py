@@ -6,15 +6,14 @@ from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
     """PLANNED, or the error (PlanStatus), with a report (Refusal).
 
-    m waypoints, k axes: states (m, k, WaypointState), limits (k, 2 or more) from velocity on.
-    Consecutive waypoints must differ within double precision.
+    m waypoints, k axes: states (m, k, WaypointState or more), limits (k, 2 or more) from velocity
+    on, 0 where absent. Consecutive waypoints must differ within double precision.
     """
-    for axis in range(limits.shape[0]):
-        report[Refusal.AXIS] = axis
-        for order in range(2):
-            report[Refusal.VALUE] = limits[axis, order]
-            if not limits[axis, order] > 0.0:
-                return PlanStatus.NO_VELOCITY_LIMIT - order
+    status = check_limits(limits, report)
+    if status == PlanStatus.PLANNED:
+        status = check_numbers(states, limits, report)
+    if status < 0:
+        return status
     for j in range(1, states.shape[0]):
         different = 0
         for axis in range(states.shape[1]):
@@ -24,6 +23,39 @@ def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
         if different == 0:
             report[Refusal.INTERVAL] = j - 1
             return PlanStatus.SAME_WAYPOINTS
+    return PlanStatus.PLANNED
+
+
+def check_limits(limits: 'float[:,:]', report: 'float[:]') -> int:
+    """PlanStatus of a limit that is missing, and OUT_OF_RANGE of one that is none."""
+    for axis in range(limits.shape[0]):
+        report[Refusal.AXIS] = axis
+        for order in range(limits.shape[1]):
+            report[Refusal.VALUE] = limits[axis, order]
+            if order < 2 and not limits[axis, order] > 0.0:
+                return PlanStatus.NO_VELOCITY_LIMIT - order
+            # a kernel would take it for absent
+            if not limits[axis, order] >= 0.0:
+                return PlanStatus.OUT_OF_RANGE
+    return PlanStatus.PLANNED
+
+
+def check_numbers(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
+    """PlanStatus of a state that is not finite: it would keep every limit that it is tested for."""
+    for j in range(states.shape[0]):
+        report[Refusal.INTERVAL] = j
+        for axis in range(states.shape[1]):
+            report[Refusal.AXIS] = axis
+            for i in range(WaypointState.SIZE):
+                value = states[j, axis, i]
+                # the largest double
+                if abs(value) <= 1.7976931348623157e308:
+                    continue
+                report[Refusal.VALUE] = value
+                if i == WaypointState.POSITION:
+                    return PlanStatus.OUT_OF_RANGE
+                report[Refusal.BOUND] = limits[axis, i - 1]
+                return PlanStatus.WAYPOINT_VELOCITY + 1 - i
     return PlanStatus.PLANNED
 
 
