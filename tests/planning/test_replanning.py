@@ -235,7 +235,39 @@ def test_what_is_left_keeps_its_dwell() -> None:
     old = plan([Waypoint([0.0]), Waypoint([0.4], [0.3]), end], Limits(1.0, 1.0, 4.0, 20.0))
     new = replan(old, 0.5, end)
     assert new.duration <= old.duration - 0.5 + 1e-9
+    assert new.waypoints[-1].dwell == 2.0
+    np.testing.assert_allclose(new(np.linspace(new.duration - 2.0, new.duration, 9)), 1.0)
     assert verify(new).passed
+    # to another target with a dwell, and in the middle of the dwell
+    assert replan(old, 0.5, Waypoint([1.2], dwell=3.0)).waypoints[-1].dwell == 3.0
+    assert replan(old, old.duration - 0.7, end).waypoints[-1].dwell == pytest.approx(0.7)
+
+
+MODES = ("waypoints", "total", "none")
+
+
+@pytest.mark.parametrize("asked", MODES)
+@pytest.mark.parametrize("before", MODES)
+@pytest.mark.parametrize("dwell", [0.0, 2.0])
+def test_the_rest_is_kept_only_if_axes_meet_as_asked(
+    dwell: float, before: str, asked: str
+) -> None:
+    points = [
+        Waypoint([0.0, 0.0]), Waypoint([1.0, 0.1]), Waypoint([1.5, 0.3], dwell=dwell)
+    ]
+    old = plan(points, Limits(*BOUNDS), synchronize=before)
+    arrivals = old.axis_waypoint_times
+    # moving, one axis at its end, and both
+    for t in (0.5, arrivals[1].mean(), arrivals[2].mean(), arrivals[2].max() + 0.4 * dwell):
+        targets = [points[j] for j in (1, 2) if t < arrivals[j].min()] or [points[2]]
+        new = replan(old, t, targets, synchronize=asked)
+        assert_continues(old, t, new)
+        if asked in (before, "none") or (before, asked) == ("waypoints", "total"):
+            assert new.duration <= (old.duration - t) * (1.0 + 1e-9)
+        if asked != "none":
+            assert np.ptp(new.axis_durations) <= 1e-12 * new.duration
+        if asked == "waypoints":
+            assert np.ptp(new.axis_waypoint_times, axis=1).max() <= 1e-12 * new.duration
 
 
 def test_tighter_limits_hold_where_the_state_keeps_them() -> None:

@@ -22,7 +22,7 @@ from segfmu.planning.planner import planned
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, solve_after
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE, require, verify
+from segfmu.planning.verify import TIME_TOLERANCE, TOLERANCE, require, time_error, verify
 from segfmu.planning.waypoint import Waypoint
 
 # a new plan to the same target has to be shorter than the rest of the old one by this much: a
@@ -57,7 +57,7 @@ def replan(
     -------
     Trajectory
         Its first waypoint is the state at the time. If the targets are the last waypoints of the
-        trajectory, it ends no later.
+        trajectory, and its axes meet as `synchronize` asks, it ends no later.
 
     Raises
     ------
@@ -119,9 +119,12 @@ def _kept(
     dwell = request.waypoints[-1].dwell
     rest = rest.meeting(trajectory.duration)
     ends = rest.stops()
-    if arrivals.min() < 0.0:
-        # on its last waypoint already; of its dwell that is left which all axes have left
-        dwell = float(min(dwell, ends.min()))
+    if dwell > 0.0 and arrivals.min() < 0.0:
+        # on its last waypoint already: what is left of its dwell, once all axes are there until the
+        # last one has rested, before that what all have left
+        dwell = float(min(dwell, ends.max() if arrivals.max() <= 0.0 else ends.min()))
+        rest = rest.resting(dwell)
+        ends = rest.stops()
     arrivals[-1] = ends - dwell
     times = np.vstack([np.zeros(trajectory.axes), arrivals, ends])
     points, last = request.waypoints[1:-1], request.waypoints[-1]
@@ -131,7 +134,8 @@ def _kept(
         request = request._replace(waypoints=(first, *points, target))
         states = np.stack([p.state(trajectory.smoothness) for p in request.waypoints])
         kept, proved = judged(request, states, pieces, times, TOLERANCE)
-        if proved or verify(kept).passed:
+        # the kernels do not prove that axes meet, which the old plan need not have asked for
+        if time_error(kept) <= TIME_TOLERANCE and (proved or verify(kept).passed):
             return kept
     return None
 

@@ -144,7 +144,8 @@ def _states(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, 
 
 def _relative(error: FloatArray, scale: FloatArray) -> FloatArray:
     """error / scale, 0 without an error; a scale of 0 admits none."""
-    relative: FloatArray = np.where(error == 0.0, 0.0, error / scale)
+    with np.errstate(all="ignore"):
+        relative: FloatArray = np.where(error == 0.0, 0.0, error / scale)
     return relative
 
 
