@@ -288,15 +288,70 @@ def test_what_cannot_be_is_refused() -> None:
         replan(TARGET, 0.0, TARGET)
     with pytest.raises(InputError, match="with limits"):
         stop(TARGET)
+    with pytest.raises(InputError, match="targets must have at least one"):
+        replan(old, 0.1, [])
     with pytest.raises(InputError, match="velocity has 2 values for 3 axes"):
         reach_velocity(old, [1.0, 2.0], 0.1)
     with pytest.raises(InfeasibleError, match=r"axis y: velocity 2 m/s exceeds the limit 1 m/s"):
         reach_velocity(old, [0.0, 2.0, 0.0], 0.1)
     with pytest.raises(InfeasibleError, match="axis x, waypoint 1: no motion"):
         stop(Waypoint(0.0, 0.999, 0.9, 3.0), limits=old.limits)
+    with pytest.raises(InputError, match="free velocity"):
+        stop(Waypoint(0.0, "free"), limits=old.limits)
+    with pytest.raises(InputError, match=r"time is 3\.0, but a state has no times"):
+        stop(Waypoint(0.0, 0.5), 3.0, old.limits)
+    with pytest.raises(InputError, match="dwell of 2 s"):
+        stop(Waypoint(0.0, dwell=2.0), limits=old.limits)
     with pytest.raises(InputError, match="waypoint 2: jerk"):
         plan([Waypoint(0.0), Waypoint(1.0, jerk=1.0)], old.limits)
     with pytest.raises(InputError, match="raise smoothness to 5"):
         plan([Waypoint(0.0, crackle=1.0), Waypoint(1.0)], old.limits)
     with pytest.raises(InputError, match="dwell"):
         plan([Waypoint(0.0, jerk=1.0, dwell=1.0), Waypoint(1.0)], old.limits)
+
+
+@pytest.mark.parametrize("time", [None, True, "1", np.nan, np.inf, -1.0, [], [1.0, 2.0], 1j])
+def test_bad_times_are_named(time: object) -> None:
+    old = first_plan(4)
+    calls = (
+        lambda: replan(old, time, TARGET), lambda: stop(old, time),
+        lambda: reach_velocity(old, 0.1, time), lambda: stop(old.state(0.4), time, old.limits),
+    )
+    for call in calls:
+        with pytest.raises(InputError, match=r"^time"):
+            call()
+
+
+def test_a_list_of_one_time_is_a_time() -> None:
+    old = first_plan(4)
+    assert replan(old, [1.0], TARGET).duration == replan(old, 1.0, TARGET).duration
+
+
+@pytest.mark.parametrize("targets", [5, None, 1.0, [], [3.0], "end", [TARGET, None]])
+def test_bad_targets_are_named(targets: object) -> None:
+    with pytest.raises(InputError, match=r"targets must|waypoint \d must be"):
+        replan(first_plan(4), 1.0, targets)
+
+
+@pytest.mark.parametrize("mode", ["", "all", 1, ["none"], np.array(["none", "total"])])
+def test_bad_modes_are_named(mode: object) -> None:
+    with pytest.raises(InputError, match="synchronize must be one of"):
+        replan(first_plan(4), 1.0, TARGET, synchronize=mode)
+
+
+@pytest.mark.parametrize(
+    "smoothness", [None, "a", -1, 1, 7, 4.5, np.nan, [4], np.array([4, 4])]
+)
+def test_bad_smoothness_of_a_stop_is_named(smoothness: object) -> None:
+    state, limits = Waypoint(0.0, 0.5), Limits(*BOUNDS)
+    with pytest.raises(InputError, match="smoothness must be an integer from 2 to 6"):
+        stop(state, limits=limits, smoothness=smoothness)
+    assert stop(state, limits=limits, smoothness=4.0).smoothness == 4
+
+
+@pytest.mark.parametrize("velocity", [None, "fast", True, np.nan, [], [[0.1]], [0.1, None]])
+def test_bad_velocities_are_named(velocity: object) -> None:
+    old = first_plan(4)
+    for start in (old, old.state(0.4)):
+        with pytest.raises(InputError, match="velocity"):
+            reach_velocity(start, velocity, 0.0, old.limits)

@@ -7,11 +7,13 @@ phases and expand them to polynomials; verify.py checks the trajectory.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
+from segfmu.planning.arrays import finite_number, shown
 from segfmu.planning.free import OVERSHOOT, Progress, choose_states
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
@@ -80,6 +82,8 @@ def plan(
     request = checked_request(
         waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
     )
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress must be a function, got {shown(progress)}")
     request = choose_states(request, _share("overshoot", overshoot), progress)
     trajectory = planned(request)
     _check_positions(trajectory, position_min, position_max)
@@ -107,12 +111,9 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
 
 def _share(name: str, value: float) -> float:
     """A number >= 0; infinity is one."""
-    try:
-        share = float(value)
-    except (TypeError, ValueError):
-        share = -1.0
-    if not share >= 0.0:
-        raise InputError(f"{name} must be a number >= 0, got {value!r}")
+    share = inf if isinstance(value, float) and value == inf else finite_number(name, value)
+    if share < 0.0:
+        raise InputError(f"{name} must be a number >= 0, got {shown(value)}")
     return share
 
 

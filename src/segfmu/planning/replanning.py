@@ -14,14 +14,14 @@ import numpy as np
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
-from segfmu.planning.arrays import finite_vector
+from segfmu.planning.arrays import as_tuple, finite_number, shown
 from segfmu.planning.free import choose_states
 from segfmu.planning.lead import Leads, Pieces
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import planned
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, solve_after
-from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.trajectory import Trajectory, require_plan
 from segfmu.planning.verify import TIME_TOLERANCE, TOLERANCE, require, time_error, verify
 from segfmu.planning.waypoint import Waypoint
 
@@ -66,13 +66,16 @@ def replan(
     InfeasibleError
         If no plan keeps the limits: other limits that the state breaks, or cannot keep.
     """
-    rest, start = left(trajectory, time)
-    points = (targets,) if isinstance(targets, Waypoint) else tuple(targets)
+    time, rest, start = left(trajectory, time)
+    points = (targets,) if isinstance(targets, Waypoint) else as_tuple("targets", targets)
+    if not points:
+        raise InputError("targets must have at least one waypoint")
     request = checked_request(
         (start, *points), trajectory.limits if limits is None else limits, trajectory.smoothness,
-        trajectory.shape, synchronize or trajectory.synchronize, None, None, trajectory.axis_names,
+        trajectory.shape, trajectory.synchronize if synchronize is None else synchronize, None,
+        None, trajectory.axis_names,
     )
-    kept = _kept(trajectory, float(time), rest, request)
+    kept = _kept(trajectory, time, rest, request)
     try:
         found = _planned(request, rest)
     except (InfeasibleError, InputError):
@@ -84,22 +87,21 @@ def replan(
     return found
 
 
-def left(trajectory: Trajectory, time: float) -> tuple[Pieces, Waypoint]:
-    """What is left of a trajectory, and its state at the time."""
-    if not isinstance(trajectory, Trajectory):
-        raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
-    given = finite_vector("time", time)
-    if given.size != 1 or given[0] < 0.0:
-        raise InputError(f"time must be a time >= 0 s, got {time!r}")
+def left(trajectory: Trajectory, time: float) -> tuple[float, Pieces, Waypoint]:
+    """The time, checked, what is left of a trajectory, and its state there."""
+    require_plan(trajectory)
+    given = finite_number("time", time)
+    if given < 0.0:
+        raise InputError(f"time must be a time >= 0 s, got {shown(time)}")
     timing = np.zeros((len(trajectory.timing) + trajectory.offsets.size, 2))
     coefficients = np.zeros((len(timing), trajectory.coefficients.shape[1]))
     offsets = np.zeros_like(trajectory.offsets)
     backend.cut_plan(
-        float(given[0]), trajectory.timing, trajectory.coefficients, trajectory.offsets, timing,
+        given, trajectory.timing, trajectory.coefficients, trajectory.offsets, timing,
         coefficients, offsets,
     )
     rest = Pieces(timing, coefficients, offsets)
-    return rest, Waypoint(*rest.starts().T)
+    return given, rest, Waypoint(*rest.starts().T)
 
 
 def _kept(

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.planner.records import DelayedState
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.arrays import FloatArray, finite_number, finite_vector, shown
 from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
 from segfmu.planning.limits import Limits
 from segfmu.planning.replanning import left
@@ -64,12 +64,12 @@ def reach_velocity(
     Parameters
     ----------
     start : Trajectory or Waypoint
-        Trajectory to leave at a time, or the state to begin from.
+        Trajectory to leave at a time, or the state to begin from, without free parts and dwell.
     velocity : array_like, shape (axes,)
         Velocity at the end [m/s]; the acceleration is zero there. An axis that has it before the
         others keeps it.
     time : float
-        Time of the trajectory [s], which becomes time 0 of the new one.
+        Time of the trajectory [s], which becomes time 0 of the new one; 0 with a state.
     limits : Limits, optional
         Those of the trajectory by default; required with a state.
     smoothness, axis_names
@@ -88,11 +88,12 @@ def reach_velocity(
         If the state cannot keep the limits.
     """
     if isinstance(start, Trajectory):
-        rest, state = left(start, time)
+        _, rest, state = left(start, time)
         limits = start.limits if limits is None else limits
         smoothness, shape, axis_names = start.smoothness, start.shape, start.axis_names
     elif isinstance(start, Waypoint) and limits is not None:
-        rest, state, shape = Pieces.none(start.axes, smoothness), start, "plateau"
+        _require_state(start, time)
+        rest, state, shape = None, start, "plateau"
     else:
         raise InputError("start must be a trajectory, or a segfmu.Waypoint with limits")
     wanted = finite_vector("velocity", velocity)
@@ -104,12 +105,27 @@ def reach_velocity(
         None, axis_names,
     )
     _require_velocity(request, wanted)
+    if rest is None:
+        rest = Pieces.none(state.axes, request.problem.options.smoothness)
     leads = find_leads(
         TO_VELOCITY, request.start, request.problem.states[1], request.problem.limits, shape, rest
     )
     if leads.failed >= 0:
         raise no_lead(request.axis_names[leads.failed], leads.failed)
     return _held(request, leads, rest)
+
+
+def _require_state(start: Waypoint, time: float) -> None:
+    if start.free:
+        raise InputError("start has a free velocity or acceleration; give numbers")
+    if finite_number("time", time) != 0.0:
+        raise InputError(
+            f"time is {shown(time)}, but a state has no times; omit time or start from a trajectory"
+        )
+    if start.dwell > 0.0:
+        raise InputError(
+            f"start has a dwell of {start.dwell:.6g} s; the motion begins at once: omit the dwell"
+        )
 
 
 def _require_velocity(request: Request, wanted: FloatArray) -> None:

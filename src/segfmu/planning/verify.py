@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from segfmu.errors import InfeasibleError, InputError
+from segfmu.errors import InfeasibleError
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.polynomials import derivative_pieces, extrema
-from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.trajectory import Trajectory, require_plan
 
 TOLERANCE = 1e-9
 # of times, which nothing but rounding changes
@@ -89,8 +89,7 @@ def verify(trajectory: Trajectory) -> Verification:
     InputError
         If it is not a Trajectory.
     """
-    if not isinstance(trajectory, Trajectory):
-        raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
+    require_plan(trajectory)
     # overflow gives inf or nan, and nan does not pass
     with np.errstate(all="ignore"):
         return _measured(trajectory)
