@@ -174,9 +174,16 @@ def test_random_missions_are_valid_or_refused_by_name(mission, shape: str, mode:
 def test_position_bounds_are_checked() -> None:
     points = [Waypoint([0.0], [-0.5]), Waypoint([1.0])]
     limits = Limits(1.0, 1.0, 2.0, 10.0)
-    with pytest.raises(InfeasibleError, match="position_min") as caught:
+    with pytest.raises(InfeasibleError, match=r"^axis x, waypoints 1 -> 2: .*_min") as caught:
         plan(points, limits, position_min=0.0)
-    assert caught.value.axis == 0
+    error = caught.value
+    assert (error.axis, error.interval) == (0, 1)
+    trajectory = plan(points, limits)
+    assert trajectory(error.time)[0] == pytest.approx(error.value, abs=1e-12)
+    assert trajectory(error.time, 1)[0] == pytest.approx(0.0, abs=1e-9)
+    with pytest.raises(InfeasibleError, match=r"^axis y, waypoints 2 -> 3: .*_max") as caught:
+        plan(PAPER, LIMITS, position_max=[1.0, 0.7], synchronize="none")
+    assert (caught.value.axis, caught.value.interval) == (1, 2)
     assert plan(points, limits, position_min=-0.5, position_max=1.0).duration > 0.0
 
 

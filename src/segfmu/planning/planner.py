@@ -9,18 +9,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.errors import InfeasibleError, InputError
+from segfmu.errors import InputError
 from segfmu.planning.arrays import finite_number, shown
+from segfmu.planning.demands import require, require_positions
 from segfmu.planning.free import OVERSHOOT, Progress, choose_states
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
-from segfmu.planning.request import Request, checked_request, position_bounds
+from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE, require
+from segfmu.planning.verify import TOLERANCE
 from segfmu.planning.waypoint import Waypoint
 
 
@@ -86,7 +86,7 @@ def plan(
         raise InputError(f"progress must be a function, got {shown(progress)}")
     request = choose_states(request, _share("overshoot", overshoot), progress)
     trajectory = planned(request)
-    _check_positions(trajectory, position_min, position_max)
+    require_positions(trajectory, position_min, position_max)
     return trajectory
 
 
@@ -115,25 +115,3 @@ def _share(name: str, value: float) -> float:
     if share < 0.0:
         raise InputError(f"{name} must be a number >= 0, got {shown(value)}")
     return share
-
-
-def _check_positions(
-    trajectory: Trajectory, position_min: ArrayLike | None, position_max: ArrayLike | None
-) -> None:
-    if position_min is None and position_max is None:
-        return
-    low, high = trajectory.extrema(0)
-    for name, given, reached, sign in (
-        ("position_min", position_min, low, -1.0),
-        ("position_max", position_max, high, 1.0),
-    ):
-        if given is None:
-            continue
-        bounds = position_bounds(name, given, trajectory.axes)
-        margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
-        for axis in np.flatnonzero(sign * (reached - bounds) > margin):
-            raise InfeasibleError(
-                f"axis {trajectory.axis_names[axis]}: position reaches {reached[axis]:.6g} m, "
-                f"{name} is {bounds[axis]:.6g} m; move the waypoints or slow them down",
-                axis=int(axis), limit=name, value=float(reached[axis]), bound=float(bounds[axis]),
-            )

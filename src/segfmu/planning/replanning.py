@@ -15,6 +15,7 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.arrays import as_tuple, finite_number, shown
+from segfmu.planning.demands import require
 from segfmu.planning.free import choose_states
 from segfmu.planning.lead import Leads, Pieces
 from segfmu.planning.limits import Limits
@@ -22,7 +23,7 @@ from segfmu.planning.planner import planned
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, solve_after
 from segfmu.planning.trajectory import Trajectory, require_plan
-from segfmu.planning.verify import TIME_TOLERANCE, TOLERANCE, require, time_error, verify
+from segfmu.planning.verify import TIME_TOLERANCE, TOLERANCE, time_error, verify
 from segfmu.planning.waypoint import Waypoint
 
 # a new plan to the same target has to be shorter than the rest of the old one by this much: a

@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.planner.records import DelayedState
 from segfmu.planning.arrays import FloatArray, finite_number, finite_vector, shown
+from segfmu.planning.demands import require
 from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
 from segfmu.planning.limits import Limits
 from segfmu.planning.replanning import left
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, no_lead
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE, require, verify
+from segfmu.planning.verify import TOLERANCE, verify
 from segfmu.planning.waypoint import Waypoint
 
 
