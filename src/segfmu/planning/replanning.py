@@ -41,6 +41,11 @@ def replan(
 ) -> Trajectory:
     """Plan from the state of a trajectory at a time to other waypoints.
 
+    A trajectory does not remember `sample_time`, `duration`, the range of positions and the
+    clearance that it was planned with, nor `overshoot`. So durations are no multiples of a sample
+    time, the range is not checked (`Trajectory.extrema` and `Clearance.require` do), and free
+    states of targets are chosen with the default `overshoot`.
+
     Parameters
     ----------
     trajectory : Trajectory
