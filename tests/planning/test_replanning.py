@@ -230,6 +230,22 @@ def test_after_its_end_a_plan_stays() -> None:
     assert back.duration == pytest.approx(old.duration, rel=1e-9)
 
 
+def test_a_target_where_the_plan_is_already_is_reached_at_once() -> None:
+    old = first_plan(4)
+    for t in (old.duration, old.duration + 1.0):
+        new = replan(old, t, Waypoint(TARGET.position, dwell=2.0))
+        assert new.duration == pytest.approx(2.0, abs=1e-3)
+        assert_continues(old, t, new)
+    # one axis has arrived, the other one up to rounding: they do not meet as they are
+    bounds = Limits([1.0, 19.286743215453136], [2.06, 0.699], [27.58, 0.07197])
+    start, end = Waypoint([0.0, 0.0]), Waypoint([0.00275811, 0.00946269])
+    apart = plan([start, end], bounds, smoothness=2, synchronize="none")
+    for before in (1e-9, 1e-10, 1e-11, 1e-12):
+        new = replan(apart, apart.duration * (1.0 - before), end, synchronize="total")
+        assert verify(new).passed
+        assert new.duration < 1e-3
+
+
 def test_what_is_left_keeps_its_dwell() -> None:
     end = Waypoint([1.0], dwell=2.0)
     old = plan([Waypoint([0.0]), Waypoint([0.4], [0.3]), end], Limits(1.0, 1.0, 4.0, 20.0))

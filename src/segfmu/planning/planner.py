@@ -101,8 +101,6 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
             first.crackle, first.pop,
         )
         request = request._replace(waypoints=(start, *others))
-    elif follow is not None:
-        request.require_different()
     trajectory, proved = solve(request, TOLERANCE, follow)
     if not proved:
         require(trajectory)

@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.messages import PLAN
-from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
+from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.arrays import FloatArray, as_tuple, finite_number, finite_vector, shown
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Problem, options
@@ -41,13 +40,6 @@ class Request(NamedTuple):
     def start(self) -> FloatArray:
         """Position and the derivatives 1 .. n at the first waypoint, shape (axes, n + 1)."""
         return self.waypoints[0].state(self.problem.options.smoothness)
-
-    def require_different(self) -> None:
-        """Raise InputError unless consecutive waypoints differ within double precision."""
-        report = np.zeros(Refusal.SIZE)
-        status = backend.check_problem(self.problem.states, self.problem.limits, report)
-        if status == PlanStatus.SAME_WAYPOINTS:
-            raise InputError(PLAN.text(status, report.tolist()))
 
 
 def checked_request(
