@@ -3,7 +3,8 @@
 `python -m tests.property.soak_replan --problems 100000` takes the problems of each smoothness, with
 `--ends` at times shortly after the start and before the end of the plans; the test suite runs some
 hundreds of both. `verify` judges every plan. Dwells, other synchronizations and wider limits come
-from a generator of their own: but for them, the problems of a seed stay the same.
+from a generator of their own: but for them, the problems of a seed stay the same. With `--c` the C
+entry points get the same requests.
 """
 
 from __future__ import annotations
@@ -11,6 +12,8 @@ from __future__ import annotations
 import argparse
 import time
 from dataclasses import dataclass, field
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -27,6 +30,7 @@ from segfmu import (
     verify,
 )
 from segfmu.planning.arrays import FloatArray
+from tests.property.replan_in_c import Replanner
 from tests.property.soak import problems
 
 TIMES = 8
@@ -116,21 +120,36 @@ def can_keep(old: Trajectory, asked: dict[str, object], targets: int) -> bool:
 
 def try_time(
     random: np.random.Generator, more: np.random.Generator, old: Trajectory, t: float, clock: float,
-    name: str, tally: Tally,
+    name: str, tally: Tally, c: Replanner | None,
 ) -> None:
-    """Replan to the same and to a new target, stop, and reach a velocity.
+    """Replan to the same and to a new target, stop, and reach a velocity, also in C if given.
 
     clock: rounding error of the rest's duration that is not late [s].
     """
     asked, same = random_request(more, old), targets_left(more, old, t)
-    name = f"{name}, {old.synchronize} -> {asked['synchronize']}, {len(same)} targets"
+    name = (
+        f"{name}, {old.synchronize} -> {asked['synchronize']}, {len(same)} targets, dwell "
+        f"{same[-1].dwell:.3g} s"
+    )
     wanted = random.uniform(-0.9, 0.9, old.axes) * old.limits.table(old.axes, old.smoothness)[:, 0]
+    new = random_target(random, old, asked)
     tasks = {
         "same": lambda: replan(old, t, same, **asked),
-        "new": lambda: replan(old, t, random_target(random, old, asked), **asked),
+        "new": lambda: replan(old, t, new, **asked),
         "stop": lambda: stop(old, t),
         "velocity": lambda: reach_velocity(old, wanted, t),
     }
+    soon = {"stop", "stop in C"}
+    if can_keep(old, asked, len(same)):
+        # in C what is left is kept to one target only
+        soon |= {"same", "same in C"} if len(same) == 1 else {"same"}
+    if c is not None:
+        tasks |= {
+            "same in C": lambda: c.replan(old, t, same, **asked),
+            "new in C": lambda: c.replan(old, t, (new,), **asked),
+            "stop in C": lambda: c.reach_velocity(old, np.zeros(old.axes), t),
+            "velocity in C": lambda: c.reach_velocity(old, wanted, t),
+        }
     rest = max(old.duration - t, 0.0)
     for task, call in tasks.items():
         tally.states += 1
@@ -139,10 +158,14 @@ def try_time(
         except (InfeasibleError, InputError) as error:
             tally.refused.append(f"{name}, {task}, t = {t!r}: {error}")
             continue
-        if not verify(found).passed:
-            tally.invalid.append(f"{name}, {task}, t = {t!r}")
-        soon = task == "stop" or (task == "same" and can_keep(old, asked, len(same)))
-        if soon and found.duration > rest * (1.0 + 1e-9) + clock:
+        judged = verify(found)
+        if not judged.passed:
+            tally.invalid.append(
+                f"{name}, {task}, t = {t!r}: limits {judged.usage.max():.12g}, waypoints "
+                f"{judged.waypoint_error:.2g}, jumps {judged.jumps.max():.2g}, times "
+                f"{judged.time_error:.2g}"
+            )
+        if task in soon and found.duration > rest * (1.0 + 1e-9) + clock:
             tally.late.append(f"{name}, {task}, t = {t!r}: {found.duration} s, was {rest} s")
 
 
@@ -154,7 +177,9 @@ def random_times(random: np.random.Generator, duration: float, ends: bool) -> Fl
     return random.uniform(0.0, duration, TIMES)
 
 
-def soak(n: int, count: int, seed: int, ends: bool = False) -> Tally:
+def soak(
+    n: int, count: int, seed: int, ends: bool = False, c: Replanner | None = None
+) -> Tally:
     """`count` states of random plans of one smoothness, each for four tasks."""
     tally = Tally()
     for number in range(max(count // (4 * TIMES), 1)):
@@ -164,7 +189,7 @@ def soak(n: int, count: int, seed: int, ends: bool = False) -> Tally:
         # what is left near the end is known up to the rounding of the whole duration
         clock = 1e-14 * old.duration if ends else 0.0
         for t in random_times(random, old.duration, ends):
-            try_time(random, more, old, float(t), clock, f"n = {n}, problem {number}", tally)
+            try_time(random, more, old, float(t), clock, f"n = {n}, problem {number}", tally, c)
     return tally
 
 
@@ -175,10 +200,13 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--ends", action="store_true", help="times close to start and end")
     parser.add_argument("--smoothness", type=int, nargs="*", default=[2, 3, 4, 5, 6])
+    parser.add_argument("--c", action="store_true", help="the C entry points as well")
     given = parser.parse_args()
+    with TemporaryDirectory() as folder:
+        c = Replanner(Path(folder)) if given.c else None
     for n in given.smoothness:
         begin = time.perf_counter()
-        tally = soak(n, given.problems, given.seed, given.ends)
+        tally = soak(n, given.problems, given.seed, given.ends, c)
         print(
             f"n = {n}: {tally.states} plans, {len(tally.refused)} refused, {len(tally.invalid)} "
             f"invalid, {len(tally.late)} late, {time.perf_counter() - begin:.0f} s", flush=True,
