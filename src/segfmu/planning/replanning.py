@@ -63,7 +63,8 @@ def replan(
     -------
     Trajectory
         Its first waypoint is the state at the time. If the targets are the last waypoints of the
-        trajectory, and its axes meet as `synchronize` asks, it ends no later.
+        trajectory, and its axes meet as `synchronize` asks, it ends no later; of a last dwell that
+        has begun it keeps what is left.
 
     Raises
     ------

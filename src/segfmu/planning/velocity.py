@@ -86,7 +86,7 @@ def reach_velocity(
     InputError
         For invalid arguments.
     InfeasibleError
-        If the state cannot keep the limits.
+        If the state cannot keep the limits, or the velocity exceeds them.
     """
     if isinstance(start, Trajectory):
         _, rest, state = left(start, time)
