@@ -259,6 +259,18 @@ def test_what_is_left_keeps_its_dwell() -> None:
     assert replan(old, old.duration - 0.7, end).waypoints[-1].dwell == pytest.approx(0.7)
 
 
+def test_replanned_in_cycles_a_dwell_ends_in_time() -> None:
+    end = Waypoint([1.0, 0.3], dwell=0.5)
+    for mode in MODES:
+        first = plan([Waypoint([0.0, 0.0]), end], Limits(*BOUNDS), synchronize=mode)
+        trajectory, passed = first, 0.0
+        while trajectory.duration > 0.05:
+            trajectory = replan(trajectory, 0.05, trajectory.waypoints[-1])
+            passed += 0.05
+            assert verify(trajectory).passed
+        assert passed + trajectory.duration == pytest.approx(first.duration, rel=1e-9)
+
+
 MODES = ("waypoints", "total", "none")
 
 

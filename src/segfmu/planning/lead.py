@@ -83,18 +83,11 @@ class Pieces:
         return stops
 
     def resting(self, dwell: float) -> Pieces:
-        """The same; each axis rests at its end, the last `dwell` [s] of that in one piece."""
-        last = self.offsets[1:] - 1
+        """The same; each axis rests at its end, in its last piece, for at least `dwell` [s]."""
         timing = self.timing.copy()
-        longer = timing[last, 1] > dwell
-        split = last[longer]
-        timing[last, 1] = np.where(longer, timing[last, 1] - dwell, dwell)
-        rests = np.column_stack([timing[split].sum(axis=1), np.full(split.size, dwell)])
-        return Pieces(
-            np.insert(timing, split + 1, rests, axis=0),
-            np.insert(self.coefficients, split + 1, self.coefficients[split], axis=0),
-            self.offsets + np.append(0, np.cumsum(longer)),
-        )
+        last = self.offsets[1:] - 1
+        timing[last, 1] = np.maximum(timing[last, 1], dwell)
+        return replace(self, timing=timing)
 
     def meeting(self, clock: float) -> Pieces:
         """The same; axes that end together up to the rounding of a clock [s] do so without."""

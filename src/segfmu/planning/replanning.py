@@ -63,8 +63,8 @@ def replan(
     -------
     Trajectory
         Its first waypoint is the state at the time. If the targets are the last waypoints of the
-        trajectory, and its axes meet as `synchronize` asks, it ends no later; of a last dwell that
-        has begun it keeps what is left.
+        trajectory, and its axes meet as `synchronize` asks, it ends no later. Of a last dwell that
+        has begun it keeps what is left, and so does its last waypoint; another dwell begins anew.
 
     Raises
     ------
@@ -129,9 +129,9 @@ def _kept(
     rest = rest.meeting(trajectory.duration)
     ends = rest.stops()
     if dwell > 0.0 and arrivals.min() < 0.0:
-        # on its last waypoint already: what is left of its dwell, once all axes are there until the
-        # last one has rested, before that what all have left
-        dwell = float(min(dwell, ends.max() if arrivals.max() <= 0.0 else ends.min()))
+        # some axes are on the last waypoint already: they rest until the last one has done so, or,
+        # while that moves, for a whole dwell, which ends before that of the last one
+        dwell = float(min(dwell, ends.max()))
         rest = rest.resting(dwell)
         ends = rest.stops()
     arrivals[-1] = ends - dwell
