@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf, nan
 
 import numpy as np
@@ -9,7 +10,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from segfmu import InfeasibleError, InputError, Limits, Waypoint, plan, verify
+from segfmu import (
+    Clearance,
+    InfeasibleError,
+    InputError,
+    Limits,
+    Waypoint,
+    excursions,
+    plan,
+    verify,
+)
 from tests.problems import degenerate_share
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
@@ -164,9 +174,16 @@ def test_random_missions_are_valid_or_refused_by_name(mission, shape: str, mode:
 def test_position_bounds_are_checked() -> None:
     points = [Waypoint([0.0], [-0.5]), Waypoint([1.0])]
     limits = Limits(1.0, 1.0, 2.0, 10.0)
-    with pytest.raises(InfeasibleError, match="position_min") as caught:
+    with pytest.raises(InfeasibleError, match=r"^axis x, waypoints 1 -> 2: .*_min") as caught:
         plan(points, limits, position_min=0.0)
-    assert caught.value.axis == 0
+    error = caught.value
+    assert (error.axis, error.interval) == (0, 1)
+    trajectory = plan(points, limits)
+    assert trajectory(error.time)[0] == pytest.approx(error.value, abs=1e-12)
+    assert trajectory(error.time, 1)[0] == pytest.approx(0.0, abs=1e-9)
+    with pytest.raises(InfeasibleError, match=r"^axis y, waypoints 2 -> 3: .*_max") as caught:
+        plan(PAPER, LIMITS, position_max=[1.0, 0.7], synchronize="none")
+    assert (caught.value.axis, caught.value.interval) == (1, 2)
     assert plan(points, limits, position_min=-0.5, position_max=1.0).duration > 0.0
 
 
@@ -176,14 +193,25 @@ def test_position_bounds_are_checked() -> None:
         ({"smoothness": 1}, "smoothness"),
         ({"smoothness": 7}, "smoothness"),
         ({"smoothness": "4"}, "smoothness"),
+        ({"smoothness": np.array([4, 4])}, "smoothness"),
+        ({"smoothness": 4 + 0j}, "smoothness"),
         ({"shape": "round"}, "shape"),
+        ({"shape": np.array(["plateau", "smoothstep"])}, "shape"),
+        ({"shape": ["plateau"]}, "shape"),
         ({"synchronize": None}, "synchronize"),
+        ({"synchronize": np.array(["none", "total"])}, "synchronize"),
         ({"sample_time": -1.0}, "sample_time"),
         ({"sample_time": nan}, "sample_time"),
         ({"duration": 0.0}, "duration"),
         ({"duration": inf}, "duration"),
         ({"axis_names": ["x"]}, "axis_names"),
         ({"axis_names": 3}, "axis_names"),
+        ({"axis_names": [1, 2]}, "axis_names"),
+        ({"overshoot": "1"}, "overshoot"),
+        ({"overshoot": True}, "overshoot"),
+        ({"overshoot": nan}, "overshoot"),
+        ({"overshoot": 10**400}, "overshoot"),
+        ({"progress": 3}, "progress"),
         ({"waypoints": PAPER[:1]}, "at least 2"),
         ({"waypoints": [PAPER[0], PAPER[0]]}, "the same"),
         ({"waypoints": [PAPER[0], 3.0]}, "waypoint 2"),
@@ -201,7 +229,7 @@ def test_bad_arguments_are_named(change, words: str) -> None:
         plan(points, limits, **arguments)
 
 
-@pytest.mark.parametrize("derivative", [-1, 1.5, True, "velocity", None])
+@pytest.mark.parametrize("derivative", [-1, 1.5, True, "velocity", None, np.timedelta64(1, "s")])
 def test_bad_derivatives_are_named(derivative: object) -> None:
     trajectory = plan(PAPER, LIMITS)
     for call in (lambda: trajectory(0.0, derivative), lambda: trajectory.extrema(derivative)):
@@ -209,9 +237,43 @@ def test_bad_derivatives_are_named(derivative: object) -> None:
             call()
 
 
-def test_only_plans_are_verified() -> None:
+@pytest.mark.parametrize("judge", [verify, excursions, Clearance().require])
+def test_only_plans_are_judged(judge: Callable) -> None:
     with pytest.raises(InputError, match="trajectory must be a plan, got NoneType"):
-        verify(None)
+        judge(None)
+
+
+@pytest.mark.parametrize("t", [nan, inf, -inf, None, True, "1", 1j, [], [0.1, 0.2], [[0.1]]])
+def test_bad_times_are_named(t: object) -> None:
+    trajectory = plan(PAPER, LIMITS)
+    for call in (trajectory.state, trajectory.next_event, trajectory.interval):
+        with pytest.raises(InputError, match=r"^t must be"):
+            call(t)
+
+
+@pytest.mark.parametrize("t", [True, "1", ["1"], 1j, [1j], [0.1, [0.2]], [inf]])
+def test_bad_arrays_of_times_are_named(t: object) -> None:
+    with pytest.raises(InputError, match=r"^t must be"):
+        plan(PAPER, LIMITS)(t)
+
+
+@pytest.mark.parametrize("index", [-1, 7, 0.5, None, "x", [0]])
+def test_bad_axes_and_orders_are_named(index: object) -> None:
+    calls = {
+        "axis must be": plan(PAPER, LIMITS).pieces, "order must be": PAPER[0].state,
+        "for 7 axes|axes must be": lambda axes: LIMITS.table(axes, 4),
+        "smoothness must be": lambda smoothness: LIMITS.table(2, smoothness),
+    }
+    for words, call in calls.items():
+        with pytest.raises(InputError, match=words):
+            call(index)
+
+
+def test_messages_are_one_short_line() -> None:
+    with pytest.raises(InputError) as caught:
+        Waypoint(np.full((9, 9), "a"))
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 120
 
 
 @pytest.mark.parametrize("value", [nan, inf, "1", None, [[1.0]], []])

@@ -230,12 +230,72 @@ def test_after_its_end_a_plan_stays() -> None:
     assert back.duration == pytest.approx(old.duration, rel=1e-9)
 
 
+def test_a_target_where_the_plan_is_already_is_reached_at_once() -> None:
+    old = first_plan(4)
+    for t in (old.duration, old.duration + 1.0):
+        new = replan(old, t, Waypoint(TARGET.position, dwell=2.0))
+        assert new.duration == pytest.approx(2.0, abs=1e-3)
+        assert_continues(old, t, new)
+    # one axis has arrived, the other one up to rounding: they do not meet as they are
+    bounds = Limits([1.0, 19.286743215453136], [2.06, 0.699], [27.58, 0.07197])
+    start, end = Waypoint([0.0, 0.0]), Waypoint([0.00275811, 0.00946269])
+    apart = plan([start, end], bounds, smoothness=2, synchronize="none")
+    for before in (1e-9, 1e-10, 1e-11, 1e-12):
+        new = replan(apart, apart.duration * (1.0 - before), end, synchronize="total")
+        assert verify(new).passed
+        assert new.duration < 1e-3
+
+
 def test_what_is_left_keeps_its_dwell() -> None:
     end = Waypoint([1.0], dwell=2.0)
     old = plan([Waypoint([0.0]), Waypoint([0.4], [0.3]), end], Limits(1.0, 1.0, 4.0, 20.0))
     new = replan(old, 0.5, end)
     assert new.duration <= old.duration - 0.5 + 1e-9
+    assert new.waypoints[-1].dwell == 2.0
+    np.testing.assert_allclose(new(np.linspace(new.duration - 2.0, new.duration, 9)), 1.0)
     assert verify(new).passed
+    # to another target with a dwell, and in the middle of the dwell
+    assert replan(old, 0.5, Waypoint([1.2], dwell=3.0)).waypoints[-1].dwell == 3.0
+    assert replan(old, old.duration - 0.7, end).waypoints[-1].dwell == pytest.approx(0.7)
+
+
+def test_replanned_in_cycles_a_dwell_ends_in_time() -> None:
+    end = Waypoint([1.0, 0.3], dwell=0.5)
+    for mode in MODES:
+        first = plan([Waypoint([0.0, 0.0]), end], Limits(*BOUNDS), synchronize=mode)
+        trajectory, passed = first, 0.0
+        while trajectory.duration > 0.05:
+            trajectory = replan(trajectory, 0.05, trajectory.waypoints[-1])
+            passed += 0.05
+            assert verify(trajectory).passed
+        assert passed + trajectory.duration == pytest.approx(first.duration, rel=1e-9)
+
+
+MODES = ("waypoints", "total", "none")
+
+
+@pytest.mark.parametrize("asked", MODES)
+@pytest.mark.parametrize("before", MODES)
+@pytest.mark.parametrize("dwell", [0.0, 2.0])
+def test_the_rest_is_kept_only_if_axes_meet_as_asked(
+    dwell: float, before: str, asked: str
+) -> None:
+    points = [
+        Waypoint([0.0, 0.0]), Waypoint([1.0, 0.1]), Waypoint([1.5, 0.3], dwell=dwell)
+    ]
+    old = plan(points, Limits(*BOUNDS), synchronize=before)
+    arrivals = old.axis_waypoint_times
+    # moving, one axis at its end, and both
+    for t in (0.5, arrivals[1].mean(), arrivals[2].mean(), arrivals[2].max() + 0.4 * dwell):
+        targets = [points[j] for j in (1, 2) if t < arrivals[j].min()] or [points[2]]
+        new = replan(old, t, targets, synchronize=asked)
+        assert_continues(old, t, new)
+        if asked in (before, "none") or (before, asked) == ("waypoints", "total"):
+            assert new.duration <= (old.duration - t) * (1.0 + 1e-9)
+        if asked != "none":
+            assert np.ptp(new.axis_durations) <= 1e-12 * new.duration
+        if asked == "waypoints":
+            assert np.ptp(new.axis_waypoint_times, axis=1).max() <= 1e-12 * new.duration
 
 
 def test_tighter_limits_hold_where_the_state_keeps_them() -> None:
@@ -256,15 +316,70 @@ def test_what_cannot_be_is_refused() -> None:
         replan(TARGET, 0.0, TARGET)
     with pytest.raises(InputError, match="with limits"):
         stop(TARGET)
+    with pytest.raises(InputError, match="targets must have at least one"):
+        replan(old, 0.1, [])
     with pytest.raises(InputError, match="velocity has 2 values for 3 axes"):
         reach_velocity(old, [1.0, 2.0], 0.1)
     with pytest.raises(InfeasibleError, match=r"axis y: velocity 2 m/s exceeds the limit 1 m/s"):
         reach_velocity(old, [0.0, 2.0, 0.0], 0.1)
     with pytest.raises(InfeasibleError, match="axis x, waypoint 1: no motion"):
         stop(Waypoint(0.0, 0.999, 0.9, 3.0), limits=old.limits)
+    with pytest.raises(InputError, match="free velocity"):
+        stop(Waypoint(0.0, "free"), limits=old.limits)
+    with pytest.raises(InputError, match=r"time is 3\.0, but a state has no times"):
+        stop(Waypoint(0.0, 0.5), 3.0, old.limits)
+    with pytest.raises(InputError, match="dwell of 2 s"):
+        stop(Waypoint(0.0, dwell=2.0), limits=old.limits)
     with pytest.raises(InputError, match="waypoint 2: jerk"):
         plan([Waypoint(0.0), Waypoint(1.0, jerk=1.0)], old.limits)
     with pytest.raises(InputError, match="raise smoothness to 5"):
         plan([Waypoint(0.0, crackle=1.0), Waypoint(1.0)], old.limits)
     with pytest.raises(InputError, match="dwell"):
         plan([Waypoint(0.0, jerk=1.0, dwell=1.0), Waypoint(1.0)], old.limits)
+
+
+@pytest.mark.parametrize("time", [None, True, "1", np.nan, np.inf, -1.0, [], [1.0, 2.0], 1j])
+def test_bad_times_are_named(time: object) -> None:
+    old = first_plan(4)
+    calls = (
+        lambda: replan(old, time, TARGET), lambda: stop(old, time),
+        lambda: reach_velocity(old, 0.1, time), lambda: stop(old.state(0.4), time, old.limits),
+    )
+    for call in calls:
+        with pytest.raises(InputError, match=r"^time"):
+            call()
+
+
+def test_a_list_of_one_time_is_a_time() -> None:
+    old = first_plan(4)
+    assert replan(old, [1.0], TARGET).duration == replan(old, 1.0, TARGET).duration
+
+
+@pytest.mark.parametrize("targets", [5, None, 1.0, [], [3.0], "end", [TARGET, None]])
+def test_bad_targets_are_named(targets: object) -> None:
+    with pytest.raises(InputError, match=r"targets must|waypoint \d must be"):
+        replan(first_plan(4), 1.0, targets)
+
+
+@pytest.mark.parametrize("mode", ["", "all", 1, ["none"], np.array(["none", "total"])])
+def test_bad_modes_are_named(mode: object) -> None:
+    with pytest.raises(InputError, match="synchronize must be one of"):
+        replan(first_plan(4), 1.0, TARGET, synchronize=mode)
+
+
+@pytest.mark.parametrize(
+    "smoothness", [None, "a", -1, 1, 7, 4.5, np.nan, [4], np.array([4, 4])]
+)
+def test_bad_smoothness_of_a_stop_is_named(smoothness: object) -> None:
+    state, limits = Waypoint(0.0, 0.5), Limits(*BOUNDS)
+    with pytest.raises(InputError, match="smoothness must be an integer from 2 to 6"):
+        stop(state, limits=limits, smoothness=smoothness)
+    assert stop(state, limits=limits, smoothness=4.0).smoothness == 4
+
+
+@pytest.mark.parametrize("velocity", [None, "fast", True, np.nan, [], [[0.1]], [0.1, None]])
+def test_bad_velocities_are_named(velocity: object) -> None:
+    old = first_plan(4)
+    for start in (old, old.state(0.4)):
+        with pytest.raises(InputError, match="velocity"):
+            reach_velocity(start, velocity, 0.0, old.limits)

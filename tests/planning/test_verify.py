@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, stop, verify
-from segfmu.planning.verify import require
+from segfmu.planning.demands import require
 
 pytestmark = pytest.mark.interpreted
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
 WIDE = Limits([2.0, 0.8], [2.0, 1.0], [2.0, 1.0], [20.0, 10.0])
 TINY = 1e-9
+ORDERS = ("velocity", "acceleration", "jerk", "snap")
 POINTS = [
     Waypoint([0.0, 0.0]), Waypoint([0.07, 0.055], [0.2, 0.17], [0.34, 0.27]), Waypoint([1.0, 0.8])
 ]
@@ -246,7 +247,44 @@ TAMPERED = {
 
 @pytest.mark.parametrize("name", TAMPERED)
 def test_a_tampered_plan_fails(name: str) -> None:
-    assert not verify(TAMPERED[name]()).passed
+    tampered = TAMPERED[name]()
+    assert not verify(tampered).passed
+    with pytest.raises(InfeasibleError, match=r"^(axis [xy], waypoint.*|times err) ") as caught:
+        require(tampered)
+    # the place, or a fault of the times of all axes
+    error = caught.value
+    assert (error.axis is None) == (error.interval is None) == str(error).startswith("times")
+
+
+@pytest.mark.parametrize("synchronize", ["waypoints", "none"])
+@pytest.mark.parametrize("name", ORDERS)
+def test_a_broken_limit_is_named_with_its_place(name: str, synchronize: str) -> None:
+    points = [Waypoint([0.0, 0.0]), Waypoint([0.1, 0.1]), Waypoint([-2.0, 1.0])]
+    sound = plan(points, LIMITS, synchronize=synchronize)
+    order = 1 + ORDERS.index(name)
+    peak = verify(sound).peaks[order - 1, 1]
+    tight = {n: getattr(LIMITS, n) for n in ORDERS} | {name: [10.0, 0.9 * peak]}
+    words = rf"^axis y, waypoints \d -> \d: .*{name}"
+    with pytest.raises(InfeasibleError, match=words) as caught:
+        require(replace(sound, limits=Limits(**tight)))
+    error = caught.value
+    assert (error.axis, error.limit, error.value, error.bound) == (1, name, peak, 0.9 * peak)
+    assert f"at {error.time:.3f} s" in str(error)
+    sides = np.array([error.time - 1e-9, error.time + 1e-9])
+    assert np.abs(sound(sides, order)[:, 1]).max() == pytest.approx(error.value, rel=1e-6)
+    arrivals = sound.axis_waypoint_times[:, 1]
+    assert arrivals[error.interval - 1] <= error.time <= arrivals[error.interval]
+
+
+def test_a_missed_waypoint_is_named() -> None:
+    sound = planned(4)
+    wrong = Waypoint([0.07, 0.055001], [0.2, 0.17], [0.34, 0.27])
+    for point, points in ((2, (POINTS[0], wrong, POINTS[2])), (3, (*POINTS[:2], Waypoint([1, 1])))):
+        words = rf"^axis y, waypoint {point}: the plan misses"
+        with pytest.raises(InfeasibleError, match=words) as caught:
+            require(replace(sound, waypoints=points))
+        assert (caught.value.axis, caught.value.interval) == (1, point - 1)
+        assert caught.value.time == sound.axis_waypoint_times[point - 1, 1]
 
 
 @pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e6])

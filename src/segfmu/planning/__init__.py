@@ -4,8 +4,9 @@ from segfmu.planning.clearance import Clearance, Obstacle
 from segfmu.planning.excursions import Excursion, excursions
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
-from segfmu.planning.replanning import reach_velocity, replan, stop
+from segfmu.planning.replanning import replan
 from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.velocity import reach_velocity, stop
 from segfmu.planning.waypoint import Waypoint
 
 __all__ = [

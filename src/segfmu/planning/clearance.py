@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.passages import both, outside, rounding, within
-from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.trajectory import Trajectory, require_plan
 
 Range = Sequence[float | None] | ArrayLike | None
 
@@ -135,10 +135,11 @@ class Clearance:
         Raises
         ------
         InputError
-            For a trajectory without exactly three axes.
+            For anything but a trajectory of exactly three axes.
         InfeasibleError
             With the first contact: obstacle or axis, place, time, and the way out.
         """
+        require_plan(trajectory)
         if trajectory.axes != 3:
             raise InputError(f"clearance needs axes x, y, z; got {trajectory.axes} axes")
         self._require_range(trajectory)

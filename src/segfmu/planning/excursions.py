@@ -8,7 +8,7 @@ import numpy as np
 
 from segfmu.planning.passages import ROUNDING, both, outside, rounding, turns, within
 from segfmu.planning.polynomials import hulls
-from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.trajectory import Trajectory, require_plan
 
 # of the distance between the waypoints: less is not worth a warning
 SMALL = 1e-6
@@ -55,7 +55,13 @@ def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
     -------
     tuple of Excursion
         One for each interval and axis that leaves the box.
+
+    Raises
+    ------
+    InputError
+        If it is not a Trajectory.
     """
+    require_plan(trajectory)
     found = []
     for interval in range(1, len(trajectory.waypoints)):
         for axis in range(trajectory.axes):

@@ -103,7 +103,6 @@ class _Best:
             slow |= beyond
         return slow
 
-
     def polish(self) -> None:
         """Move one free state after the other while the two intervals next to it get shorter."""
         for step in STEPS:

@@ -82,6 +82,13 @@ class Pieces:
         stops: FloatArray = self.timing[self.offsets[1:] - 1].sum(axis=1)
         return stops
 
+    def resting(self, dwell: float) -> Pieces:
+        """The same; each axis rests at its end, in its last piece, for at least `dwell` [s]."""
+        timing = self.timing.copy()
+        last = self.offsets[1:] - 1
+        timing[last, 1] = np.maximum(timing[last, 1], dwell)
+        return replace(self, timing=timing)
+
     def meeting(self, clock: float) -> Pieces:
         """The same; axes that end together up to the rounding of a clock [s] do so without."""
         timing = self.timing.copy()

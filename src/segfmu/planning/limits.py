@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import ABSENT, FloatArray, limit_values
+from segfmu.planning.arrays import ABSENT, FloatArray, as_index, limit_values
 
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
@@ -73,12 +73,17 @@ class Limits:
         Raises
         ------
         InputError
-            For a limit of a derivative that is unbounded at this smoothness.
+            For a limit of a derivative that is unbounded at this smoothness, and for another number
+        of axes than that of the limits.
         """
         tables: dict[tuple[int, int], FloatArray] = self.__dict__.setdefault("_tables", {})
-        if (axes, smoothness) not in tables:
-            tables[axes, smoothness] = self._table(axes, smoothness)
-        return tables[axes, smoothness]
+        try:
+            return tables[axes, smoothness]
+        except (KeyError, TypeError):
+            pass
+        size = as_index("axes", axes), as_index("smoothness", smoothness, len(NAMES))
+        tables[size] = self._table(*size)
+        return tables[size]
 
     def _table(self, axes: int, smoothness: int) -> FloatArray:
         table = np.zeros((axes, smoothness + 1))

@@ -7,18 +7,20 @@ phases and expand them to polynomials; verify.py checks the trajectory.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.errors import InfeasibleError, InputError
+from segfmu.errors import InputError
+from segfmu.planning.arrays import finite_number, shown
+from segfmu.planning.demands import require, require_positions
 from segfmu.planning.free import OVERSHOOT, Progress, choose_states
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
-from segfmu.planning.request import Request, checked_request, position_bounds
+from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE, require
+from segfmu.planning.verify import TOLERANCE
 from segfmu.planning.waypoint import Waypoint
 
 
@@ -80,9 +82,11 @@ def plan(
     request = checked_request(
         waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
     )
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress must be a function, got {shown(progress)}")
     request = choose_states(request, _share("overshoot", overshoot), progress)
     trajectory = planned(request)
-    _check_positions(trajectory, position_min, position_max)
+    require_positions(trajectory, position_min, position_max)
     return trajectory
 
 
@@ -97,8 +101,6 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
             first.crackle, first.pop,
         )
         request = request._replace(waypoints=(start, *others))
-    elif follow is not None:
-        request.require_different()
     trajectory, proved = solve(request, TOLERANCE, follow)
     if not proved:
         require(trajectory)
@@ -107,32 +109,7 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
 
 def _share(name: str, value: float) -> float:
     """A number >= 0; infinity is one."""
-    try:
-        share = float(value)
-    except (TypeError, ValueError):
-        share = -1.0
-    if not share >= 0.0:
-        raise InputError(f"{name} must be a number >= 0, got {value!r}")
+    share = inf if isinstance(value, float) and value == inf else finite_number(name, value)
+    if share < 0.0:
+        raise InputError(f"{name} must be a number >= 0, got {shown(value)}")
     return share
-
-
-def _check_positions(
-    trajectory: Trajectory, position_min: ArrayLike | None, position_max: ArrayLike | None
-) -> None:
-    if position_min is None and position_max is None:
-        return
-    low, high = trajectory.extrema(0)
-    for name, given, reached, sign in (
-        ("position_min", position_min, low, -1.0),
-        ("position_max", position_max, high, 1.0),
-    ):
-        if given is None:
-            continue
-        bounds = position_bounds(name, given, trajectory.axes)
-        margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
-        for axis in np.flatnonzero(sign * (reached - bounds) > margin):
-            raise InfeasibleError(
-                f"axis {trajectory.axis_names[axis]}: position reaches {reached[axis]:.6g} m, "
-                f"{name} is {bounds[axis]:.6g} m; move the waypoints or slow them down",
-                axis=int(axis), limit=name, value=float(reached[axis]), bound=float(bounds[axis]),
-            )

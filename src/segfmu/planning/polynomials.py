@@ -48,6 +48,12 @@ def hulls(pieces: FloatArray, lengths: FloatArray) -> FloatArray:
 
 def piece_extrema(piece: FloatArray, length: float) -> tuple[float, float]:
     """Exact minimum and maximum of one piece on [0, length], from the roots of its derivative."""
+    _, values = piece_turns(piece, length)
+    return float(values.min()), float(values.max())
+
+
+def piece_turns(piece: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
+    """Ends and turning points of one piece as shares of its length, and the values there."""
     scaled = piece * length ** np.arange(piece.size)
     slope = scaled[1:] * np.arange(1, piece.size)
     size = float(np.max(np.abs(slope), initial=0.0))
@@ -57,8 +63,8 @@ def piece_extrema(piece: FloatArray, length: float) -> tuple[float, float]:
         roots = np.polynomial.polynomial.polyroots(significant)
         real = roots.real[np.abs(roots.imag) < 1e-6]
         candidates.extend(real[(real > 0.0) & (real < 1.0)].tolist())
-    values = np.polynomial.polynomial.polyval(np.array(candidates), scaled)
-    return float(values.min()), float(values.max())
+    shares = np.array(candidates)
+    return shares, np.polynomial.polynomial.polyval(shares, scaled)
 
 
 def extrema(coefficients: FloatArray, lengths: FloatArray, derivative: int) -> tuple[float, float]:

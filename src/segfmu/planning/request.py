@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.messages import PLAN
-from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.kernels.planner.records import WaypointState
+from segfmu.planning.arrays import FloatArray, as_tuple, finite_number, finite_vector, shown
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Problem, options
 from segfmu.planning.waypoint import DERIVATIVES, FREE, Waypoint
 
 SMOOTHNESS = range(2, 7)
+NUMBERS = (int, float, np.integer, np.floating)
 
 
 class Request(NamedTuple):
@@ -41,13 +41,6 @@ class Request(NamedTuple):
         """Position and the derivatives 1 .. n at the first waypoint, shape (axes, n + 1)."""
         return self.waypoints[0].state(self.problem.options.smoothness)
 
-    def require_different(self) -> None:
-        """Raise InputError unless consecutive waypoints differ within double precision."""
-        report = np.zeros(Refusal.SIZE)
-        status = backend.check_problem(self.problem.states, self.problem.limits, report)
-        if status == PlanStatus.SAME_WAYPOINTS:
-            raise InputError(PLAN.text(status, report.tolist()))
-
 
 def checked_request(
     waypoints: Sequence[Waypoint],
@@ -63,8 +56,8 @@ def checked_request(
     points = _checked_waypoints(waypoints)
     axes = points[0].axes
     names = _names(axis_names, axes)
-    if smoothness not in SMOOTHNESS:
-        raise InputError(f"smoothness must be an integer from 2 to 6, got {smoothness!r}")
+    if not isinstance(smoothness, NUMBERS) or smoothness not in SMOOTHNESS:
+        raise InputError(f"smoothness must be an integer from 2 to 6, got {shown(smoothness)}")
     if not isinstance(limits, Limits):
         raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
     chosen = options(
@@ -101,10 +94,7 @@ def position_bounds(name: str, given: ArrayLike, axes: int) -> FloatArray:
 
 
 def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
-    try:
-        points = tuple(waypoints)
-    except TypeError:
-        raise InputError(f"waypoints must be a sequence, got {waypoints!r}") from None
+    points = as_tuple("waypoints", waypoints)
     axes = 0
     for i, point in enumerate(points, 1):
         if not isinstance(point, Waypoint):
@@ -139,25 +129,24 @@ def _require_settled(points: tuple[Waypoint, ...], smoothness: int) -> None:
 def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:
     if axis_names is None:
         return ("x", "y", "z")[:axes] if axes <= 3 else tuple(str(i + 1) for i in range(axes))
-    try:
-        names = tuple(axis_names)
-    except TypeError:
-        raise InputError(f"axis_names must be a sequence of names, got {axis_names!r}") from None
+    names = as_tuple("axis_names", axis_names)
     if len(names) != axes:
         raise InputError(f"axis_names has {len(names)} names for {axes} axes")
+    if not all(isinstance(name, str) for name in names):
+        raise InputError(f"axis_names must be strings, got {shown(axis_names)}")
     return names
 
 
 def _choice(name: str, value: str, choices: tuple[str, ...]) -> str:
-    if value not in choices:
-        raise InputError(f"{name} must be one of {', '.join(choices)}, got {value!r}")
+    if not isinstance(value, str) or value not in choices:
+        raise InputError(f"{name} must be one of {', '.join(choices)}, got {shown(value)}")
     return value
 
 
 def _time(name: str, value: float | None) -> float:
     if value is None:
         return 0.0
-    seconds = finite_vector(name, value)
-    if seconds.size != 1 or seconds[0] <= 0.0:
-        raise InputError(f"{name} must be a time > 0 s, got {value!r}")
-    return float(seconds[0])
+    seconds = finite_number(name, value)
+    if seconds <= 0.0:
+        raise InputError(f"{name} must be a time > 0 s, got {shown(value)}")
+    return seconds

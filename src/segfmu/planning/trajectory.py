@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.arrays import FloatArray, as_index, finite_number, numbers
 from segfmu.planning.limits import Limits
 from segfmu.planning.polynomials import extrema
 from segfmu.planning.sketch import sketch
@@ -93,39 +93,65 @@ class Trajectory:
         InputError
             For times that are not finite numbers and a derivative below 0.
         """
-        try:
-            times = np.asarray(t, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise InputError(f"t must be a time or an array of times, got {t!r}") from None
+        times = numbers("t", t)
         if not np.isfinite(times).all():
             raise InputError("t must be finite")
-        _require_derivative(derivative)
+        derivative = as_index("derivative", derivative)
         flat = np.ascontiguousarray(times.reshape(-1))
         values = np.zeros((flat.size, self.axes))
         if derivative < self.coefficients.shape[1]:
             backend.evaluate(
                 flat, self.timing, self.coefficients, self.offsets, self.axis_durations,
-                int(derivative), values,
+                derivative, values,
             )
         return values.reshape((*times.shape, self.axes))
 
     def state(self, t: float) -> Waypoint:
-        """Position and all continuous derivatives at a time t [s], as the start of another plan."""
+        """Position and all continuous derivatives at a time, as the start of another plan.
+
+        Parameters
+        ----------
+        t : float
+            Time [s]. Before its start and after its end an axis rests in its end position.
+
+        Returns
+        -------
+        Waypoint
+            With vectors of shape (axes,).
+
+        Raises
+        ------
+        InputError
+            If t is not one finite number.
+        """
         states = np.zeros((self.smoothness + 1, self.axes))
         backend.evaluate_orders(
-            float(finite_vector("t", t)[0]), self.timing, self.coefficients, self.offsets,
+            finite_number("t", t), self.timing, self.coefficients, self.offsets,
             self.axis_durations, states,
         )
         return Waypoint(*states)
 
     def pieces(self, axis: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Starts (pieces,), lengths (pieces,) and coefficients (pieces, width) of one axis."""
+        """Starts (pieces,), lengths (pieces,) and coefficients (pieces, width) of one axis.
+
+        Raises
+        ------
+        InputError
+            If there is no such axis.
+        """
+        axis = as_index("axis", axis, self.axes - 1)
         rows = slice(int(self.offsets[axis]), int(self.offsets[axis + 1]))
         return self.timing[rows, 0], self.timing[rows, 1], self.coefficients[rows]
 
     def extrema(self, derivative: int) -> tuple[FloatArray, FloatArray]:
-        """Exact minimum and maximum of a derivative, each of shape (axes,)."""
-        _require_derivative(derivative)
+        """Exact minimum and maximum of a derivative, each of shape (axes,).
+
+        Raises
+        ------
+        InputError
+            If the derivative is not an integer from 0.
+        """
+        derivative = as_index("derivative", derivative)
         bounds = np.empty((self.axes, 2))
         for axis in range(self.axes):
             _, lengths, coefficients = self.pieces(axis)
@@ -146,21 +172,32 @@ class Trajectory:
         return np.array(times[:-1])
 
     def next_event(self, t: float) -> float:
-        """First of the `events` after a time t [s]; infinite after the last one."""
+        """First of the `events` after a time t [s]; infinite after the last one.
+
+        Raises
+        ------
+        InputError
+            If t is not one finite number.
+        """
         time = backend.next_plan_event(
-            float(t), 0.0, self.timing, self.offsets, self.axis_durations,
+            finite_number("t", t), 0.0, self.timing, self.offsets, self.axis_durations,
             self.axis_waypoint_times,
         )
         return float(time) if time < 1e300 else np.inf
 
     def interval(self, t: float) -> int:
-        """Waypoint interval, from 1, at time t (a dwell belongs to the next interval)."""
-        passed = int(np.searchsorted(self.waypoint_times, t, side="right"))
+        """Waypoint interval, from 1, at a time t [s]; a dwell belongs to the next interval.
+
+        Raises
+        ------
+        InputError
+            If t is not one finite number.
+        """
+        passed = int(np.searchsorted(self.waypoint_times, finite_number("t", t), side="right"))
         return min(max(passed, 1), len(self.waypoints) - 1)
 
 
-def _require_derivative(derivative: int) -> None:
-    if isinstance(derivative, bool) or not isinstance(derivative, int | np.integer):
-        raise InputError(f"derivative must be an integer, got {derivative!r}")
-    if derivative < 0:
-        raise InputError(f"derivative must be at least 0, got {derivative}")
+def require_plan(trajectory: Trajectory) -> None:
+    """Raise InputError for anything but a Trajectory."""
+    if not isinstance(trajectory, Trajectory):
+        raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")

@@ -9,11 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.polynomials import derivative_pieces, extrema
-from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.trajectory import Trajectory, require_plan
 
 TOLERANCE = 1e-9
 # of times, which nothing but rounding changes
@@ -32,7 +30,7 @@ class Verification:
         Largest magnitude of the derivatives 1 .. smoothness + 1.
     limits : ndarray, shape (smoothness + 1, axes)
         Their limits, infinite where absent.
-    waypoint_error : float
+    waypoint_errors : ndarray, shape (waypoints, axes)
         Largest deviation from a waypoint's state on arrival and during its dwell, in units of the
         distance covered (position), of the limits or, where there is none, of the peaks. Peaks
         below 1e-5 of their limit, or of what other limits imply, count as that.
@@ -47,7 +45,7 @@ class Verification:
 
     peaks: FloatArray
     limits: FloatArray
-    waypoint_error: float
+    waypoint_errors: FloatArray
     jumps: FloatArray
     time_error: float
 
@@ -57,6 +55,11 @@ class Verification:
         with np.errstate(all="ignore"):
             usage: FloatArray = self.peaks / self.limits
         return usage
+
+    @property
+    def waypoint_error(self) -> float:
+        """Largest of the `waypoint_errors`."""
+        return float(np.max(self.waypoint_errors))
 
     @property
     def passed(self) -> bool:
@@ -89,8 +92,7 @@ def verify(trajectory: Trajectory) -> Verification:
     InputError
         If it is not a Trajectory.
     """
-    if not isinstance(trajectory, Trajectory):
-        raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
+    require_plan(trajectory)
     # overflow gives inf or nan, and nan does not pass
     with np.errstate(all="ignore"):
         return _measured(trajectory)
@@ -110,7 +112,7 @@ def _measured(trajectory: Trajectory) -> Verification:
     counted = np.maximum(peaks, ROUNDING / TOLERANCE * _implied(limits))
     scales = np.vstack([distance, np.minimum(limits, counted)])
     return Verification(
-        peaks, limits, _waypoint_error(trajectory, limits, scales), _jumps(trajectory, scales),
+        peaks, limits, _waypoint_errors(trajectory, limits, scales), _jumps(trajectory, scales),
         time_error(trajectory),
     )
 
@@ -130,7 +132,7 @@ def _magnitude(trajectory: Trajectory, derivative: int) -> FloatArray:
     return magnitude
 
 
-def _states(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, FloatArray]:
+def piece_ends(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, FloatArray]:
     """Derivatives 0 .. count - 1 at both ends of every piece, each (count, pieces)."""
     _, lengths, coefficients = trajectory.pieces(axis)
     left = np.empty((count, lengths.size))
@@ -144,7 +146,8 @@ def _states(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, 
 
 def _relative(error: FloatArray, scale: FloatArray) -> FloatArray:
     """error / scale, 0 without an error; a scale of 0 admits none."""
-    relative: FloatArray = np.where(error == 0.0, 0.0, error / scale)
+    with np.errstate(all="ignore"):
+        relative: FloatArray = np.where(error == 0.0, 0.0, error / scale)
     return relative
 
 
@@ -152,17 +155,19 @@ def _jumps(trajectory: Trajectory, scales: FloatArray) -> FloatArray:
     order = trajectory.smoothness
     jumps = np.zeros((order + 1, trajectory.axes))
     for axis in range(trajectory.axes):
-        left, right = _states(trajectory, axis, order + 1)
+        left, right = piece_ends(trajectory, axis, order + 1)
         if left.shape[1] > 1:
             found = np.abs(left[:, 1:] - right[:, :-1]).max(axis=1)
             jumps[:, axis] = _relative(found, scales[: order + 1, axis])
     return jumps
 
 
-def _waypoint_error(trajectory: Trajectory, limits: FloatArray, scales: FloatArray) -> float:
-    worst = [0.0]
+def _waypoint_errors(
+    trajectory: Trajectory, limits: FloatArray, scales: FloatArray
+) -> FloatArray:
+    errors = np.zeros((len(trajectory.waypoints), trajectory.axes))
     for axis in range(trajectory.axes):
-        left, right = _states(trajectory, axis, trajectory.smoothness + 1)
+        left, right = piece_ends(trajectory, axis, trajectory.smoothness + 1)
         bounds = np.where(np.isfinite(limits[:-1, axis]), limits[:-1, axis], scales[1:-1, axis])
         scale = np.concatenate([scales[:1, axis], bounds])
         for j, waypoint in enumerate(trajectory.waypoints):
@@ -177,8 +182,8 @@ def _waypoint_error(trajectory: Trajectory, limits: FloatArray, scales: FloatArr
                     moved = _moved(trajectory, axis, slice(first, last)) / scales[0, axis]
                     error = max(error, moved)
                 found.append(error)
-            worst.append(min(found))
-    return _largest(worst)
+            errors[j, axis] = min(found)
+    return errors
 
 
 def _touched(
@@ -231,26 +236,3 @@ def time_error(trajectory: Trajectory) -> float:
         errors.append(float(np.ptp(ends)))
     largest = np.array(_largest(errors))
     return float(_relative(largest, np.array(trajectory.duration)))
-
-
-def require(trajectory: Trajectory) -> None:
-    """Raise InfeasibleError when a trajectory breaks a limit or misses a waypoint by over 1e-9."""
-    found = verify(trajectory)
-    if found.passed:
-        return
-    over = np.argwhere(found.usage > 1.0 + TOLERANCE)
-    if over.size:
-        order, axis = (int(i) for i in over[0])
-        name, unit = NAMES[order], UNITS[order]
-        value, bound = float(found.peaks[order, axis]), float(found.limits[order, axis])
-        raise InfeasibleError(
-            f"axis {trajectory.axis_names[axis]}: the plan reaches {name} "
-            f"{value:.9g} {unit}, limit {bound:.9g} {unit}; raise limits.{name}",
-            axis=axis, limit=name, value=value, bound=bound,
-        )
-    raise InfeasibleError(
-        f"the plan misses a waypoint by {found.waypoint_error:.3g}, jumps by "
-        f"{float(found.jumps.max()):.3g} or errs in time by {found.time_error:.3g} (relative): the "
-        "problem is badly scaled; "
-        "choose limits and distances of similar size"
-    )

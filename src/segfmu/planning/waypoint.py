@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.arrays import FloatArray, as_index, finite_number, finite_vector, shown
 
 DERIVATIVES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # how many of them may be free
@@ -92,10 +92,10 @@ class Waypoint:
                 )
             object.__setattr__(self, name, vector)
             vectors.append(vector)
-        rest = finite_vector("dwell", dwell)
-        if rest.size != 1 or rest[0] < 0.0:
-            raise InputError(f"dwell must be a time >= 0 s, got {dwell!r}")
-        object.__setattr__(self, "dwell", float(rest[0]))
+        rest = finite_number("dwell", dwell)
+        if rest < 0.0:
+            raise InputError(f"dwell must be a time >= 0 s, got {shown(dwell)}")
+        object.__setattr__(self, "dwell", rest)
         planned = np.array([values, *vectors[:FREE]]).T.copy()
         planned.flags.writeable = False
         object.__setattr__(self, "planned", planned)
@@ -109,8 +109,14 @@ class Waypoint:
         return int(self.position.size)
 
     def state(self, order: int) -> FloatArray:
-        """Position and the derivatives 1 .. order, shape (axes, order + 1)."""
-        names = ("position", *DERIVATIVES)[: order + 1]
+        """Position and the derivatives 1 .. order, at most 6, shape (axes, order + 1).
+
+        Raises
+        ------
+        InputError
+            For another order.
+        """
+        names = ("position", *DERIVATIVES)[: as_index("order", order, len(DERIVATIVES)) + 1]
         return np.column_stack([getattr(self, name) for name in names])
 
 
@@ -125,7 +131,7 @@ def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
     """Finite numbers; NaN for a free state."""
     if isinstance(given, str):
         if given != "free":
-            raise InputError(f'{name} must be numbers or "free", got {given!r}')
+            raise InputError(f'{name} must be numbers or "free", got {shown(given)}')
         vector = np.full(axes, np.nan)
         vector.flags.writeable = False
         return vector

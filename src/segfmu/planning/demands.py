@@ -1,0 +1,109 @@
+"""What every plan has to keep: its limits, waypoints and range; errors say where it does not."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.errors import InfeasibleError
+from segfmu.planning.limits import NAMES, UNITS
+from segfmu.planning.polynomials import derivative_pieces, piece_turns
+from segfmu.planning.request import position_bounds
+from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.verify import TOLERANCE, Verification, piece_ends, verify
+
+SCALE = "the problem is badly scaled; choose limits and distances of similar size"
+
+
+def require(trajectory: Trajectory) -> None:
+    """Raise InfeasibleError when a trajectory breaks a limit or misses a waypoint by over 1e-9."""
+    found = verify(trajectory)
+    if found.passed:
+        return
+    over = np.argwhere(found.usage > 1.0 + TOLERANCE)
+    if over.size == 0:
+        raise _missed(trajectory, found)
+    order, axis = (int(i) for i in over[0])
+    name, unit = NAMES[order], UNITS[order]
+    value, bound = float(found.peaks[order, axis]), float(found.limits[order, axis])
+    low, high = trajectory.extrema(order + 1)
+    time = _reached(trajectory, axis, order + 1, 1.0 if high[axis] >= -low[axis] else -1.0)
+    interval = _interval(trajectory, axis, time)
+    raise InfeasibleError(
+        f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: the plan "
+        f"reaches {name} {value:.9g} {unit} at {time:.3f} s, limit {bound:.9g} {unit}; "
+        f"raise limits.{name}",
+        axis=axis, interval=interval, limit=name, value=value, bound=bound, time=time,
+    )
+
+
+def require_positions(
+    trajectory: Trajectory, position_min: ArrayLike | None, position_max: ArrayLike | None
+) -> None:
+    """Raise InfeasibleError when an axis leaves a range; InputError for bounds that are none."""
+    if position_min is None and position_max is None:
+        return
+    low, high = trajectory.extrema(0)
+    for name, given, reached, sign in (
+        ("position_min", position_min, low, -1.0),
+        ("position_max", position_max, high, 1.0),
+    ):
+        if given is None:
+            continue
+        bounds = position_bounds(name, given, trajectory.axes)
+        margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
+        for axis in np.flatnonzero(sign * (reached - bounds) > margin).tolist():
+            time = _reached(trajectory, axis, 0, sign)
+            interval = _interval(trajectory, axis, time)
+            raise InfeasibleError(
+                f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: "
+                f"position reaches {reached[axis]:.9g} m at {time:.3f} s, {name} is "
+                f"{bounds[axis]:.9g} m; move the waypoints or slow them down",
+                axis=axis, interval=interval, limit=name, value=float(reached[axis]),
+                bound=float(bounds[axis]), time=time,
+            )
+
+
+def _missed(trajectory: Trajectory, found: Verification) -> InfeasibleError:
+    """The error for a plan that keeps its limits and nevertheless fails."""
+    missed, jumps = ~(found.waypoint_errors <= TOLERANCE), ~(found.jumps <= TOLERANCE)
+    if missed.any():
+        point, axis = (int(i) for i in np.argwhere(missed)[0])
+        # a waypoint belongs to the interval that ends there
+        interval, time = max(point, 1), float(trajectory.axis_waypoint_times[point, axis])
+        place = f"waypoint {point + 1}"
+        fault = f"misses the waypoint by {found.waypoint_errors[point, axis]:.3g}"
+    elif jumps.any():
+        order, axis = (int(i) for i in np.argwhere(jumps)[0])
+        left, right = piece_ends(trajectory, axis, order + 1)
+        row = int(np.argmax(np.abs(left[order, 1:] - right[order, :-1]))) + 1
+        time = float(trajectory.pieces(axis)[0][row])
+        interval = _interval(trajectory, axis, time)
+        place = f"waypoints {interval} -> {interval + 1}"
+        fault = f"jumps by {found.jumps[order, axis]:.3g} in {('position', *NAMES)[order]}"
+    else:
+        return InfeasibleError(f"times err by {found.time_error:.3g} of the duration: {SCALE}")
+    return InfeasibleError(
+        f"axis {trajectory.axis_names[axis]}, {place}: the plan {fault} (relative) at "
+        f"{time:.3f} s: {SCALE}",
+        axis=axis, interval=interval, time=time,
+    )
+
+
+def _reached(trajectory: Trajectory, axis: int, derivative: int, sign: float) -> float:
+    """First time of the largest value of a derivative, or with sign -1 of the smallest one."""
+    starts, lengths, coefficients = trajectory.pieces(axis)
+    best, time = -np.inf, 0.0
+    pieces = derivative_pieces(coefficients, derivative)
+    for piece, start, length in zip(pieces, starts.tolist(), lengths.tolist(), strict=True):
+        shares, values = piece_turns(piece, length)
+        row = int(np.argmax(sign * values))
+        if sign * values[row] > best:
+            best, time = sign * values[row], start + length * float(shares[row])
+    return time
+
+
+def _interval(trajectory: Trajectory, axis: int, time: float) -> int:
+    """Waypoint interval of an axis, from 1; a waypoint belongs to the one that ends there."""
+    passed = int(np.searchsorted(trajectory.axis_waypoint_times[:, axis], time))
+    return min(max(passed, 1), len(trajectory.waypoints) - 1)
