@@ -2,57 +2,24 @@
 
 from __future__ import annotations
 
-import subprocess
-from ctypes import CDLL, POINTER, Structure, byref, c_double, c_int64, c_size_t
+import ctypes
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint
-from segfmu.codegen.native import TARGET
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.lead import Pieces
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS
-from tests.compiler import CC
-
-SOURCES = ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")
-NUMBERS = POINTER(c_double)
-
-
-class CProblem(Structure):
-    """segfmu_problem."""
-
-    _fields_ = (
-        *((name, c_int64)
-          for name in ("points", "axes", "smoothness", "shape", "synchronization")),
-        ("sample_time", c_double), ("duration", c_double),
-        *((name, NUMBERS)
-          for name in ("positions", "velocities", "accelerations", "dwells", "limits")),
-    )
-
-
-class CTrajectory(Structure):
-    """segfmu_trajectory."""
-
-    _fields_ = (
-        *((name, c_int64) for name in ("points", "axes", "smoothness", "pieces")),
-        ("duration", c_double), ("timing", NUMBERS), ("coefficients", NUMBERS),
-        ("offsets", POINTER(c_int64)), ("times", NUMBERS), ("ends", NUMBERS),
-        ("report", c_double * 4),
-    )
+from tests.kernels.planner.c_planner import Asked, Planner, Pointer, Result
 
 
 class Replanner:
-    """The C library, compiled into a folder; numbers that it refers to are kept in `arrays`."""
+    """The entry points, compiled into a folder."""
 
     def __init__(self, folder: Path) -> None:
-        path = folder / "replan.so"
-        flags = ["-std=c99", "-O1", "-ffp-contract=off", "-shared", "-fPIC", f"-I{TARGET}"]
-        sources = [TARGET / name for name in SOURCES]
-        subprocess.run([CC, *flags, *sources, "-lm", "-o", path], check=True)
-        self.library = CDLL(str(path))
-        self.library.segfmu_replan_size.restype = c_size_t
-        self.arrays: list[np.ndarray] = []
+        self.planner = Planner(folder)
 
     def replan(
         self, old: Trajectory, time: float, targets: tuple[Waypoint, ...], limits: Limits,
@@ -60,58 +27,54 @@ class Replanner:
     ) -> Trajectory:
         """`replan` in C."""
         # what is said of the first waypoint is not read
-        points = (Waypoint(np.zeros(old.axes)), *targets)
-        states = np.stack([point.state(2) for point in points]).transpose(2, 0, 1)
-        problem = CProblem(
-            len(points), old.axes, old.smoothness, SHAPES.index(old.shape),
-            SYNCHRONIZATIONS.index(synchronize), 0.0, 0.0, *map(self._given, states),
-            self._given(np.array([point.dwell for point in points])),
-            self._given(limits.table(old.axes, old.smoothness)),
+        asked = Asked(
+            [Waypoint(np.zeros(old.axes)), *targets], limits, old.smoothness,
+            shape=SHAPES.index(old.shape), synchronization=SYNCHRONIZATIONS.index(synchronize),
         )
-        call = self.library.segfmu_replan, byref(problem)
-        return self._called(call, old, time, targets, limits, synchronize)
+        found = self.planner.replan(given(old, self.planner), time, asked)
+        kept = shown(found, old, targets, limits, synchronize)
+        # of a dwell that has begun, what is left
+        dwell = float(np.max(kept.axis_durations - kept.axis_waypoint_times[-1]))
+        last = replace(targets[-1], dwell=dwell if targets[-1].dwell > 0.0 else 0.0)
+        return replace(kept, waypoints=(*kept.waypoints[:-1], last))
 
     def reach_velocity(self, old: Trajectory, velocity: FloatArray, time: float) -> Trajectory:
         """`reach_velocity` in C; its last waypoint is where it ends."""
         table = old.limits.table(old.axes, old.smoothness)
-        call = self.library.segfmu_reach_velocity, self._given(velocity), self._given(table)
-        return self._called(call, old, time, (), old.limits, "waypoints", velocity)
+        found = self.planner.reach(given(old, self.planner), time, velocity, table)
+        end = found(found.duration)
+        return shown(found, old, (Waypoint(end, velocity),), old.limits, "waypoints")
 
-    def _called(
-        self, call: tuple, old: Trajectory, time: float, targets: tuple[Waypoint, ...],
-        limits: Limits, synchronize: str, velocity: FloatArray | None = None,
-    ) -> Trajectory:
-        function, *arguments = call
-        n, pieces = old.smoothness, len(old.timing)
-        given = CTrajectory(
-            len(old.waypoints), old.axes, n, pieces, old.duration, self._given(old.timing),
-            self._given(old.coefficients), old.offsets.ctypes.data_as(POINTER(c_int64)),
-            self._given(old.axis_waypoint_times), self._given(old.axis_durations),
-        )
-        sizes = (max(len(targets) + 1, 2), old.axes, n, pieces)
-        space = np.zeros(self.library.segfmu_replan_size(*map(c_int64, sizes)))
-        found = CTrajectory()
-        status = function(
-            byref(given), c_double(time), *arguments, space.ctypes.data_as(NUMBERS), byref(found)
-        )
-        self.arrays.clear()
-        if status != 0:
-            raise InfeasibleError(f"status {status} in C")
-        rows = np.ctypeslib.as_array
-        timing = rows(found.timing, (found.pieces, 2)).copy()
-        coefficients = rows(found.coefficients, (found.pieces, 2 * n)).copy()
-        offsets = rows(found.offsets, (old.axes + 1,)).copy()
-        times = rows(found.times, (found.points, old.axes)).copy()
-        ends = rows(found.ends, (old.axes,)).copy()
-        first = Waypoint(*Pieces(timing, coefficients, offsets).starts().T)
-        if velocity is not None:
-            last = Pieces(timing, coefficients, offsets).all_ends()
-            targets = (Waypoint(last[:, 0], velocity),)
-        return Trajectory(
-            (first, *targets), limits, n, old.shape, synchronize, old.axis_names, timing,
-            coefficients, offsets, times, ends,
-        )
 
-    def _given(self, values: FloatArray) -> object:
-        self.arrays.append(np.ascontiguousarray(values, dtype=np.float64))
-        return self.arrays[-1].ctypes.data_as(NUMBERS)
+def given(old: Trajectory, planner: Planner) -> Result:
+    """A trajectory of Python as one of C, which refers to its numbers."""
+    found = Result(planner.library, 0)
+    to = found.trajectory
+    to.points, to.axes, to.smoothness = len(old.waypoints), old.axes, old.smoothness
+    to.pieces, to.duration = len(old.timing), old.duration
+    to.offsets = old.offsets.ctypes.data_as(ctypes.POINTER(ctypes.c_int64))
+    for name, numbers in (
+        ("timing", old.timing), ("coefficients", old.coefficients),
+        ("times", old.axis_waypoint_times), ("ends", old.axis_durations),
+    ):
+        assert numbers.flags.c_contiguous
+        setattr(to, name, numbers.ctypes.data_as(Pointer))
+    return found
+
+
+def shown(
+    found: Result, old: Trajectory, targets: tuple[Waypoint, ...], limits: Limits, synchronize: str
+) -> Trajectory:
+    """A trajectory of C as one of Python, which has its own numbers."""
+    if found.status != 0:
+        raise InfeasibleError(f"status {found.status} in C")
+    to, n, rows = found.trajectory, old.smoothness, np.ctypeslib.as_array
+    pieces = Pieces(
+        rows(to.timing, (to.pieces, 2)).copy(), rows(to.coefficients, (to.pieces, 2 * n)).copy(),
+        rows(to.offsets, (old.axes + 1,)).copy(),
+    )
+    return Trajectory(
+        (Waypoint(*pieces.starts().T), *targets), limits, n, old.shape, synchronize,
+        old.axis_names, pieces.timing, pieces.coefficients, pieces.offsets,
+        rows(to.times, (to.points, old.axes)).copy(), rows(to.ends, (old.axes,)).copy(),
+    )

@@ -53,7 +53,7 @@ def test_axes_meet_shortly_after_their_shortest_profiles() -> None:
 
 
 def smooth_motion(rng: np.random.Generator, smoothness: int) -> np.ndarray:
-    """Coefficients of a polynomial on [0, 1] whose derivatives above the second vanish at its ends."""
+    """Coefficients of a polynomial on [0, 1], the higher derivatives zero at its ends."""
     factor = chebyshev.cheb2poly(rng.normal(size=rng.integers(1, 9)))
     jerk = polynomial.polymul(polynomial.polypow([0.0, 1.0, -1.0], smoothness - 2), factor)
     acceleration = polynomial.polyint(jerk)

@@ -81,7 +81,7 @@ def test_the_rest_is_kept(
     require_same(kept, replan(expected, time, target))
     assert kept.duration == pytest.approx(old.duration - time, rel=1e-6)
     # of the dwell, what is left: then the same again
-    left = min(target.dwell, *kept.ends)
+    left = min(target.dwell, kept.duration)
     again = planner.replan(kept, 0.1 * kept.duration, asked(
         Waypoint(target.position, target.velocity, target.acceleration, dwell=left),
         synchronization=SYNCHRONIZATIONS.index(synchronize),

@@ -92,15 +92,38 @@ static int same_state(const replanning *t, int64_t axis, double clock, const dou
     return 1;
 }
 
+/* Once some axes are in the last dwell, they rest until the last one has done so, or, while that
+   moves, for a whole dwell; times (3, k) of a rest that ends at stops. */
+static void rest_in_dwell(replanning *t, int begun, double dwell, double *times)
+{
+    const int64_t k = t->axes;
+    double *stops = times + 2 * k, latest = 0.0;
+    for (int64_t axis = 0; axis < k; axis++) {
+        latest = span_max(latest, stops[axis]);
+    }
+    dwell = begun ? span_min(dwell, latest) : dwell;
+    for (int64_t axis = 0; axis < k; axis++) {
+        const int64_t last = t->rest.offsets.data[axis + 1] - 1;
+        double *when = t->rest.timing.data + last * TIMING_SIZE;
+        if (begun && when[TIMING_LENGTH] < dwell) {
+            when[TIMING_LENGTH] = dwell;
+            stops[axis] = when[TIMING_START] + dwell;
+        }
+        times[axis] = 0.0;
+        times[k + axis] = stops[axis] - dwell;
+    }
+}
+
 /* Whether the rest of the old plan ends in the target with its dwell, the axes together if asked;
    its times (3, k). */
-static int ends_as_asked(const replanning *t, const segfmu_trajectory *old,
+static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double time,
                          const segfmu_problem *p, const double *targets, double *times)
 {
     const int64_t k = t->axes;
     const double *arrivals = old->times + (old->points - 1) * k;
     const double same = SAME_TIME * old->duration;
-    double *stops = times + 2 * k, end[DELAYED_STATE_SIZE], dwell = p->dwells[1];
+    double *stops = times + 2 * k, end[DELAYED_STATE_SIZE];
+    int begun = 0;
     for (int64_t axis = 0; axis < k; axis++) {
         segfmu_rest_end(t, axis, end);
         stops[axis] = end[DELAYED_STATE_DELAY];
@@ -111,13 +134,9 @@ static int ends_as_asked(const replanning *t, const segfmu_trajectory *old,
             || (meets && fabs(stops[axis] - together) > same)) {
             return 0;
         }
-        dwell = span_min(dwell, stops[axis]);
+        begun = begun || (p->dwells[1] > 0.0 && arrivals[axis] < time);
     }
-    /* of a dwell that has begun is left what all axes have left */
-    for (int64_t axis = 0; axis < k; axis++) {
-        times[axis] = 0.0;
-        times[k + axis] = stops[axis] - dwell;
-    }
+    rest_in_dwell(t, begun, p->dwells[1], times);
     return 1;
 }
 
@@ -136,7 +155,7 @@ static int keep_rest(const replanning *t, const segfmu_trajectory *old, double t
     kept.rest = t->leads;
     segfmu_cut_rest(old, time, &kept.rest);
     segfmu_meet_ends(old->duration, kept.rest.timing, kept.rest.offsets);
-    if (!ends_as_asked(&kept, old, p, full + k * width, times)) {
+    if (!ends_as_asked(&kept, old, time, p, full + k * width, times)) {
         return PLAN_STATUS_NO_PROFILE;
     }
     memcpy(states, full, (size_t)(2 * k * width) * sizeof *states);

@@ -31,7 +31,8 @@ SEGFMU_API size_t segfmu_replan_size(
    of the trajectory is kept unless a new plan is shorter by 1 %. It must do what the problem asks:
 
    - It ends in the position, velocity and acceleration of that waypoint, to 1e-9 (relative).
-   - dwells[1] is the trajectory's own last dwell. If it has begun, what is left of it counts.
+   - dwells[1] is the trajectory's own last dwell. Once an axis has begun it, what is left of it
+     counts.
    - duration is 0, or that of the rest. sample_time is 0.
    - All axes end together, unless synchronization is SEGFMU_NONE.
    - It keeps the limits. The shape does not matter.

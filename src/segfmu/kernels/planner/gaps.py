@@ -130,7 +130,7 @@ def turning_ends(
     work: 'float[:,:]',
     count: int,
 ) -> int:
-    """Insert the minima of the paper's form's durations (`cruise_times`) over all cruise velocities.
+    """Insert the minima of `cruise_times` over all cruise velocities.
 
     `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """

@@ -299,7 +299,7 @@ def timed_passing(
     shortest = sequence_duration(
         work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     )
-    # by little each time, as plateaus begin and end on the way, but levels that meet are stepped over
+    # by little each time, as plateaus begin and end; but steps can be too small where levels meet
     steps = min(int(20.0 * (problem[Problem.DURATION] / shortest - 1.0)) + 1, 10)
     for i in range(3):
         if pace_down(steps, shortest, problem, axis, work):
