@@ -104,17 +104,29 @@ def _measured(trajectory: Trajectory) -> Verification:
     limits = np.where(table > 0.0, table, np.inf)
     peaks = np.array([_magnitude(trajectory, d) for d in range(1, order + 2)])
     low, high = trajectory.extrema(0)
-    # where the position is large, its rounding is a part of the distance that counts; a motion of
-    # less than a billionth of that from full speed to rest counts as that long
+    # where the position is large, its rounding is a part of the distance that counts
     rounding = ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high))
-    least = TOLERANCE * limits[0] ** 2 / limits[1]
-    distance = np.maximum.reduce([high - low, rounding, least])
+    distance = np.maximum.reduce([high - low, rounding, _least_distance(limits)])
     counted = np.maximum(peaks, ROUNDING / TOLERANCE * _implied(limits))
     scales = np.vstack([distance, np.minimum(limits, counted)])
     return Verification(
         peaks, limits, _waypoint_errors(trajectory, limits, scales), _jumps(trajectory, scales),
         time_error(trajectory),
     )
+
+
+def _least_distance(limits: FloatArray) -> FloatArray:
+    """The least distance that counts: a billionth of that from full speed to rest.
+
+    A velocity limit far beyond what ramps of the acceleration reach is none.
+    """
+    ramp = np.zeros(limits.shape[1])
+    for i, bound in enumerate(limits[2:4]):
+        time = (limits[1] / bound) ** (1.0 / (i + 1))
+        ramp = np.maximum(ramp, limits[1] * time**2)
+    scale = limits[0] ** 2 / limits[1]
+    least: FloatArray = TOLERANCE * np.where(ramp > 0.0, np.minimum(scale, 1e3 * ramp), scale)
+    return least
 
 
 def _implied(limits: FloatArray) -> FloatArray:

@@ -161,6 +161,7 @@ static double integrate_hull(int64_t count, double start, double length, array_d
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static double least_peak(int64_t order, array_double_1d limits);
+static double least_distance(array_double_1d limits);
 static double rounding_error(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
@@ -6152,6 +6153,26 @@ static double least_peak(int64_t order, array_double_1d limits)
     }
     return 1e-05 * limit;
 }
+static double least_distance(array_double_1d limits)
+{
+    double scale;
+    double ramp;
+    scale = (*cspan_at(&limits, INT64_C(0))) * (*cspan_at(&limits, INT64_C(0))) / (*cspan_at(&limits, INT64_C(1)));
+    ramp = 0.0;
+    if ((limits.shape[INT64_C(0)] > INT64_C(2)) && ((*cspan_at(&limits, INT64_C(2))) > 0.0))
+    {
+        ramp = (*cspan_at(&limits, INT64_C(1))) * (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, INT64_C(2))) * (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, INT64_C(2)));
+    }
+    if ((limits.shape[INT64_C(0)] > INT64_C(3)) && ((*cspan_at(&limits, INT64_C(3))) > 0.0))
+    {
+        ramp = span_max(ramp, (*cspan_at(&limits, INT64_C(1))) * (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, INT64_C(3))));
+    }
+    if (ramp > 0.0)
+    {
+        scale = span_min(scale, 1000.0 * ramp);
+    }
+    return 1e-09 * scale;
+}
 static double rounding_error(int64_t order, array_double_1d limits)
 {
     double result;
@@ -6257,7 +6278,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     }
     low = span_min(low, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
     high = span_max(high, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
-    least = 1e-09 * (*cspan_at(&limits, INT64_C(0))) * (*cspan_at(&limits, INT64_C(0))) / (*cspan_at(&limits, INT64_C(1)));
+    least = least_distance(limits);
     (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(span_max(high - low, least), 1e-05 * span_max(-low, high));
     for (d = INT64_C(1); d < order; d += INT64_C(1))
     {
@@ -7902,13 +7923,17 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
 {
     double velocity;
     double acceleration;
+    double ramp;
+    double scale;
     velocity = (*cspan_at(&axis, INT64_C(2)));
     acceleration = (*cspan_at(&axis, INT64_C(3)));
     (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), velocity);
     (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), acceleration);
     (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), velocity);
     (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), acceleration);
-    (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), velocity * velocity / acceleration);
+    ramp = acceleration * (*cspan_at(&axis, INT64_C(10))) * (*cspan_at(&axis, INT64_C(10)));
+    scale = span_min(velocity * velocity / acceleration, ramp);
+    (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
 static bool is_resting(array_double_1d problem, array_double_1d axis)

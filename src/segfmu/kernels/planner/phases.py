@@ -136,9 +136,10 @@ def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]')
     cleaned[Problem.A] = boundary_value(problem[Problem.A], acceleration)
     cleaned[Problem.W] = boundary_value(problem[Problem.W], velocity)
     cleaned[Problem.B] = boundary_value(problem[Problem.B], acceleration)
-    cleaned[Problem.DISTANCE] = flush_tiny(
-        problem[Problem.DISTANCE], velocity * velocity / acceleration
-    )
+    # of limits that are far apart, the smaller scale is that of motions which are possible
+    ramp = acceleration * axis[Axis.FULL_RAMP] * axis[Axis.FULL_RAMP]
+    scale = min(velocity * velocity / acceleration, ramp)
+    cleaned[Problem.DISTANCE] = flush_tiny(problem[Problem.DISTANCE], scale)
     cleaned[Problem.DURATION] = problem[Problem.DURATION]
 
 

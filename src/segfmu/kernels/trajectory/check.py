@@ -102,6 +102,22 @@ def least_peak(order: int, limits: 'float[:]') -> float:
     return 1e-5 * limit
 
 
+def least_distance(limits: 'float[:]') -> float:
+    """The least distance that counts, a billionth of that from full speed to rest.
+
+    A velocity limit far beyond what ramps of the acceleration reach is none.
+    """
+    scale = limits[0] * limits[0] / limits[1]
+    ramp = 0.0
+    if limits.shape[0] > 2 and limits[2] > 0.0:
+        ramp = limits[1] * limits[1] / limits[2] * limits[1] / limits[2]
+    if limits.shape[0] > 3 and limits[3] > 0.0:
+        ramp = max(ramp, limits[1] * limits[1] / limits[3])
+    if ramp > 0.0:
+        scale = min(scale, 1e3 * ramp)
+    return 1e-9 * scale
+
+
 def rounding_error(order: int, limits: 'float[:]') -> float:
     """Error of a derivative that is rounding alone: less than half of the jump that may be."""
     return 4e-10 * least_peak(order, limits)
@@ -134,9 +150,8 @@ def check_axis(
             return False
     low = min(low, work[Check.ENDS, 0])
     high = max(high, work[Check.ENDS, 0])
-    # where the position is large, its rounding is a part of the distance that counts; a motion of
-    # less than a billionth of that from full speed to rest counts as that long
-    least = 1e-9 * limits[0] * limits[0] / limits[1]
+    # where the position is large, its rounding is a part of the distance that counts
+    least = least_distance(limits)
     work[Check.PEAKS, 0] = max(max(high - low, least), 1e-5 * max(-low, high))
     for d in range(1, order):
         work[Check.PEAKS, d] = max(work[Check.PEAKS, d], least_peak(d, limits))
