@@ -19,8 +19,8 @@ from segfmu.errors import BuildError
 # small code: a wheel carries the binaries of all platforms
 OPTIONS = (
     "-std=c99", "-O3", "-DNDEBUG", "-DSPAN_INLINE=", "-w", "-ffp-contract=off", "-fno-math-errno",
-    "-fno-trapping-math", "-fno-tree-vectorize", "-fvisibility=hidden", "-ffunction-sections",
-    "-fdata-sections",
+    "-fno-trapping-math", "-fno-tree-vectorize", "-fno-unroll-loops", "-fvisibility=hidden",
+    "-ffunction-sections", "-fdata-sections",
 )
 
 

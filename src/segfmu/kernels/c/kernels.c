@@ -14270,6 +14270,7 @@ int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
     int64_t i;
     double given;
     double settled;
+    double before;
     int64_t changed;
     changed = INT64_C(0);
     for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
@@ -14280,6 +14281,14 @@ int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
             {
                 given = (*cspan_at(&states, j, axis, INT64_C(1) + i));
                 settled = settle_value(given, (*cspan_at(&limits, axis, i)));
+                if (j > INT64_C(0))
+                {
+                    before = (*cspan_at(&states, j - INT64_C(1), axis, INT64_C(1) + i));
+                    if (fabs(settled - before) <= 1e-15 * fabs(before))
+                    {
+                        settled = before;
+                    }
+                }
                 if (fabs(settled - given) > 0.0)
                 {
                     (*cspan_at(&states, j, axis, INT64_C(1) + i)) = settled;

@@ -72,10 +72,11 @@ def settle_value(value: float, limit: float) -> float:
 
 
 def settle_states(states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
-    """Round velocities and accelerations that nearly are 0 or their limit; arrays as above.
+    """Round velocities and accelerations that nearly are 0, their limit, or those before.
 
     The ramp from such a state to the limit would last nanoseconds, and its jumps could not be told
-    from rounding errors. Returns the number of states that change.
+    from rounding errors; that between two velocities which differ by rounding can last longer than
+    the motion. Arrays as above. Returns the number of states that change.
     """
     changed = 0
     for j in range(states.shape[0]):
@@ -83,6 +84,10 @@ def settle_states(states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
             for i in range(2):
                 given = states[j, axis, WaypointState.VELOCITY + i]
                 settled = settle_value(given, limits[axis, i])
+                if j > 0:
+                    before = states[j - 1, axis, WaypointState.VELOCITY + i]
+                    if abs(settled - before) <= 1e-15 * abs(before):
+                        settled = before
                 if abs(settled - given) > 0.0:
                     states[j, axis, WaypointState.VELOCITY + i] = settled
                     changed = changed + 1
