@@ -383,3 +383,21 @@ def test_bad_velocities_are_named(velocity: object) -> None:
     for start in (old, old.state(0.4)):
         with pytest.raises(InputError, match="velocity"):
             reach_velocity(start, velocity, 0.0, old.limits)
+
+
+def test_at_its_end_a_plan_that_ends_moving_moves() -> None:
+    limits = Limits(1.0, 1.0, 4.0, 20.0)
+    ahead = Waypoint(3.0)
+    for old in (
+        reach_velocity(Waypoint(0.0), [0.5], limits=limits),
+        plan([Waypoint(0.0), Waypoint(2.0, 0.5, 0.1)], limits),
+    ):
+        end = old.duration
+        new = replan(old, end, ahead)
+        assert new.waypoints[0].velocity == pytest.approx(old.waypoints[-1].velocity, rel=1e-12)
+        assert new.duration == pytest.approx(
+            replan(old, np.nextafter(end, 0.0), ahead).duration, rel=1e-3
+        )
+        assert stop(old, end).duration > 0.9
+        # behind its end it stays
+        assert replan(old, end + 1e-3, ahead).waypoints[0].velocity[0] == 0.0

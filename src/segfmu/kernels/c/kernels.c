@@ -493,6 +493,7 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
 static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
+static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
 static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
 static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
@@ -17042,6 +17043,35 @@ static void cut_piece(int64_t row, int64_t last, double local, array_double_2d t
         (*cspan_at(&cut_coefficients, target, i)) = value / factorial;
     }
 }
+static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
+{
+    double position;
+    double velocity;
+    double acceleration;
+    double fastest;
+    double steepest;
+    int64_t row;
+    position = (*cspan_at(&cut_coefficients, target, INT64_C(0)));
+    velocity = (*cspan_at(&cut_coefficients, target, INT64_C(1)));
+    acceleration = (*cspan_at(&cut_coefficients, target, INT64_C(2)));
+    fastest = 0.0;
+    steepest = 0.0;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        fastest = span_max(fastest, fabs((*cspan_at(&coefficients, row, INT64_C(1)))));
+        steepest = span_max(steepest, fabs((*cspan_at(&coefficients, row, INT64_C(2)))));
+    }
+    clear_piece(cut_coefficients, target);
+    (*cspan_at(&cut_coefficients, target, INT64_C(0))) = position;
+    if (moves && (fabs(velocity) > 1e-09 * fastest))
+    {
+        (*cspan_at(&cut_coefficients, target, INT64_C(1))) = velocity;
+    }
+    if (moves && (fabs(acceleration) > 1e-09 * steepest))
+    {
+        (*cspan_at(&cut_coefficients, target, INT64_C(2))) = acceleration;
+    }
+}
 static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target)
 {
     int64_t i;
@@ -17062,7 +17092,8 @@ int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coe
     double local;
     double start;
     double rest;
-    double value;
+    double end;
+    bool moves;
     int64_t target;
     target = INT64_C(0);
     for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
@@ -17076,10 +17107,10 @@ int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coe
         cut_piece(row, last, local, timing, coefficients, cut_coefficients, target);
         if ((row == last - INT64_C(1)) && (rest <= 1e-15 * time))
         {
+            end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
+            moves = time - end <= 1e-15 * time;
+            settle_end(moves, (*cspan_at(&offsets, axis)), last, coefficients, cut_coefficients, target);
             rest = 0.0;
-            value = (*cspan_at(&cut_coefficients, target, INT64_C(0)));
-            clear_piece(cut_coefficients, target);
-            (*cspan_at(&cut_coefficients, target, INT64_C(0))) = value;
         }
         while(row < last)
         {
