@@ -436,8 +436,7 @@ static int64_t command_number(double time, array_double_2d delayed);
 static double next_command(array_double_2d settings, double until, array_double_2d memory, array_double_2d delayed);
 static void late_commands(array_double_2d settings, double length, array_double_2d memory, array_double_2d delayed);
 static void start_planned(array_double_1d setpoints, array_double_2d memory);
-static void follow_setpoint(int64_t axis, double setpoint, double period, array_double_2d memory);
-static double planned_acceleration(int64_t axis, double slope, array_double_2d memory);
+static void follow_setpoint(int64_t axis, double setpoint, double slope, double period, array_double_2d memory);
 static bool controller_due(array_double_2d settings, array_double_2d memory);
 static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory);
 static void bound_feedback(array_double_2d settings, array_double_3d gains, array_double_1d situation, array_double_2d memory);
@@ -14592,60 +14591,62 @@ static void start_planned(array_double_1d setpoints, array_double_2d memory)
 {
     array_double_1d planned;
     int64_t i;
+    double value;
+    double lag;
+    double behind;
     planned = span_row(&memory, INT64_C(10));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&planned, INT64_C(0) + i)) = (*cspan_at(&setpoints, INT64_C(3) + i));
-        (*cspan_at(&planned, INT64_C(3) + i)) = (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+        value = (*cspan_at(&setpoints, INT64_C(3) + i));
+        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + i));
+        (*cspan_at(&planned, INT64_C(0) + i)) = value;
+        if (lag > 0.0)
+        {
+            behind = value - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+            (*cspan_at(&planned, INT64_C(3) + i)) = behind / lag;
+        }
     }
 }
-static void follow_setpoint(int64_t axis, double setpoint, double period, array_double_2d memory)
+static void follow_setpoint(int64_t axis, double setpoint, double slope, double period, array_double_2d memory)
 {
     array_double_1d planned;
     double lag;
-    double before;
-    double velocity;
     double bound;
     double reached;
-    double behind;
-    double gained;
+    double risen;
+    double before;
+    double mean;
+    double after;
     double most;
+    double gained;
     planned = span_row(&memory, INT64_C(10));
     lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + axis));
-    before = (*cspan_at(&planned, INT64_C(0) + axis));
-    velocity = (*cspan_at(&planned, INT64_C(3) + axis));
+    if (lag <= 0.0)
+    {
+        (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
+        return;
+    }
     bound = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + axis));
     reached = setpoint;
     if (exceeds(setpoint, bound))
     {
         reached = limited(setpoint, bound);
     }
+    risen = reached - (*cspan_at(&planned, INT64_C(0) + axis));
     (*cspan_at(&planned, INT64_C(0) + axis)) = reached;
-    if (((*cspan_at(&memory, INT64_C(6), INT64_C(3))) > 1.5) && (lag > 0.0))
+    if ((*cspan_at(&memory, INT64_C(6), INT64_C(3))) > 1.5)
     {
-        behind = lag * (reached - before) / period;
-        gained = reached - behind - velocity - (before - behind - velocity) * exp((-period) / lag);
+        before = (*cspan_at(&planned, INT64_C(3) + axis));
+        mean = risen / period;
+        after = mean + (before - mean) * exp((-period) / lag);
         most = period * (*cspan_at(&memory, INT64_C(5), INT64_C(11) + axis));
+        gained = risen - lag * (after - before);
         if (exceeds(gained, most))
         {
-            gained = limited(gained, most);
+            after = before + (risen - limited(gained, most)) / lag;
         }
-        (*cspan_at(&planned, INT64_C(3) + axis)) = velocity + gained;
+        (*cspan_at(&planned, INT64_C(3) + axis)) = after;
     }
-}
-static double planned_acceleration(int64_t axis, double slope, array_double_2d memory)
-{
-    double lag;
-    array_double_1d planned;
-    double result;
-    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + axis));
-    planned = span_row(&memory, INT64_C(10));
-    if (lag > 0.0)
-    {
-        result = ((*cspan_at(&planned, INT64_C(0) + axis)) - (*cspan_at(&planned, INT64_C(3) + axis))) / lag;
-        return result;
-    }
-    return slope;
 }
 static bool controller_due(array_double_2d settings, array_double_2d memory)
 {
@@ -14682,8 +14683,8 @@ static void prepare_tick(array_double_2d settings, array_double_1d setpoints, do
             velocity = INT64_C(3) + i;
             setpoint_rates(&slope, &Dummy_0000, &Dummy_0001, setpoints, velocity, share, duration, memory);
             value = setpoint_at(setpoints, velocity, share, memory);
-            follow_setpoint(i, value, (*cspan_at(&settings, INT64_C(0), INT64_C(1))), memory);
-            (*cspan_at(&memory, INT64_C(2), i)) = planned_acceleration(i, slope, memory);
+            follow_setpoint(i, value, slope, (*cspan_at(&settings, INT64_C(0), INT64_C(1))), memory);
+            (*cspan_at(&memory, INT64_C(2), i)) = (*cspan_at(&memory, INT64_C(10), INT64_C(3) + i));
         }
         else
         {

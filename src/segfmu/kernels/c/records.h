@@ -1243,7 +1243,7 @@ enum {
 
 enum {
     PLANNED_SETPOINT = 0,
-    PLANNED_VELOCITY = 3,
+    PLANNED_ACCELERATION = 3,
     PLANNED_SIZE = 6
 };
 

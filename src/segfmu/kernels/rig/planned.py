@@ -18,40 +18,40 @@ def start_planned(setpoints: 'float[:]', memory: 'float[:,:]') -> None:
     """Drives start with the velocities of the state."""
     planned = memory[Memory.PLANNED, :]
     for i in range(Axes.SIZE):
-        planned[Planned.SETPOINT + i] = setpoints[Setpoints.VELOCITY + i]
-        planned[Planned.VELOCITY + i] = memory[Memory.STATE, State.VELOCITY + i]
+        value = setpoints[Setpoints.VELOCITY + i]
+        lag = memory[Memory.PLANT, Plant.LAG + i]
+        planned[Planned.SETPOINT + i] = value
+        if lag > 0.0:
+            behind = value - memory[Memory.STATE, State.VELOCITY + i]
+            planned[Planned.ACCELERATION + i] = behind / lag
 
 
 def follow_setpoint(
-    axis: int, setpoint: float, period: float, memory: 'float[:,:]'
+    axis: int, setpoint: float, slope: float, period: float, memory: 'float[:,:]'
 ) -> None:
-    """Advance the velocity of a drive with lag from the last tick, a period [s] ago, to this one.
+    """Advance the acceleration of a drive from the last tick, a period [s] ago, to this one.
 
-    It falls behind a ramp of the setpoint by the lag times the slope.
+    Without lag it is the slope [m/s2] of the setpoint. With lag it approaches the mean slope since
+    the last tick; a drive at the bound of its acceleration falls farther behind.
     """
     planned = memory[Memory.PLANNED, :]
     lag = memory[Memory.PLANT, Plant.LAG + axis]
-    before = planned[Planned.SETPOINT + axis]
-    velocity = planned[Planned.VELOCITY + axis]
+    if lag <= 0.0:
+        planned[Planned.ACCELERATION + axis] = slope
+        return
     bound = memory[Memory.PLANT, Plant.VELOCITY_MAX + axis]
     reached = setpoint
     if exceeds(setpoint, bound):
         reached = limited(setpoint, bound)
+    risen = reached - planned[Planned.SETPOINT + axis]
     planned[Planned.SETPOINT + axis] = reached
     # nothing has passed before the first tick
-    if memory[Memory.CLOCK, Clock.TICKS] > 1.5 and lag > 0.0:
-        behind = lag * (reached - before) / period
-        gained = reached - behind - velocity - (before - behind - velocity) * exp(-period / lag)
+    if memory[Memory.CLOCK, Clock.TICKS] > 1.5:
+        before = planned[Planned.ACCELERATION + axis]
+        mean = risen / period
+        after = mean + (before - mean) * exp(-period / lag)
         most = period * memory[Memory.PLANT, Plant.ACCELERATION_MAX + axis]
+        gained = risen - lag * (after - before)
         if exceeds(gained, most):
-            gained = limited(gained, most)
-        planned[Planned.VELOCITY + axis] = velocity + gained
-
-
-def planned_acceleration(axis: int, slope: float, memory: 'float[:,:]') -> float:
-    """Acceleration of a drive under its setpoint alone, at a tick; without lag the slope."""
-    lag = memory[Memory.PLANT, Plant.LAG + axis]
-    planned = memory[Memory.PLANNED, :]
-    if lag > 0.0:
-        return (planned[Planned.SETPOINT + axis] - planned[Planned.VELOCITY + axis]) / lag
-    return slope
+            after = before + (risen - limited(gained, most)) / lag
+        planned[Planned.ACCELERATION + axis] = after

@@ -330,7 +330,9 @@ class Planned(Record):
     """What the velocity setpoints alone, without corrections, make the drives do."""
 
     SETPOINT = field("setpoints at the last tick of the controller, as bounded", "m/s", size=3)
-    VELOCITY = field("velocities of the drives then", "m/s", size=3)
+    ACCELERATION = field(
+        "accelerations of the drives then; beyond its bound, what a drive lacks", "m/s2", size=3
+    )
 
 
 class Memory(Tick):
