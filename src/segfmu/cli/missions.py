@@ -14,7 +14,7 @@ from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
 from segfmu.validation.files.mission import Mission, load_mission
 from segfmu.validation.output import about, folder, note, plan_samples, stride
-from segfmu.validation.planned import planned
+from segfmu.validation.planned import beyond_drives, planned
 
 NO_BOUNDS = (
     "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
@@ -41,6 +41,7 @@ def plan(
     _show_bounds(task, trajectory)
     for found in excursions(trajectory):
         tell(str(found))
+    tell(beyond_drives(task, trajectory))
     if target is not None:
         _write_plan(task, trajectory, target, every)
 

@@ -32,5 +32,6 @@ class Controller(Protocol):
         reference : ndarray, shape (10,)
             Reference state.
         feedforward : ndarray, shape (3,)
-            Force setpoints, or slopes of the velocity setpoints; the correction is added to them.
+            Force setpoints, or accelerations that the velocity setpoints alone give the drives; the
+            correction is added to them.
         """

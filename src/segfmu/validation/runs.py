@@ -23,7 +23,7 @@ from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.frames import frame
 from segfmu.validation.output import about, folder, note, stride, thinned
-from segfmu.validation.planned import planned, require_memory
+from segfmu.validation.planned import beyond_drives, planned, require_memory
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario import ending, run
 from segfmu.validation.units import signal_units
@@ -50,7 +50,7 @@ class Run:
     criteria : Criteria
         Measures of the run and what is allowed.
     note : str
-        What the user must know of the FMUs that were used; empty if nothing.
+        What the user must know of the FMUs that were used and of the plan; empty if nothing.
     """
 
     mission: Mission
@@ -218,4 +218,5 @@ def simulate(
         rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
         task.build_bounds(),
     )
-    return Run(task, trajectory, rows, found, archives.note)
+    notes = (archives.note, beyond_drives(task, trajectory))
+    return Run(task, trajectory, rows, found, "; ".join(filter(None, notes)))

@@ -82,6 +82,20 @@ def test_switched_off_the_correction_fades() -> None:
     assert [tick(deviation)[0] for _ in range(3)] == pytest.approx([-0.2, -0.1, -0.05])
 
 
+@pytest.mark.parametrize("tolerance", [0.0, 0.1])
+@pytest.mark.parametrize("driven", [False, True])
+def test_what_setpoints_ask_beyond_the_drives_is_not_corrected(
+    driven: bool, tolerance: float
+) -> None:
+    """Awake or not: without a deviation nothing is to be done, and corrections may only help."""
+    tick = Tick(driven, tolerance)
+    tick.parameters[LEAST], tick.parameters[GREATEST] = -0.6, 0.6
+    for _ in range(3):
+        assert tick([0.0, 0.0, 0.0]).tolist() == [0.0, 0.0, 0.0]
+    assert tick([-0.2, 0.0, 0.0])[0] == 0.0
+    assert tick([0.2, 0.0, 0.0])[0] == pytest.approx(-0.8)
+
+
 def test_switched_off_the_velocity_that_was_added_fades() -> None:
     tick = Tick(driven=True)
     for _ in range(10):

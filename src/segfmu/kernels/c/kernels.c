@@ -446,6 +446,8 @@ static void send_commands(array_double_1d setpoints, double duration, array_doub
 static int64_t command_number(double time, array_double_2d delayed);
 static double next_command(array_double_2d settings, double until, array_double_2d memory, array_double_2d delayed);
 static void late_commands(array_double_2d settings, double length, array_double_2d memory, array_double_2d delayed);
+static void start_planned(array_double_1d setpoints, array_double_2d memory);
+static void follow_setpoint(int64_t axis, double setpoint, double slope, double period, array_double_2d memory);
 static bool controller_due(array_double_2d settings, array_double_2d memory);
 static void prepare_tick(array_double_2d settings, array_double_1d setpoints, double duration, array_double_2d memory);
 static void bound_feedback(array_double_2d settings, array_double_3d gains, array_double_1d situation, array_double_2d memory);
@@ -1033,7 +1035,7 @@ static double least_correction(int64_t axis, array_double_1d parameters, array_d
     double least;
     double result;
     least = span_max((*cspan_at(&parameters, INT64_C(12) + axis)), -power_bound(axis, parameters, situation));
-    result = least - (*cspan_at(&tick, INT64_C(2), axis));
+    result = span_min(least - (*cspan_at(&tick, INT64_C(2), axis)), 0.0);
     return result;
 }
 static double greatest_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
@@ -1049,7 +1051,7 @@ static double greatest_correction(int64_t axis, array_double_1d parameters, arra
     {
         greatest = span_min(greatest, (-0.1) * (*cspan_at(&situation, INT64_C(0))));
     }
-    result = greatest - (*cspan_at(&tick, INT64_C(2), axis));
+    result = span_max(greatest - (*cspan_at(&tick, INT64_C(2), axis)), 0.0);
     return result;
 }
 static void bound_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
@@ -1118,8 +1120,8 @@ static void bound_return(int64_t axis, array_double_1d parameters, array_double_
         pull = held_within(pull, -fastest, fastest);
     }
     room = return_room(axis, parameters, gains, situation);
-    least = room * span_min(least_correction(axis, parameters, tick, situation), 0.0);
-    greatest = room * span_max(greatest_correction(axis, parameters, tick, situation), 0.0);
+    least = room * least_correction(axis, parameters, tick, situation);
+    greatest = room * greatest_correction(axis, parameters, tick, situation);
     given = held_within(-(pull + damping), least, greatest);
     (*cspan_at(&tick, INT64_C(3), axis)) = (*cspan_at(&tick, INT64_C(3), axis)) + given - asked;
 }
@@ -14315,7 +14317,7 @@ static int64_t sensing_end(array_double_2d settings)
     array_double_1d sensors;
     int64_t result;
     sensors = span_row(&settings, INT64_C(1));
-    result = INT64_C(34) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
+    result = INT64_C(35) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
     return result;
 }
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
@@ -14465,7 +14467,7 @@ static double next_tick(array_double_2d settings, array_double_2d memory)
 static double next_reading(array_double_2d settings, array_double_2d memory)
 {
     double result;
-    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(34), sensing_end(settings)));
+    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(35), sensing_end(settings)));
     return result;
 }
 double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
@@ -14525,7 +14527,7 @@ static double mechanical_energy(array_double_2d memory)
 {
     array_double_1d energy;
     double result;
-    energy = span_row(&memory, INT64_C(12));
+    energy = span_row(&memory, INT64_C(13));
     segfmu_crane_energy(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(5)), energy);
     result = (*cspan_at(&energy, INT64_C(0))) + (*cspan_at(&energy, INT64_C(1)));
     return result;
@@ -14561,12 +14563,12 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
     double before;
     double added;
     clock = span_row(&memory, INT64_C(6));
-    energy = span_row(&memory, INT64_C(12));
+    energy = span_row(&memory, INT64_C(13));
     time = present_time(memory);
     latest = time + time_tolerance(settings);
     while(next_reading(settings, memory) <= latest)
     {
-        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(34), sensing_end(settings)));
+        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(35), sensing_end(settings)));
     }
     while((*cspan_at(&clock, INT64_C(4))) <= latest)
     {
@@ -14579,7 +14581,7 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
 }
 static void update_signals(array_double_2d settings, double time, array_double_2d memory)
 {
-    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(34), sensing_end(settings)), span_row(&memory, INT64_C(0)));
+    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(35), sensing_end(settings)), span_row(&memory, INT64_C(0)));
 }
 static bool is_driven(array_double_2d memory)
 {
@@ -14593,7 +14595,7 @@ static double setpoint_at(array_double_1d setpoints, int64_t i, double share, ar
     double bend;
     double result;
     last = (*cspan_at(&memory, INT64_C(7), i));
-    bend = (*cspan_at(&memory, INT64_C(10), i)) + (*cspan_at(&memory, INT64_C(11), i)) * (share + 1.0);
+    bend = (*cspan_at(&memory, INT64_C(11), i)) + (*cspan_at(&memory, INT64_C(12), i)) * (share + 1.0);
     result = last + ((*cspan_at(&setpoints, i)) - last + bend * (share - 1.0)) * share;
     return result;
 }
@@ -14603,8 +14605,8 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
     double cube;
     double slope;
     double bend;
-    square = (*cspan_at(&memory, INT64_C(10), i));
-    cube = (*cspan_at(&memory, INT64_C(11), i));
+    square = (*cspan_at(&memory, INT64_C(11), i));
+    cube = (*cspan_at(&memory, INT64_C(12), i));
     slope = (*cspan_at(&setpoints, i)) - (*cspan_at(&memory, INT64_C(7), i)) - square - cube;
     slope = slope + (2.0 * square + 3.0 * cube * share) * share;
     bend = (square + 3.0 * cube * share) / (duration * duration);
@@ -14626,10 +14628,10 @@ static double bounded_velocity(int64_t axis, double velocity, array_double_2d me
 }
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
 {
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(0), axis)) = value;
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(0) + axis)) = slope;
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(3) + axis)) = square;
-    (*cspan_at(&memory, INT64_C(13) + INT64_C(1), INT64_C(6) + axis)) = cube;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(0), axis)) = value;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(0) + axis)) = slope;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(3) + axis)) = square;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(6) + axis)) = cube;
 }
 static int64_t delay_rows(double longest, double period)
 {
@@ -14922,6 +14924,67 @@ static void late_commands(array_double_2d settings, double length, array_double_
         }
     }
 }
+static void start_planned(array_double_1d setpoints, array_double_2d memory)
+{
+    array_double_1d planned;
+    int64_t i;
+    double value;
+    double lag;
+    double behind;
+    planned = span_row(&memory, INT64_C(10));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        value = (*cspan_at(&setpoints, INT64_C(3) + i));
+        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + i));
+        (*cspan_at(&planned, INT64_C(0) + i)) = value;
+        if (lag > 0.0)
+        {
+            behind = value - (*cspan_at(&memory, INT64_C(4), INT64_C(5) + i));
+            (*cspan_at(&planned, INT64_C(3) + i)) = behind / lag;
+        }
+    }
+}
+static void follow_setpoint(int64_t axis, double setpoint, double slope, double period, array_double_2d memory)
+{
+    array_double_1d planned;
+    double lag;
+    double bound;
+    double reached;
+    double risen;
+    double before;
+    double mean;
+    double after;
+    double most;
+    double gained;
+    planned = span_row(&memory, INT64_C(10));
+    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + axis));
+    if (lag <= 0.0)
+    {
+        (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
+        return;
+    }
+    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + axis));
+    reached = setpoint;
+    if (exceeds(setpoint, bound))
+    {
+        reached = limited(setpoint, bound);
+    }
+    risen = reached - (*cspan_at(&planned, INT64_C(0) + axis));
+    (*cspan_at(&planned, INT64_C(0) + axis)) = reached;
+    if ((*cspan_at(&memory, INT64_C(6), INT64_C(3))) > 1.5)
+    {
+        before = (*cspan_at(&planned, INT64_C(3) + axis));
+        mean = risen / period;
+        after = mean + (before - mean) * exp((-period) / lag);
+        most = period * (*cspan_at(&memory, INT64_C(5), INT64_C(11) + axis));
+        gained = risen - lag * (after - before);
+        if (exceeds(gained, most))
+        {
+            after = before + (risen - limited(gained, most)) / lag;
+        }
+        (*cspan_at(&planned, INT64_C(3) + axis)) = after;
+    }
+}
 static bool controller_due(array_double_2d settings, array_double_2d memory)
 {
     bool result;
@@ -14935,6 +14998,7 @@ static void prepare_tick(array_double_2d settings, array_double_1d setpoints, do
     double share;
     int64_t i;
     double value;
+    int64_t velocity;
     double slope;
     double Dummy_0000;
     double Dummy_0001;
@@ -14953,8 +15017,11 @@ static void prepare_tick(array_double_2d settings, array_double_1d setpoints, do
     {
         if (is_driven(memory))
         {
-            setpoint_rates(&slope, &Dummy_0000, &Dummy_0001, setpoints, INT64_C(3) + i, share, duration, memory);
-            (*cspan_at(&memory, INT64_C(2), i)) = slope;
+            velocity = INT64_C(3) + i;
+            setpoint_rates(&slope, &Dummy_0000, &Dummy_0001, setpoints, velocity, share, duration, memory);
+            value = setpoint_at(setpoints, velocity, share, memory);
+            follow_setpoint(i, value, slope, (*cspan_at(&settings, INT64_C(0), INT64_C(1))), memory);
+            (*cspan_at(&memory, INT64_C(2), i)) = (*cspan_at(&memory, INT64_C(10), INT64_C(3) + i));
         }
         else
         {
@@ -15135,7 +15202,7 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     int64_t status;
     clock = span_row(&memory, INT64_C(6));
     report = span_row(&memory, INT64_C(8));
-    work = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(21));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
     time = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1))) + (*cspan_at(&clock, INT64_C(2)));
     if (is_driven(memory))
     {
@@ -15211,7 +15278,7 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     double command;
     double correction;
     int64_t result;
-    work = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(21));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -15274,6 +15341,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
     }
+    start_planned(setpoints, memory);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(8), INT64_C(0) + i)) = (*cspan_at(&setpoints, INT64_C(0) + i));
@@ -15282,8 +15350,8 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     (*cspan_at(&memory, INT64_C(6), INT64_C(0))) = start;
     (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
     change_payload(settings, changes, start, memory);
-    (*cspan_at(&memory, INT64_C(12), INT64_C(2))) = mechanical_energy(memory);
-    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(34), sensing_end(settings)));
+    (*cspan_at(&memory, INT64_C(13), INT64_C(2))) = mechanical_energy(memory);
+    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(35), sensing_end(settings)));
     update_signals(settings, 0.0, memory);
     if (is_late(memory))
     {
@@ -15343,8 +15411,8 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
         for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
         {
             (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
-            (*cspan_at(&memory, INT64_C(10), i)) = 0.0;
             (*cspan_at(&memory, INT64_C(11), i)) = 0.0;
+            (*cspan_at(&memory, INT64_C(12), i)) = 0.0;
         }
     }
     update_signals(settings, (*cspan_at(&clock, INT64_C(1))), memory);
@@ -15355,7 +15423,7 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     array_double_1d state;
     array_double_1d energy;
     state = span_row(&memory, INT64_C(4));
-    energy = span_row(&memory, INT64_C(12));
+    energy = span_row(&memory, INT64_C(13));
     segfmu_crane_energy(state, span_row(&memory, INT64_C(5)), energy);
     (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
     (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
@@ -15381,7 +15449,7 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
     double speed;
     int64_t i;
     double error;
-    load = span_rows(&memory, INT64_C(13) + INT64_C(15), INT64_C(13) + INT64_C(15) + INT64_C(2));
+    load = span_rows(&memory, INT64_C(14) + INT64_C(15), INT64_C(14) + INT64_C(15) + INT64_C(2));
     segfmu_crane_load(span_row(&memory, INT64_C(4)), load);
     square = 0.0;
     speed = 0.0;
@@ -15752,7 +15820,7 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     double correction;
     plant = span_row(&memory, INT64_C(5));
     state = span_row(&memory, INT64_C(4));
-    rig = span_rows(&memory, INT64_C(13), INT64_C(13) + INT64_C(21));
+    rig = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
     if (may_slacken(plant) && ((*cspan_at(&rig, INT64_C(13), INT64_C(6))) >= 0.0))
     {
         return 0;

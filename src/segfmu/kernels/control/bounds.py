@@ -5,6 +5,9 @@ damps it. So the way back is bounded first, and then its sum with what damps the
 nested in each other stabilise a chain of integrators with any bound (A. R. Teel, Systems & Control
 Letters 18 (1992)). Teel's proof needs less than half; more is faster and also damps 5 degrees.
 
+A correction of zero is always within the bounds. What a drive can do is known only roughly, as it
+depends on the swinging load; a plan that seems to ask for more must not be disturbed for that.
+
 parameters is a `Tracking`, tick a `Tick` with a correction, situation a `Situation`.
 """
 
@@ -67,22 +70,25 @@ def power_bound(axis: int, parameters: 'float[:]', situation: 'float[:]') -> flo
 def least_correction(
     axis: int, parameters: 'float[:]', tick: 'float[:,:]', situation: 'float[:]'
 ) -> float:
-    """Least correction with which the drive can do what it is told; a hoist lifts with it."""
+    """Least correction with which the drive can do what it is told, at most 0.
+
+    A hoist lifts with it.
+    """
     least = max(parameters[Tracking.LEAST + axis], -power_bound(axis, parameters, situation))
-    return least - tick[Tick.ADDED_TO, axis]
+    return min(least - tick[Tick.ADDED_TO, axis], 0.0)
 
 
 def greatest_correction(
     axis: int, parameters: 'float[:]', tick: 'float[:,:]', situation: 'float[:]'
 ) -> float:
-    """Greatest correction with which the drive can do what it is told."""
+    """Greatest correction with which the drive can do what it is told, at least 0."""
     greatest = parameters[Tracking.GREATEST + axis]
     if axis != Axes.ROPE:
         greatest = min(greatest, power_bound(axis, parameters, situation))
     elif int(parameters[Tracking.MODE]) == DriveMode.FORCE:
         # a tenth of the weight keeps the rope taut
         greatest = min(greatest, -0.1 * situation[Situation.WEIGHT])
-    return greatest - tick[Tick.ADDED_TO, axis]
+    return max(greatest - tick[Tick.ADDED_TO, axis], 0.0)
 
 
 def bound_correction(
@@ -148,7 +154,7 @@ def bound_return(
         fastest = slope * return_speed() * max(speed - reference, 0.0)
         pull = held_within(pull, -fastest, fastest)
     room = return_room(axis, parameters, gains, situation)
-    least = room * min(least_correction(axis, parameters, tick, situation), 0.0)
-    greatest = room * max(greatest_correction(axis, parameters, tick, situation), 0.0)
+    least = room * least_correction(axis, parameters, tick, situation)
+    greatest = room * greatest_correction(axis, parameters, tick, situation)
     given = held_within(-(pull + damping), least, greatest)
     tick[Tick.CORRECTION, axis] = tick[Tick.CORRECTION, axis] + given - asked

@@ -31,7 +31,8 @@ class Tick(Record):
     SIGNALS = field("signals of the sensors", of=Coordinates)
     REFERENCE = field("reference at the tick", of=State)
     ADDED_TO = field(
-        "what the correction is added to: force setpoints, or slopes of the velocity setpoints",
+        "what the correction is added to: force setpoints, or accelerations that the velocity "
+        "setpoints give the drives",
         of=Axes,
     )
     CORRECTION = field("correction", of=Correction)

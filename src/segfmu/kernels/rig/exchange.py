@@ -30,11 +30,7 @@ def rig_event(
     time: float,
     memory: 'float[:,:]',
 ) -> None:
-    """Take samples, change the payload and correct the setpoints if due at a time.
-
-    The slopes of the setpoints are unknown, so with velocity drives the limits of a tracking
-    controller apply to its correction only.
-    """
+    """Take samples, change the payload and correct the setpoints if due at a time."""
     clock = memory[Memory.CLOCK, :]
     rig_signals(settings, time, memory)
     for i in range(Setpoints.SIZE):

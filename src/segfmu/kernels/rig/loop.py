@@ -21,7 +21,16 @@ from segfmu.kernels.crane.records import (
 from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.delay import is_late, late_commands
 from segfmu.kernels.rig.events import next_tick, present_time, time_tolerance, update_signals
-from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Setpoints, Settings
+from segfmu.kernels.rig.planned import follow_setpoint
+from segfmu.kernels.rig.records import (
+    Clock,
+    Corrector,
+    Loop,
+    Memory,
+    Planned,
+    Setpoints,
+    Settings,
+)
 from segfmu.kernels.rig.sensing import sensing_end
 from segfmu.kernels.rig.setpoints import (
     bounded_velocity,
@@ -52,10 +61,11 @@ def prepare_tick(
         memory[Memory.REFERENCE, i] = value
     for i in range(3):
         if is_driven(memory):
-            slope, _, _ = setpoint_rates(
-                setpoints, Setpoints.VELOCITY + i, share, duration, memory
-            )
-            memory[Memory.ADDED_TO, i] = slope
+            velocity = Setpoints.VELOCITY + i
+            slope, _, _ = setpoint_rates(setpoints, velocity, share, duration, memory)
+            value = setpoint_at(setpoints, velocity, share, memory)
+            follow_setpoint(i, value, slope, settings[Settings.LOOP, Loop.PERIOD], memory)
+            memory[Memory.ADDED_TO, i] = memory[Memory.PLANNED, Planned.ACCELERATION + i]
         else:
             value = setpoint_at(setpoints, Setpoints.FORCE + i, share, memory)
             memory[Memory.ADDED_TO, i] = value

@@ -326,6 +326,15 @@ class Delayed(Record):
     RING = field("ring of commands, as many rows as it takes", size=0, of=CommandRow)
 
 
+class Planned(Record):
+    """What the velocity setpoints alone, without corrections, make the drives do."""
+
+    SETPOINT = field("setpoints at the last tick of the controller, as bounded", "m/s", size=3)
+    ACCELERATION = field(
+        "accelerations of the drives then; beyond its bound, what a drive lacks", "m/s2", size=3
+    )
+
+
 class Memory(Tick):
     """Rows: all that a rig remembers. A copy of the array is the rig's state."""
 
@@ -335,6 +344,7 @@ class Memory(Tick):
     LAST = field("setpoints at the end of the last step", of=Setpoints)
     REPORT = field("what acted", of=Report)
     ADDED = field("velocities that corrections have added", "m/s", of=Axes)
+    PLANNED = field("what velocity setpoints make the drives do", of=Planned)
     SQUARE = field("what setpoints have of the square of the share of the step done", of=Setpoints)
     CUBE = field("what setpoints have of its cube", of=Setpoints)
     ENERGY = field("energies", of=EnergyMemory)

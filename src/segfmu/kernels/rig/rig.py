@@ -40,6 +40,7 @@ from segfmu.kernels.rig.events import (
     update_signals,
 )
 from segfmu.kernels.rig.loop import advance_plant, controller_due, correct_setpoints, prepare_tick
+from segfmu.kernels.rig.planned import start_planned
 from segfmu.kernels.rig.records import (
     Balance,
     Clock,
@@ -83,6 +84,7 @@ def rig_start(
         )
     for i in range(Setpoints.SIZE):
         memory[Memory.LAST, i] = setpoints[i]
+    start_planned(setpoints, memory)
     for i in range(3):
         memory[Memory.REPORT, Report.FORCE + i] = setpoints[Setpoints.FORCE + i]
     memory[Memory.REPORT, Report.ROPE_FORCE] = setpoints[Setpoints.FORCE + Axes.ROPE]
