@@ -9329,9 +9329,9 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     double b;
     double distance;
     double end;
-    double cruise;
     double t;
     double slope;
+    double cruise;
     int64_t count;
     int64_t row;
     double duration;
@@ -9342,24 +9342,19 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     b = (*cspan_at(&problem, INT64_C(3)));
     distance = (*cspan_at(&problem, INT64_C(4)));
     end = fabs(b);
-    cruise = w;
     if (from_start)
     {
         end = fabs(a);
-        cruise = v;
     }
     if (end == 0.0)
     {
         return INT64_C(0);
     }
     segfmu_ramp_duration(&t, &slope, end, axis);
+    cruise = w - 0.5 * b * t;
     if (from_start)
     {
         cruise = v + 0.5 * a * t;
-    }
-    else
-    {
-        cruise = w - 0.5 * b * t;
     }
     if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
     {

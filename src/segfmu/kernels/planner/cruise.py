@@ -135,17 +135,14 @@ def direct_form(
     b = problem[Problem.B]
     distance = problem[Problem.DISTANCE]
     end = abs(b)
-    cruise = w
     if from_start:
         end = abs(a)
-        cruise = v
     if end == 0.0:
         return 0
     t, slope = ramp_duration(end, axis)
+    cruise = w - 0.5 * b * t
     if from_start:
         cruise = v + 0.5 * a * t
-    else:
-        cruise = w - 0.5 * b * t
     if abs(cruise) > axis[Axis.VELOCITY]:
         return 0
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)

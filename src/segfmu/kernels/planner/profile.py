@@ -2,15 +2,14 @@
 
 The paper's profile (Fig. 3) is a ramp to a first acceleration level, a hold (I.1, I.c), a ramp
 to zero, a cruise, a ramp to a second level, a hold and a ramp to the end (I.2, c, II.1, II.c,
-II.2). Phases of zero length vanish. The candidates, in this order:
+II.2). Phases of zero length vanish. docs/planner.md lists the candidates: one ramp alone, a cruise
+at the velocity limit, the merged form without cruise (levels.py), tempered where the velocity
+exceeds its limit, and the paper's form with a lower cruise velocity; beside these, arcs of two
+levels next to a single ramp (arcs.py) and profiles that pass zero jerk with snap (passing.py).
 
-* cruise at the velocity limit, in closed form once the two velocity changes are known;
-* the merged form without cruise (levels.py), from either of the two fastest velocity changes;
-* the paper's form with a cruise velocity below the limit, by a bracketed root.
-
-Each is tried from the given boundary states and, if that exceeds the velocity limit inside a ramp,
-after braking the boundary accelerations to zero. After braking both, the last form always exists:
-its distance is continuous in the cruise velocity and unbounded at the two limits (docs/planner.md).
+The forms are tried from the given boundary states and, if that exceeds the velocity limit inside a
+ramp, after braking the boundary accelerations to zero. After braking both, the paper's form always
+exists: its distance is continuous in the cruise velocity and unbounded at the two limits.
 """
 
 from segfmu.kernels.planner.arcs import loop_form
