@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -60,6 +61,13 @@ def test_a_weight_just_above_the_bound_reads_so() -> None:
     bounds = ActuatorBounds(force=[10, 10, 9.81 * (1.0 - 1e-8)])
     with pytest.raises(InfeasibleError, match=r"needs 9.81 N for .* the bound is 9.8099999 N"):
         plan_actuated(CRANE, MOVE, None, bounds)
+
+
+def test_a_rope_just_too_long_reads_so() -> None:
+    crane = replace(CRANE, rope_max=0.5 - 1e-7)
+    lift = [MOVE[0], Waypoint([0, 0, -0.4])]
+    with pytest.raises(InfeasibleError, match=r"rope_max, 0.4999999 m, and reaches 0.5 m"):
+        plan_actuated(crane, lift, Limits(1, 1, 2, 20), ActuatorBounds())
 
 
 def test_arguments_of_another_type() -> None:

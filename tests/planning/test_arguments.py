@@ -110,6 +110,14 @@ def test_numbers_that_differ_read_differently() -> None:
     assert float(wanted) < float(found.split(", ")[1].split(" s;")[0])
 
 
+def test_a_workspace_just_left_reads_so() -> None:
+    trajectory = plan([Waypoint([0, 0, -1]), Waypoint([1, 0, -1])], Limits(1, 1, 1, 1))
+    with pytest.raises(InfeasibleError) as info:
+        Clearance([], None, [1.0 - 1e-8, None, None]).require(trajectory)
+    assert "range -inf to 0.99999999 m" in str(info.value)
+    assert "from 0 to 1 m" in str(info.value)
+
+
 FROZEN = [
     Limits(np.array([1.0, 2.0]), 1, [1, np.inf]), Waypoint([0.0, 1.0], [1.0, 0.0]),
     Obstacle("a", [0, 0, 0], [1, 1, 1]), Clearance([], [0, 0, None]), ActuatorBounds([1, 2, 3], 1),

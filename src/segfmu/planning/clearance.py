@@ -23,6 +23,7 @@ from segfmu.planning.arrays import (
     finite_vector,
     range_bounds,
 )
+from segfmu.planning.messages import told_apart
 from segfmu.planning.passages import both, outside, rounding, within
 from segfmu.planning.trajectory import Trajectory, require_plan
 
@@ -188,14 +189,15 @@ class Clearance(Frozen):
                 continue
             begin = float(beyond[0, 0])
             reached = [float(edge[axis]) for edge in trajectory.extrema(0)]
+            value, bound = (reached[0], low) if reached[0] < low else (reached[1], high)
+            n = told_apart(value, float(bound), 6)
             raise InfeasibleError(
-                f"workspace: axis {trajectory.axis_names[axis]} leaves its range {low:.6g} to "
-                f"{high:.6g} m at {begin:.3f} s, between waypoints {trajectory.interval(begin)} "
-                f"and {trajectory.interval(begin) + 1}; it moves from {reached[0]:.6g} to "
-                f"{reached[1]:.6g} m; move the waypoints or give them lower velocities",
+                f"workspace: axis {trajectory.axis_names[axis]} leaves its range {low:.{n}g} to "
+                f"{high:.{n}g} m at {begin:.3f} s, between waypoints {trajectory.interval(begin)} "
+                f"and {trajectory.interval(begin) + 1}; it moves from {reached[0]:.{n}g} to "
+                f"{reached[1]:.{n}g} m; move the waypoints or give them lower velocities",
                 axis=axis, interval=trajectory.interval(begin), limit="workspace",
-                value=reached[0] if reached[0] < low else reached[1],
-                bound=float(low if reached[0] < low else high), time=begin,
+                value=value, bound=float(bound), time=begin,
             )
 
 
