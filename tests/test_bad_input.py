@@ -8,6 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from segfmu import InputError, load_mission
+from segfmu.validation.files.scenario_file import load_scenario
+
 CRANE = "bridge_mass = 2.2\ntrolley_mass = 1.155\npayload_mass = 1.0\n"
 LIMITS = "".join(
     f"[limits.{a}]\nvelocity = 1.0\nacceleration = 1.0\njerk = 2.0\nsnap = 20.0\n" for a in "xyz"
@@ -49,9 +52,12 @@ MISSIONS = {
     "high snap": ("snap = 20.0", "snap = 1e300", "limits.x.snap: must be at most 1e+12 m/s4"),
     "sample time": ("crane =", "sample_time = 1e-300\ncrane =", "sample_time: must be at least"),
     "missing crane": ("crane.toml", "nowhere.toml", "crane: nowhere.toml: cannot be read: No such"),
-    "crane of no name": ("crane.toml", "", "crane: .: cannot be read: Is a directory"),
+    "crane of no name": ("crane.toml", "", "crane: no file is named, got ''"),
+    "crane in a folder": ("crane.toml", ".", "crane: .: this is a folder; name a file in it"),
     "no number": ("[0.3,", "[nan,", "waypoints.2.position, x: must be a finite number, got nan"),
-    "huge list": ("[0.3,", f"[{'0.3, ' * 9999}", "waypoints.2.position: List should have at most"),
+    "huge list": ("[0.3,", f"[{'0.3, ' * 9999}", "waypoints.2.position: must have 3 values (x,"),
+    "two numbers": ("[0.3, 0.2, -0.5]", "[0.3, 0.2]", "must have 3 values (x, y, z), got [0.3, 0"),
+    "no obstacles": ("crane =", "obstacles = 5\ncrane =", "obstacles: must be a list, got 5"),
     "misspelt table": ("[limits.x]", "[limit.x]", "limit: unknown key; did you mean limits?"),
     "key of a crane": ("crane =", "rope_max = 1.0\ncrane =", "a key elsewhere: crane.rope_max"),
     "wrong type": ("[0.0, 0.0, -0.5]", '"origin"', "waypoints.1.position: "),
@@ -66,6 +72,50 @@ def test_a_bad_mission_is_one_line(name: str, tmp_path: Path) -> None:
     line = refused(tmp_path, "plan", "mission.toml", "-o", "out")
     assert line.startswith("segfmu: mission.toml: ") and words in line
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("given", [
+    "5", "[0.1, 0]", "{}", "nan", '["free", 0, 0]', '"Free"', "[nan, 0, 0]", "[0.1, 0, true]",
+])
+@pytest.mark.parametrize("state", ["velocity", "acceleration"])
+def test_states_are_numbers_or_free(state: str, given: str, tmp_path: Path) -> None:
+    files(tmp_path, f"{GOOD}{state} = {given}\n")
+    with pytest.raises(InputError) as info:
+        load_mission(tmp_path / "mission.toml")
+    line = str(info.value).partition("mission.toml: ")[2]
+    assert line.startswith(f'waypoints.2.{state}: must be three numbers or "free", got ')
+    assert "(and" not in line
+
+
+@pytest.mark.parametrize("key", ["force_max", "velocity_max", "acceleration_max", "power_max"])
+def test_bounds_of_drives_are_no_rounding_errors(key: str, tmp_path: Path) -> None:
+    files(tmp_path, crane=f"{CRANE}[bridge]\n{key} = 1e-300\n")
+    with pytest.raises(InputError, match=rf"bridge.{key}: must be at least 1e-05 .*, got 1e-300"):
+        load_mission(tmp_path / "mission.toml")
+
+
+SCENARIO = 'name = "s"\nmission = "mission.toml"\n'
+CRITERION = '[[criteria]]\nname = "c"\nsignal = "sway.x.angle"\nbound = 1.0\n'
+SCENARIOS = {
+    "twice": (SCENARIO + 2 * CRITERION, "sc.toml: criteria: two of them are called c"),
+    "lead": (SCENARIO + "lead = true\n" + CRITERION, 'sc.toml: lead is for coupling = "parallel"'),
+    "kind": (SCENARIO + CRITERION + 'kind = "at"\n', "criteria.1: at is missing, which the kind at "
+             "needs"),
+    "signal": (SCENARIO + CRITERION.replace('"sway.x.angle"', "5"), "sc.toml: criteria.1.signal: "
+               "must be the name of a variable, or a list of names, got 5"),
+    "window": (SCENARIO + CRITERION + "window = [0]\n", "window: must have at least 2 values, got "
+               "[0]"),
+}
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_a_bad_scenario_names_its_key(name: str, tmp_path: Path) -> None:
+    text, words = SCENARIOS[name]
+    files(tmp_path)
+    (tmp_path / "sc.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as info:
+        load_scenario(tmp_path / "sc.toml")
+    assert str(info.value).endswith(words)
 
 
 @pytest.mark.parametrize("state", ["velocity", "acceleration"])
@@ -196,7 +246,8 @@ def test_names_and_files_that_are_none(tmp_path: Path) -> None:
     (tmp_path / "empty.toml").touch()
     (tmp_path / "latin.toml").write_bytes("name = 'Kräne'".encode("latin-1"))
     for words, said in (
-        (("folder.toml",), "folder.toml: cannot be read: Is a directory"),
+        (("folder.toml",), "folder.toml: this is a folder; name a file in it"),
+        (("",), ".: this is a folder; name a file in it"),
         (("empty.toml",), "empty.toml: crane: this key is missing"),
         (("latin.toml",), "latin.toml: not a text file in UTF-8"),
         (("of\ntwo lines.toml",), "of two lines.toml: cannot be read"),
@@ -212,3 +263,31 @@ def test_wrong_commands_and_values_of_options(tmp_path: Path) -> None:
     assert "did you mean 'plan'" in refused(tmp_path, "plann").lower()
     assert "step must be from" in refused(tmp_path, "simulate", "m.toml", "--step", "nan")
     assert "--waypoints" in refused(tmp_path, "build", "--waypoints", "1")
+    assert "platforms is empty; name some" in refused(tmp_path, "build", "--platforms", "")
+
+
+def test_places_of_output_are_checked_first(tmp_path: Path) -> None:
+    files(tmp_path)
+    (tmp_path / "dir" / "plan.csv").mkdir(parents=True)
+    (tmp_path / "dir" / "results.json").mkdir()
+    (tmp_path / "afile").touch()
+    # a scenario that cannot be run: what is said of the output comes before
+    for words, said in (
+        (("plan", "mission.toml", "-o", "dir"), "dir/plan.csv: cannot be written: Is a directory"),
+        (("validate", "nowhere.toml", "-o", "afile"), "output afile: cannot create this folder"),
+        (("validate", "nowhere.toml", "-o", "dir"), "dir/results.json: cannot be written"),
+        (("validate", "nowhere.toml", "--junit", "dir"), "dir: cannot be written: Is a directory"),
+        (("validate", "nowhere.toml", "--junit", "afile/x"), "afile/x: cannot be written: Not a"),
+        (("validate", "nowhere.toml", "-o", "new", "--junit", "new/x"), "nowhere.toml: cannot be "),
+    ):
+        assert said in refused(tmp_path, *words)
+    assert not (tmp_path / "new").exists()
+
+
+def test_tables_without_rows_are_refused_in_one_line(tmp_path: Path) -> None:
+    (tmp_path / "empty.csv").touch()
+    (tmp_path / "names.csv").write_text("time,a\n", encoding="utf-8")
+    (tmp_path / "good.csv").write_text("time,a\n0,1\n1,2\n", encoding="utf-8")
+    assert "empty.csv: no column time" in refused(tmp_path, "compare", "empty.csv", "good.csv")
+    line = refused(tmp_path, "compare", "names.csv", "good.csv")
+    assert "names.csv: there is no row of numbers" in line

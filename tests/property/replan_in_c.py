@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
@@ -16,10 +15,10 @@ from tests.kernels.planner.c_planner import Asked, Planner, Pointer, Result
 
 
 class Replanner:
-    """The entry points, compiled into a folder."""
+    """The entry points."""
 
-    def __init__(self, folder: Path) -> None:
-        self.planner = Planner(folder)
+    def __init__(self, planner: Planner) -> None:
+        self.planner = planner
 
     def replan(
         self, old: Trajectory, time: float, targets: tuple[Waypoint, ...], limits: Limits,

@@ -30,6 +30,7 @@ from segfmu import (
     verify,
 )
 from segfmu.planning.arrays import FloatArray
+from tests.kernels.planner.c_planner import Planner
 from tests.property.replan_in_c import Replanner
 from tests.property.soak import problems
 
@@ -203,7 +204,7 @@ def main() -> None:
     parser.add_argument("--c", action="store_true", help="the C entry points as well")
     given = parser.parse_args()
     with TemporaryDirectory() as folder:
-        c = Replanner(Path(folder)) if given.c else None
+        c = Replanner(Planner(Path(folder))) if given.c else None
     for n in given.smoothness:
         begin = time.perf_counter()
         tally = soak(n, given.problems, given.seed, given.ends, c)

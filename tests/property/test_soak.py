@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from segfmu.kernels.backend import COMPILED
-from tests.compiler import needs_cc
-from tests.property.replan_in_c import Replanner
 from tests.property.soak import soak
 from tests.property.soak_axes import soak_axes
 from tests.property.soak_replan import soak as soak_replan
@@ -42,11 +38,3 @@ def test_plans_are_replanned_and_stopped_anywhere(smoothness: int, ends: bool) -
     assert tally.refused == []
     assert tally.invalid == []
     assert tally.late == []
-
-
-@needs_cc
-def test_plans_are_replanned_in_c(tmp_path: Path) -> None:
-    replanner = Replanner(tmp_path)
-    for smoothness in (2, 3, 4, 5):
-        tally = soak_replan(smoothness, 480 if COMPILED else 32, seed=7, c=replanner)
-        assert tally.refused == tally.invalid == tally.late == []

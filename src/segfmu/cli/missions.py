@@ -13,13 +13,16 @@ from segfmu.crane import ActuatorBounds, bound_uses
 from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
 from segfmu.validation.files.mission import Mission, load_mission
-from segfmu.validation.output import about, folder, note, plan_samples, stride
+from segfmu.validation.output import about, folder, note, plan_samples, require_folder, stride
 from segfmu.validation.planned import beyond_drives, planned
 
 NO_BOUNDS = (
     "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
     "the crane file): the plan keeps the mission's limits alone"
 )
+# what the commands write
+PLAN_FILES = ("plan.csv", "plan.png", "path.png", "drives.png")
+RUN_FILES = ("run.csv", "run.png", "report.html")
 
 
 def plan(
@@ -31,6 +34,8 @@ def plan(
 ) -> None:
     """Plan a mission and show every peak against its limit."""
     task = load_mission(mission)
+    if output is not None:
+        require_folder(output, *PLAN_FILES)
     with about(mission), watched() as progress:
         trajectory = planned(task, progress)
         every = stride(task, trajectory.duration)
@@ -59,8 +64,9 @@ def build(
         str, typer.Option(help="native: C, with sources; python: needs segfmu at run time.")
     ] = "native",
     platforms: Annotated[
-        str, typer.Option(help="Of native binaries: all, or names with commas; default: available.")
-    ] = "",
+        str | None,
+        typer.Option(help="Of native binaries: all, or names with commas; default: available."),
+    ] = None,
     waypoints: Annotated[
         int | None,
         typer.Option(help="Maximum number of waypoints; default: 16, or that of the mission.",
@@ -113,6 +119,7 @@ def simulate(
     from segfmu.validation.plots import save
     from segfmu.validation.tables import run_table
 
+    require_folder(output, *RUN_FILES)
     with on_stderr(), watched() as progress:
         run = runs.simulate(mission, step=step, output=output, progress=progress)
     warn(run.note)

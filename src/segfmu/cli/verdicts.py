@@ -9,10 +9,12 @@ import typer
 
 from segfmu.cli.console import console, tell
 from segfmu.cli.work import watched
-from segfmu.validation.output import folder
+from segfmu.validation.output import folder, require_file, require_folder
 
 # signals outside of their tubes that are listed
 MOST_SHOWN = 10
+# what `validate` writes, beside a table of every run
+SUITE_FILES = ("results.json", "report.html")
 
 
 def validate(
@@ -36,6 +38,10 @@ def validate(
     from segfmu.validation import suites
     from segfmu.validation.suite_files import suite_table, write_junit, write_results
 
+    if output is not None:
+        require_folder(output, *SUITE_FILES)
+    if junit is not None:
+        require_file(junit)
     with watched() as progress:
         suite = suites.validate(paths, progress=progress)
     # first what cannot fail for a full disk

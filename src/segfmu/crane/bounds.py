@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Demand
-from segfmu.planning.arrays import FloatArray, limit_values
+from segfmu.planning.arrays import FloatArray, Frozen, limit_values
 
 # one value, or one per drive of which some may be None
 Given = ArrayLike | Sequence[float | None] | None
@@ -29,7 +29,7 @@ NAMES = (
 
 
 @dataclass(frozen=True, eq=False)
-class ActuatorBounds:
+class ActuatorBounds(Frozen):
     """Bounds of a crane's drives, the same in both directions.
 
     Parameters

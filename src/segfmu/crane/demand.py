@@ -24,6 +24,9 @@ ORDERS = 5
 DEGREE = 16
 # the last coefficients of a resolved piece, relative to the quantity's largest magnitude
 RESOLVED = 1e-11
+# below the first, coefficients that halving does not lower to this share of them are rounding, as
+# that of the time in a long plan with short ramps
+ROUNDED, LOWERED = 1e-5, 0.1
 HALVINGS = 12
 # a drive that hardly acts is resolved relative to this share of the one that acts most
 SHARE = 1e-3
@@ -107,18 +110,23 @@ def _resolved(
     starts, lengths = ends[:-1], np.diff(ends)
     done: list[tuple[FloatArray, FloatArray, FloatArray]] = []
     size: FloatArray = np.zeros(Demand.SIZE)
+    before = np.full((Demand.SIZE, starts.size), np.inf)
     for halving in range(HALVINGS + 1):
         times = starts[:, None] + 0.5 * lengths[:, None] * (1.0 + _nodes())
         values = demands(crane, trajectory, times.ravel()).reshape(*times.shape, Demand.SIZE)
         size = np.maximum(size, np.abs(values).max(axis=(0, 1)))
         series = np.einsum("kj,pji->kip", _transform(), values)
         tail = np.abs(series[-2:]).max(axis=0)
-        rough = (tail > RESOLVED * _scale(size)[:, None]).any(axis=0) & (halving < HALVINGS)
+        scale = _scale(size)[:, None]
+        rounding = (tail <= ROUNDED * scale) & (tail > LOWERED * before)
+        unresolved = (tail > RESOLVED * scale) & ~rounding
+        rough = unresolved.any(axis=0) & (halving < HALVINGS)
         done.append((starts[~rough], lengths[~rough], series[..., ~rough]))
         starts, lengths = starts[rough], 0.5 * lengths[rough]
         if starts.size == 0:
             break
         starts, lengths = np.concatenate([starts, starts + lengths]), np.tile(lengths, 2)
+        before = np.tile(tail[:, rough], 2)
     return (
         np.concatenate([d[0] for d in done]), np.concatenate([d[1] for d in done]),
         np.concatenate([d[2] for d in done], axis=-1),

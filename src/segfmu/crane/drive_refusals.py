@@ -10,6 +10,7 @@ from segfmu.crane.drive_task import Task
 from segfmu.crane.limit_search import ROUGH, just_kept
 from segfmu.errors import InfeasibleError
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.messages import told_apart
 
 
 def refused(
@@ -26,13 +27,15 @@ def refused(
     closest = min(tried, key=lambda found: found.use)
     found = uses(bounds, *peaks(closest.task.crane, closest.trajectory))
     worst = max(found, key=lambda use: use.use)
-    return exceeded("", worst, f"at {worst.time:.3f} s, however slow the plan")
+    return exceeded("", worst, f"even the slowest plan, at {worst.time:.3f} s")
 
 
-def exceeded(where: str, found: BoundUse, when: str) -> InfeasibleError:
+def exceeded(where: str, found: BoundUse, what: str) -> InfeasibleError:
+    """The error for a bound: where it is exceeded, and what needs more than it."""
+    digits = told_apart(found.peak, found.bound, 6)
     return InfeasibleError(
-        f"{where}{found.name} needs {found.peak:.6g} {found.unit} {when}; the bound is "
-        f"{found.bound:.6g} {found.unit}; raise the bound or lower the waypoints' velocities "
-        "and accelerations",
+        f"{where}{found.name} needs {found.peak:.{digits}g} {found.unit} for {what}; the bound is "
+        f"{found.bound:.{digits}g} {found.unit}; raise the bound, or lower the load's mass or the "
+        "waypoints' velocities and accelerations",
         limit=found.name, value=found.peak, bound=found.bound, time=found.time,
     )

@@ -18,8 +18,8 @@ from segfmu.crane.demand import peaks, rough_peaks
 from segfmu.crane.drive_task import SEARCHED, Task
 from segfmu.crane.evolution import Evolution
 from segfmu.crane.parameters import Crane
-from segfmu.errors import InfeasibleError
-from segfmu.planning.arrays import FloatArray
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.planning.arrays import FloatArray, shown
 from segfmu.planning.trajectory import Trajectory
 
 ORDERS = np.arange(1, SEARCHED + 1)
@@ -28,6 +28,8 @@ STEP = 0.35
 REACH = 5.0
 # moves of free states in units of the limit, relative to those of the limits' logarithms
 STATE_SHARE = 0.15
+# slower than this a plan does not keep the bounds either, and limits would vanish
+SLOWEST = 1e-6
 # paces without a plan, after which limits are given up
 FAILURES = 3
 # the search ends when so many generations gain less than this share
@@ -151,6 +153,8 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
         pace *= (aim / max(found.use, 1e-3)) ** (1.0 / growth)
         if not slow < pace < fast:
             pace = _between(slow, fast, last[0])
+        if pace < SLOWEST:
+            break
     # no matter how nearly others keep the bounds, if those that do have no clear path
     return None if unclear and best is not None and best.use > look.most else best
 
@@ -176,6 +180,8 @@ def shortest(
 
     With free states the search begins at the best of `calm`, starts that are no extremes.
     """
+    if not callable(progress):
+        raise InputError(f"progress must be a function, got {shown(progress)}")
     tried = [found for found in (_best(starts), _best(calm)) if found is not None]
     if not tried:
         return None

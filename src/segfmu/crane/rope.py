@@ -16,6 +16,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.crane.records import RopeFault, RopeWork
 from segfmu.kernels.messages import ROPE, ROPE_LIMITS
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.messages import text_apart
 
 
 class LoadTrajectory(Protocol):
@@ -63,6 +64,6 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     if status != 0:
         time, worst, bound = report.tolist()
         raise InfeasibleError(
-            ROPE.text(status, (time, worst, bound)), limit=ROPE_LIMITS[status], value=worst,
-            bound=bound, time=time,
+            text_apart(ROPE, status, (time, worst, bound), ("WORST", "BOUND")),
+            limit=ROPE_LIMITS[status], value=worst, bound=bound, time=time,
         )

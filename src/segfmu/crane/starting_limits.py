@@ -12,10 +12,17 @@ import numpy as np
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds
 from segfmu.crane.drive_task import SEARCHED, Task
-from segfmu.errors import InputError
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels.crane.records import RopeDemand
+from segfmu.kernels.messages import ROPE_LIMITS
 from segfmu.planning.arrays import FloatArray
 
 HOIST = 2
+BELOW = RopeDemand.BELOW_TROLLEY
+# least bounds of a drive [m/s, m/s2]: in slower plans the clock is too coarse for ramps
+SLOWEST = 1e-5
+# downward acceleration in units of gravity that leaves the rope taut
+TAUT = 0.9
 # acceleration in units of gravity where a bound hardly lifts the load
 LEAST = 1e-3
 # sway [rad] whose tangent is still of use
@@ -33,10 +40,14 @@ def starting_tables(task: Task, bounds: ActuatorBounds) -> list[FloatArray]:
     Raises
     ------
     InputError
-        For an axis that moves although nothing bounds its acceleration.
+        For an axis that moves although nothing bounds its acceleration, or hardly at all.
+    InfeasibleError
+        For a waypoint that is not below the trolley.
     """
-    rope = max(-float(p.position[2]) for p in task.waypoints)
-    swing = pi * (max(rope, 0.0) / task.crane.gravity) ** 0.5
+    _require_below(task)
+    rope = max(-float(p.position[HOIST]) for p in task.waypoints)
+    swing = pi * (rope / task.crane.gravity) ** 0.5
+    _require_pace(task, bounds)
     motions = {int(axis): _rigid(task, bounds, int(axis)) for axis in task.moving}
     tables = []
     for multiple in MULTIPLES:
@@ -49,6 +60,29 @@ def starting_tables(task: Task, bounds: ActuatorBounds) -> list[FloatArray]:
             )
         tables.append(np.minimum(table, task.caps))
     return tables
+
+
+def _require_below(task: Task) -> None:
+    for number, point in enumerate(task.waypoints, 1):
+        height = float(point.position[HOIST])
+        if height >= 0.0:
+            raise InfeasibleError(
+                f"waypoint {number}: position z {abs(height):g} m must be below the trolley, "
+                "z < 0; lower the waypoint",
+                axis=HOIST, interval=max(number - 1, 1), limit=ROPE_LIMITS[BELOW], value=height,
+                bound=0.0,
+            )
+
+
+def _require_pace(task: Task, bounds: ActuatorBounds) -> None:
+    for axis in task.moving.tolist():
+        for name, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
+            bound = float(getattr(bounds, name)[axis])
+            if bound < SLOWEST:
+                raise InputError(
+                    f"axis {'xyz'[axis]}: {DRIVES[axis]} {name} must have a bound of at least "
+                    f"{SLOWEST:g} {unit}, got {bound:g} {unit}; raise the bound"
+                )
 
 
 def _rigid(task: Task, bounds: ActuatorBounds, axis: int) -> tuple[float, float, float]:
@@ -75,6 +109,8 @@ def _rigid(task: Task, bounds: ActuatorBounds, axis: int) -> tuple[float, float,
             f"axis {'xyz'[axis]}: nothing bounds the acceleration; give a bound of the "
             f"{DRIVES[axis]}'s acceleration, force or power, or limits of the load"
         )
+    # more would make the rope slack, or swing it near to the horizontal
+    acceleration = min(acceleration, crane.gravity * (TAUT if axis == HOIST else tan(STEEPEST)))
     distance = distance or fastest**2 / acceleration
     if isfinite(power):
         velocity = min(velocity, power / (weight + mass * acceleration))

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf, isfinite
 from operator import index
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,8 +13,24 @@ from numpy.typing import ArrayLike, NDArray
 from segfmu.errors import InputError
 
 FloatArray = NDArray[np.float64]
+# one bound, or one per axis of which some may be None
+Range = ArrayLike | Sequence[float | None] | None
 ABSENT = np.zeros(())
 ABSENT.flags.writeable = False
+
+
+class Frozen:
+    """Base of frozen classes whose arrays stay read-only in copies, also those by pickle."""
+
+    def __deepcopy__(self, _: dict[int, Any]) -> Self:
+        return self
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+        # what is kept for later calls is made again
+        self.__dict__.update({n: v for n, v in state.items() if not n.startswith("_")})
 
 
 def finite_vector(name: str, value: ArrayLike) -> FloatArray:
@@ -25,6 +42,19 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
         raise InputError(f"{name} must be one number per axis, not an array of shape {array.shape}")
     if not all(map(isfinite, array.tolist())):
         raise InputError(f"{name} must be finite, got {array.tolist()}")
+    array.flags.writeable = False
+    return array
+
+
+def range_bounds(name: str, value: Range, absent: float) -> FloatArray:
+    """Return bounds of a range, 0-d or (axes,), read-only; None becomes `absent`, -inf or inf."""
+    array = numbers(name, _replaced(value, absent))
+    if array.ndim > 1 or array.size == 0:
+        raise InputError(f"{name} must be a number or one per axis, got shape {array.shape}")
+    if not all(isfinite(v) or v == absent for v in array.ravel().tolist()):
+        raise InputError(
+            f"{name} must be finite, or None or {absent} for no bound, got {_given(value)}"
+        )
     array.flags.writeable = False
     return array
 
@@ -71,22 +101,35 @@ def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> Float
     """Return a limit as positive numbers, 0-d or (axes,); None or infinity becomes 0: absent."""
     if value is None and not required:
         return ABSENT
-    array = numbers(name, [inf if v is None else v for v in value]
-                     if isinstance(value, list | tuple) else inf if value is None else value)
+    array = numbers(name, _replaced(value, inf))
     if array.ndim > 1 or array.size == 0:
         raise InputError(f"{name} must be a number or one per axis, got shape {array.shape}")
     values = array.ravel().tolist()
     if not all(v > 0.0 for v in values):
-        raise InputError(f"{name} must be greater than 0, got {array.tolist()}")
+        raise InputError(f"{name} must be greater than 0, got {_given(value)}")
     if inf in values:
         if required:
-            raise InputError(f"{name} must be finite, got {array.tolist()}")
+            raise InputError(f"{name} must be finite, got {_given(value)}")
         array[np.isinf(array)] = 0.0
     array.flags.writeable = False
     return array
 
 
+def _replaced(value: Any, absent: float) -> Any:
+    """A value with a number in place of None."""
+    if isinstance(value, list | tuple):
+        return [absent if v is None else v for v in value]
+    return absent if value is None else value
+
+
+def _given(value: Any) -> str:
+    """What a message shows of numbers as they were given."""
+    return shown(value.tolist() if isinstance(value, np.ndarray | np.generic) else value)
+
+
 def numbers(name: str, value: Any) -> FloatArray:
+    if type(value) is not np.ndarray and isinstance(value, np.ma.MaskedArray):
+        raise InputError(f"{name} must not be a masked array; leave out or fill what is masked")
     try:
         raw = np.asarray(value)
         if raw.dtype.kind not in "iuf":

@@ -10,21 +10,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.arrays import (
+    FloatArray,
+    Frozen,
+    Range,
+    as_tuple,
+    finite_vector,
+    range_bounds,
+)
+from segfmu.planning.messages import told_apart
 from segfmu.planning.passages import both, outside, rounding, within
 from segfmu.planning.trajectory import Trajectory, require_plan
 
-Range = Sequence[float | None] | ArrayLike | None
-
 
 @dataclass(frozen=True, eq=False)
-class Obstacle:
+class Obstacle(Frozen):
     """A box that the load must not meet.
 
     Parameters
@@ -69,7 +74,7 @@ class Obstacle:
 
 
 @dataclass(frozen=True, eq=False)
-class Clearance:
+class Clearance(Frozen):
     """Where the load may be.
 
     Parameters
@@ -102,11 +107,11 @@ class Clearance:
         load_size: ArrayLike = (0.0, 0.0, 0.0),
         load_centre: ArrayLike = (0.0, 0.0, 0.0),
     ) -> None:
-        boxes = tuple(obstacles)
+        boxes = as_tuple("obstacles", obstacles)
         for box in boxes:
             if not isinstance(box, Obstacle):
                 raise InputError(f"an obstacle must be an Obstacle, got {type(box).__name__}")
-        low, high = _range("minimum", minimum, -np.inf), _range("maximum", maximum, np.inf)
+        low, high = _edges("minimum", minimum, -np.inf), _edges("maximum", maximum, np.inf)
         for axis in np.flatnonzero(low >= high):
             raise InputError(
                 f"workspace: minimum {'xyz'[axis]} {low[axis]} m is not below maximum "
@@ -184,14 +189,15 @@ class Clearance:
                 continue
             begin = float(beyond[0, 0])
             reached = [float(edge[axis]) for edge in trajectory.extrema(0)]
+            value, bound = (reached[0], low) if reached[0] < low else (reached[1], high)
+            n = told_apart(value, float(bound), 6)
             raise InfeasibleError(
-                f"workspace: axis {trajectory.axis_names[axis]} leaves its range {low:.6g} to "
-                f"{high:.6g} m at {begin:.3f} s, between waypoints {trajectory.interval(begin)} "
-                f"and {trajectory.interval(begin) + 1}; it moves from {reached[0]:.6g} to "
-                f"{reached[1]:.6g} m; move the waypoints or give them lower velocities",
+                f"workspace: axis {trajectory.axis_names[axis]} leaves its range {low:.{n}g} to "
+                f"{high:.{n}g} m at {begin:.3f} s, between waypoints {trajectory.interval(begin)} "
+                f"and {trajectory.interval(begin) + 1}; it moves from {reached[0]:.{n}g} to "
+                f"{reached[1]:.{n}g} m; move the waypoints or give them lower velocities",
                 axis=axis, interval=trajectory.interval(begin), limit="workspace",
-                value=reached[0] if reached[0] < low else reached[1],
-                bound=float(low if reached[0] < low else high), time=begin,
+                value=value, bound=float(bound), time=begin,
             )
 
 
@@ -202,11 +208,9 @@ def _triple(name: str, value: ArrayLike) -> FloatArray:
     return vector
 
 
-def _range(name: str, value: Range, absent: float) -> FloatArray:
-    """Three numbers; None and infinity become the absent bound."""
-    if value is None:
-        return np.full(3, absent)
-    given = [absent if v is None else v for v in cast(Any, value)]
-    finite = [0.0 if np.isinf(v) else v for v in given]
-    vector = _triple(f"workspace: {name}", finite)
-    return np.where(np.isinf(np.array(given, dtype=np.float64)), absent, vector)
+def _edges(name: str, value: Range, absent: float) -> FloatArray:
+    """One bound for each of x, y and z; `absent` for no bound."""
+    bounds = range_bounds(f"workspace: {name}", value, absent)
+    if value is not None and bounds.shape != (3,):
+        raise InputError(f"workspace: {name} must have 3 values, got {bounds.size}")
+    return np.broadcast_to(bounds, (3,))

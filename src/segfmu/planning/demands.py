@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError
+from segfmu.planning.arrays import Range
 from segfmu.planning.limits import NAMES, UNITS
+from segfmu.planning.messages import told_apart
 from segfmu.planning.polynomials import derivative_pieces, piece_turns
 from segfmu.planning.request import position_bounds
 from segfmu.planning.trajectory import Trajectory
@@ -29,16 +30,17 @@ def require(trajectory: Trajectory) -> None:
     low, high = trajectory.extrema(order + 1)
     time = _reached(trajectory, axis, order + 1, 1.0 if high[axis] >= -low[axis] else -1.0)
     interval = _interval(trajectory, axis, time)
+    digits = told_apart(value, bound, 9)
     raise InfeasibleError(
         f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: the plan "
-        f"reaches {name} {value:.9g} {unit} at {time:.3f} s, limit {bound:.9g} {unit}; "
-        f"raise limits.{name}",
+        f"reaches {name} {value:.{digits}g} {unit} at {time:.3f} s, limit "
+        f"{bound:.{digits}g} {unit}; raise limits.{name}",
         axis=axis, interval=interval, limit=name, value=value, bound=bound, time=time,
     )
 
 
 def require_positions(
-    trajectory: Trajectory, position_min: ArrayLike | None, position_max: ArrayLike | None
+    trajectory: Trajectory, position_min: Range, position_max: Range
 ) -> None:
     """Raise InfeasibleError when an axis leaves a range; InputError for bounds that are none."""
     if position_min is None and position_max is None:
@@ -50,17 +52,18 @@ def require_positions(
     ):
         if given is None:
             continue
-        bounds = position_bounds(name, given, trajectory.axes)
+        bounds = position_bounds(name, given, trajectory.axes, sign * np.inf)
         margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
         for axis in np.flatnonzero(sign * (reached - bounds) > margin).tolist():
             time = _reached(trajectory, axis, 0, sign)
             interval = _interval(trajectory, axis, time)
+            value, bound = float(reached[axis]), float(bounds[axis])
+            digits = told_apart(value, bound, 9)
             raise InfeasibleError(
                 f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: "
-                f"position reaches {reached[axis]:.9g} m at {time:.3f} s, {name} is "
-                f"{bounds[axis]:.9g} m; move the waypoints or slow them down",
-                axis=axis, interval=interval, limit=name, value=float(reached[axis]),
-                bound=float(bounds[axis]), time=time,
+                f"position reaches {value:.{digits}g} m at {time:.3f} s, {name} is "
+                f"{bound:.{digits}g} m; move the waypoints or slow them down",
+                axis=axis, interval=interval, limit=name, value=value, bound=bound, time=time,
             )
 
 

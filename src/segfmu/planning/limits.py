@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import ABSENT, FloatArray, as_index, limit_values
+from segfmu.planning.arrays import ABSENT, FloatArray, Frozen, as_index, limit_values
 
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Limits:
+class Limits(Frozen):
     """Bounds c_1 .. c_6 on the derivatives of the position, SI units.
 
     Parameters
@@ -57,7 +57,7 @@ class Limits:
 
     def __repr__(self) -> str:
         given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if v.any())
-        return f"Limits({', '.join(f'{n}={v.tolist()}' for n, v in given)})"
+        return f"Limits({', '.join(f'{n}={_given(v)}' for n, v in given)})"
 
     def _all(self) -> tuple[FloatArray, ...]:
         return tuple(getattr(self, name) for name in NAMES)
@@ -102,3 +102,8 @@ class Limits:
                 )
         table.flags.writeable = False
         return table
+
+
+def _given(values: FloatArray) -> object:
+    """A limit as `Limits` takes it, None where it is absent."""
+    return [v or None for v in values.tolist()] if values.ndim else values.tolist()

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
 from segfmu.errors import InfeasibleError, InputError, SegfmuError
-from segfmu.kernels.messages import PLAN
+from segfmu.kernels.messages import PLAN, Messages
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray
 
@@ -23,19 +27,59 @@ DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
 }
 
 
-def refusal(status: int, report: FloatArray, names: tuple[str, ...]) -> SegfmuError:
-    """Return the error for a status and report (Refusal); `names` are those of the axes."""
-    if status in (PlanStatus.SAMPLE_TIME, PlanStatus.SAME_WAYPOINTS):
-        return InputError(PLAN.text(status, report.tolist()))
-    limit, shown = DETAILS[status]
+# the digits of a number in a text
+DIGITS = re.compile(r"(?<=:\.)\d+(?=g})")
+
+
+def told_apart(value: float, bound: float, digits: int) -> int:
+    """Digits, at least so many, with which two different numbers read differently."""
+    if value == bound:
+        return digits
+    return next(d for d in range(digits, 18) if f"{value:.{d}g}" != f"{bound:.{d}g}")
+
+
+def text_apart(
+    table: Messages, status: int, report: Sequence[float], pair: tuple[str, str],
+    **words: tuple[str, ...],
+) -> str:
+    """The text of a status, with more digits where two fields of it would read the same."""
+    text = table.texts[status]
+    if all(f"{{{name}:" in text for name in pair):
+        one, other = (report[getattr(table.report, name)] for name in pair)
+        text = DIGITS.sub(lambda found: str(told_apart(one, other, int(found.group()))), text)
+    return str(replace(table, texts={status: text}).text(status, report, **words))
+
+
+def refusal(
+    status: int, report: FloatArray, names: tuple[str, ...], dwells: FloatArray
+) -> SegfmuError:
+    """Return the error for a status and report (Refusal).
+
+    `names` are those of the axes, `dwells` those of the waypoints [s].
+    """
+    text = text_apart(PLAN, status, report.tolist(), ("VALUE", "BOUND"), AXIS=names)
     place = int(report[Refusal.INTERVAL])
+    if status == PlanStatus.SAME_WAYPOINTS:
+        rest = float(dwells[place : place + 2].sum())
+        return InputError(_same(place + 1, rest) if rest > 0.0 else text)
+    if status == PlanStatus.SAMPLE_TIME:
+        return InputError(text)
+    limit, shown = DETAILS[status]
     # a waypoint belongs to the interval that ends there
     interval = place + 1 if INTERVAL in shown else max(place, 1) if WAYPOINT in shown else None
     return InfeasibleError(
-        PLAN.text(status, report.tolist(), AXIS=names),
+        text,
         axis=int(report[Refusal.AXIS]) if AXIS in shown else None,
         interval=interval,
         limit=limit,
         value=float(report[Refusal.VALUE]) if VALUE in shown else None,
         bound=float(report[Refusal.BOUND]) if BOUND in shown else None,
+    )
+
+
+def _same(number: int, dwell: float) -> str:
+    """For two waypoints that are the same, of which one has a dwell already."""
+    return (
+        f"waypoints {number} and {number + 1} are the same; omit one, and give the other the whole "
+        f"dwell, {dwell:g} s"
     )

@@ -9,10 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
-from numpy.typing import ArrayLike
-
 from segfmu.errors import InputError
-from segfmu.planning.arrays import finite_number, shown
+from segfmu.planning.arrays import Range, finite_number, shown
 from segfmu.planning.demands import require, require_positions
 from segfmu.planning.free import OVERSHOOT, Progress, choose_states
 from segfmu.planning.lead import Pieces
@@ -33,8 +31,8 @@ def plan(
     synchronize: str = "waypoints",
     sample_time: float | None = None,
     duration: float | None = None,
-    position_min: ArrayLike | None = None,
-    position_max: ArrayLike | None = None,
+    position_min: Range = None,
+    position_max: Range = None,
     axis_names: Sequence[str] | None = None,
     overshoot: float = OVERSHOOT,
     progress: Progress | None = None,
@@ -44,7 +42,8 @@ def plan(
     Parameters
     ----------
     waypoints : sequence of Waypoint
-        At least two, all with the same number of axes.
+        At least two, all with the same number of axes. What is free at the first and the last one,
+        and at one with a dwell, becomes zero.
     limits : Limits
         Limits of the derivatives; at least one from jerk on is required.
     smoothness : int
@@ -58,7 +57,7 @@ def plan(
     duration : float, optional
         Requested total duration [s], dwells included.
     position_min, position_max : array_like, scalar or shape (axes,), optional
-        Range that no axis may leave [m]; checked exactly.
+        Range that no axis may leave [m]; None or infinity for no bound of an axis. Checked exactly.
     axis_names : sequence of str, optional
         Names for messages; x, y, z by default.
     overshoot : float

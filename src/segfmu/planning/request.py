@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
-from segfmu.planning.arrays import FloatArray, as_tuple, finite_number, finite_vector, shown
+from segfmu.planning.arrays import FloatArray, Range, as_tuple, finite_number, range_bounds, shown
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Problem, options
 from segfmu.planning.waypoint import DERIVATIVES, FREE, Waypoint
@@ -85,10 +84,10 @@ def with_states(points: tuple[Waypoint, ...], states: FloatArray) -> tuple[Waypo
     )
 
 
-def position_bounds(name: str, given: ArrayLike, axes: int) -> FloatArray:
-    """Bounds of the position [m], one per axis."""
-    bounds = finite_vector(name, given)
-    if bounds.size not in (1, axes):
+def position_bounds(name: str, given: Range, axes: int, absent: float) -> FloatArray:
+    """Bounds of the position [m], one per axis; `absent`, -inf or inf, for no bound."""
+    bounds = range_bounds(name, given, absent)
+    if bounds.ndim == 1 and bounds.size not in (1, axes):
         raise InputError(f"{name} has {bounds.size} values for {axes} axes")
     return np.broadcast_to(bounds, (axes,))
 

@@ -33,7 +33,9 @@ def solve(
     if follow is None and request.waypoints[0].settled:
         motion = plan_motion(request.problem, tolerance)
         if motion.refusal is not None:
-            raise refusal(motion.status, motion.refusal, request.axis_names)
+            raise refusal(
+                motion.status, motion.refusal, request.axis_names, request.problem.dwells
+            )
         found = _trajectory(
             request, motion.timing, motion.coefficients, motion.offsets, motion.times
         )
@@ -83,7 +85,7 @@ def no_lead(name: str, axis: int) -> InfeasibleError:
 def _phases(request: Request, problem: Problem) -> Phases:
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise refusal(phases.status, phases.refusal, request.axis_names)
+        raise refusal(phases.status, phases.refusal, request.axis_names, problem.dwells)
     return phases
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray, as_index, finite_number, finite_vector, shown
+from segfmu.planning.arrays import FloatArray, Frozen, as_index, finite_number, finite_vector, shown
 
 DERIVATIVES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # how many of them may be free
@@ -17,7 +17,7 @@ FREE = 2
 
 
 @dataclass(frozen=True, eq=False)
-class Waypoint:
+class Waypoint(Frozen):
     """One point of a mission.
 
     Parameters
@@ -26,7 +26,8 @@ class Waypoint:
         Position [m].
     velocity, acceleration : array_like, shape (axes,), or "free", optional
         State at the point [m/s, m/s2]; rest by default. With "free", or None for single axes,
-        `plan` chooses a state that makes the move short; before planning it is NaN.
+        `plan` chooses a state that makes the move short; before planning it is NaN. At the first
+        and the last waypoint, and at one with a dwell, what is free becomes zero.
     jerk, snap, crackle, pop : array_like, shape (axes,), optional
         Higher derivatives [m/s3 .. m/s6] of the first waypoint of a plan, as far as its smoothness
         has them continuous; zero by default, and at all other waypoints.
@@ -137,7 +138,12 @@ def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
         return vector
     if not isinstance(given, list | tuple) or None not in given:
         return finite_vector(name, given)
-    vector = finite_vector(name, [0.0 if v is None else v for v in given]).copy()
+    try:
+        vector = finite_vector(name, [0.0 if v is None else v for v in given]).copy()
+    except InputError:
+        raise InputError(
+            f"{name} must be finite numbers, None where free, got {shown(given)}"
+        ) from None
     vector[[v is None for v in given]] = np.nan
     vector.flags.writeable = False
     return vector

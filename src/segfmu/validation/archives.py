@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
+from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe
 from segfmu.fmu.choice import Choice, chosen, require_native
 from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
 from segfmu.validation.files.mission import Mission, Source, load_mission
-from segfmu.validation.output import about, folder
+from segfmu.validation.output import about, folder, require_folder
 from segfmu.validation.planned import planned
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario import sized, specs
@@ -57,7 +58,7 @@ def build(
     *,
     fmi: int = 2,
     backend: str = "native",
-    platforms: str = "",
+    platforms: str | None = None,
     waypoints: int | None = None,
     enumerations: str = "enumeration",
     modelica: bool = False,
@@ -79,7 +80,7 @@ def build(
         Version of the standard, 2 or 3.
     backend : str
         "native": C, with its sources; "python": needs segfmu where the FMU runs.
-    platforms : str
+    platforms : str, optional
         Of native binaries: "all", or names with commas; by default those that are available.
     waypoints : int, optional
         Maximum number of waypoints; 16 by default, or that of the mission.
@@ -111,10 +112,13 @@ def build(
     >>> archives.crane.name
     'GantryCrane.fmu'
     """
-    choice = chosen(fmi, backend, platforms, enumerations=enumerations)
+    if platforms is not None and not platforms.strip(", "):
+        raise InputError("platforms is empty; name some, or all, or omit it for those available")
+    choice = chosen(fmi, backend, platforms or "", enumerations=enumerations)
     for option, wanted in (("modelica", modelica), ("ssp", ssp)):
         if wanted:
             require_native(choice, option)
+    require_folder(output)
     title, interfaces = "", sized(waypoints)
     if mission is not None:
         task = load_mission(mission)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from math import ceil
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,7 @@ from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.errors import InputError, SegfmuError
 from segfmu.planning import Trajectory
+from segfmu.planning.arrays import shown
 
 if TYPE_CHECKING:
     from segfmu.validation.files.mission import Mission
@@ -34,6 +37,56 @@ def about(path: Path | None) -> Iterator[None]:
         raise
 
 
+def require_folder(name: str | Path, *files: str) -> None:
+    """Check, without making anything, that a folder and files in it can be written.
+
+    Raises
+    ------
+    InputError
+        For the first thing that is in the way.
+    """
+    path = _named(name)
+    # the part that there is
+    there = next((p for p in (path, *path.parents) if os.path.lexists(p)), Path())
+    reason = None
+    if not there.is_dir():
+        reason = os.strerror(errno.EEXIST if there == path else errno.ENOTDIR)
+    elif not os.access(there, os.W_OK | os.X_OK):
+        reason = os.strerror(errno.EACCES)
+    if reason is not None:
+        raise InputError(f"output {name}: cannot create this folder: {reason}")
+    for file in files:
+        require_file(path / file)
+
+
+def require_file(path: Path) -> None:
+    """Check, without making anything, that a file can be written in a folder that can be made.
+
+    Raises
+    ------
+    InputError
+        If a folder has its name, or its own folder cannot be made.
+    """
+    if path.is_dir():
+        raise InputError(f"{path}: cannot be written: {os.strerror(errno.EISDIR)}")
+    there = next(p for p in path.absolute().parents if os.path.lexists(p))
+    if not there.is_dir():
+        raise InputError(f"{path}: cannot be written: {os.strerror(errno.ENOTDIR)}")
+
+
+def file_path(name: Any) -> Path:
+    """The path of a file to be written.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if not isinstance(name, str | os.PathLike) or not os.fspath(name):
+        raise InputError(f"the path of a file must be given, got {shown(name)}")
+    return Path(name)
+
+
 def folder(name: str | Path) -> Path:
     """The folder for the output, created.
 
@@ -42,9 +95,7 @@ def folder(name: str | Path) -> Path:
     InputError
         If there is no name, or no folder of this name can be made or written to.
     """
-    if not str(name).strip():
-        raise InputError("output is empty; name a folder, . for this one")
-    path = Path(name)
+    path = _named(name)
     try:
         path.mkdir(parents=True, exist_ok=True)
         probe = path / ".segfmu.part"
@@ -54,6 +105,12 @@ def folder(name: str | Path) -> Path:
         reason = error.strerror if isinstance(error, OSError) else error
         raise InputError(f"output {name}: cannot create this folder: {reason}") from None
     return path
+
+
+def _named(name: str | Path) -> Path:
+    if not str(name).strip():
+        raise InputError("output is empty; name a folder, . for this one")
+    return Path(name)
 
 
 def stride(mission: Mission, duration: float) -> int:

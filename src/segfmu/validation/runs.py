@@ -22,7 +22,7 @@ from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.frames import frame
-from segfmu.validation.output import about, folder, note, stride, thinned
+from segfmu.validation.output import about, file_path, folder, note, stride, thinned
 from segfmu.validation.planned import beyond_drives, planned, require_memory
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario import ending, run
@@ -116,9 +116,10 @@ class Run:
         str
             What the table leaves out; empty if nothing.
         """
+        target = file_path(path)
         every = stride(self.mission, float(self.time[-1]))
-        write_csv(Path(path), thinned(self.rows, every), signal_units())
-        return note(Path(path).name, every, self.mission.simulation.step)
+        write_csv(target, thinned(self.rows, every), signal_units())
+        return note(target.name, every, self.mission.simulation.step)
 
     def report(self, path: str | Path) -> Path:
         """Write the run as one HTML file that opens without a network; returns its path."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import re
+import warnings
 from pathlib import Path
+from typing import TextIO
 
 import numpy as np
 
@@ -13,6 +15,13 @@ from segfmu.planning.arrays import FloatArray
 
 # behind a name, as in "load.position.x [m]"; indices of arrays follow theirs without a space
 UNIT = re.compile(r"\s+\[[^\]]*\]$")
+
+
+def _rows(file: TextIO) -> FloatArray:
+    with warnings.catch_warnings():
+        # an empty table is refused below
+        warnings.filterwarnings("ignore", "loadtxt: input contained no data")
+        return np.loadtxt(file, delimiter=",", ndmin=2)
 
 
 def read_table(path: Path) -> dict[str, FloatArray]:
@@ -28,7 +37,7 @@ def read_table(path: Path) -> dict[str, FloatArray]:
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
             names = [UNIT.sub("", name) for name in next(csv.reader(file), [])]
-            data = np.loadtxt(file, delimiter=",", ndmin=2)
+            data = _rows(file)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except (ValueError, csv.Error) as error:
@@ -37,7 +46,9 @@ def read_table(path: Path) -> dict[str, FloatArray]:
         raise InputError(f"{path}: no column time")
     if len(set(names)) != len(names):
         raise InputError(f"{path}: two columns have one name")
-    if data.shape[0] == 0 or data.shape[1] != len(names):
+    if data.shape[0] == 0:
+        raise InputError(f"{path}: there is no row of numbers")
+    if data.shape[1] != len(names):
         raise InputError(f"{path}: {len(names)} names but rows of {data.shape[1]} numbers")
     table: dict[str, FloatArray] = dict(zip(names, data.T, strict=True))
     if not np.all(np.diff(table["time"]) > 0.0):

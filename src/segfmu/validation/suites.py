@@ -9,6 +9,8 @@ from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from segfmu.errors import InputError
+from segfmu.planning.arrays import as_tuple, shown
 from segfmu.validation.files.scenario_file import Scenario, find, load_scenario
 from segfmu.validation.frames import frame
 from segfmu.validation.monitor import Finding
@@ -123,7 +125,12 @@ def validate(scenarios: Scenarios, *, progress: Progress = quiet) -> Suite:
     <Suite: 1 of 1 scenarios as expected>
     """
     single = isinstance(scenarios, str | Path | Scenario)
-    given: list[Any] = [scenarios] if single else list(scenarios)  # type: ignore[arg-type]
+    given: tuple[Any, ...] = (scenarios,) if single else as_tuple("scenarios", scenarios)
+    for entry in given:
+        if not isinstance(entry, str | Path | Scenario):
+            raise InputError(f"scenarios must be files or folders, got {shown(entry)}")
+    if not given:
+        raise InputError("scenarios are none; name files or folders of them")
     loaded = [entry for entry in given if isinstance(entry, Scenario)]
     paths = [Path(entry) for entry in given if not isinstance(entry, Scenario)]
     loaded += [load_scenario(path) for path in find(paths)]

@@ -10,6 +10,8 @@ import pytest
 from segfmu import Limits, Trajectory, Waypoint, plan, reach_velocity, replan, stop
 from segfmu.planning.problem import SYNCHRONIZATIONS
 from tests.kernels.planner.c_planner import Asked, Planner, Result
+from tests.property.replan_in_c import Replanner
+from tests.property.soak_replan import soak
 
 LIMITS = Limits([1.0, 0.8], 1.0, [4.0, 3.0], 20.0)
 START, TARGET = Waypoint([0.0, 0.0]), Waypoint([1.0, 0.5])
@@ -139,3 +141,10 @@ def test_a_kept_rest_does_not_jump_at_its_start(planner: Planner) -> None:
     assert found.status == 0
     for d in range(5):
         assert found(0.0, d) == pytest.approx(old(1.0, d), abs=1e-9)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5])
+def test_random_plans_are_replanned(planner: Planner, n: int) -> None:
+    tally = soak(n, 480, seed=7, c=Replanner(planner))
+    assert tally.states > 400
+    assert tally.refused == tally.invalid == tally.late == []

@@ -16,7 +16,7 @@ CAMPAIGNS = {
     "no toml": ('name = "c"', 'name = "c', "c.toml: not valid TOML"),
     "no name": ('name = "c"', "", "name: this key is missing"),
     "unknown key": ('name = "c"', 'name = "c"\nsampler = 1', "sampler: unknown key; did you mean"),
-    "no scenarios": ('["s.toml"]', "[]", "scenarios: List should have at least 1 item"),
+    "no scenarios": ('["s.toml"]', "[]", "scenarios: must have at least 1 value"),
     "scenario that is not there": ('"s.toml"', '"t.toml"', "t.toml: cannot be read: No such file"),
     "twice the same": ('["s.toml"]', '["s.toml", "s.toml"]', "two of them are called s.toml"),
     "kind": ("latin hypercube", "latin square", "sampling.kind: must be 'latin hypercube'"),

@@ -10979,7 +10979,11 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
         {
             largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(129) + i, j))));
         }
-        added = 1e-12 * span_max(largest, 1e-300);
+        added = 1e-12 * largest;
+        if (largest == 0.0)
+        {
+            added = 1.0;
+        }
         diagonal = (*cspan_at(&work, INT64_C(129) + j, j));
         if (diagonal < 0.0)
         {

@@ -105,7 +105,9 @@ def newton_step(
         for i in range(count):
             largest = max(largest, abs(work[PlanWork.MATRIX + i, j]))
         # far from singular to rounding errors; the step changes by as little, mirrored or not
-        added = 1e-12 * max(largest, 1e-300)
+        added = 1e-12 * largest
+        if largest == 0.0:
+            added = 1.0
         diagonal = work[PlanWork.MATRIX + j, j]
         if diagonal < 0.0:
             added = -added

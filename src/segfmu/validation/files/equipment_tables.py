@@ -7,12 +7,12 @@ from typing import Annotated, Literal
 from segfmu.validation.files.keys import (
     NO_BOUND,
     RANGE,
+    Bound,
     Key,
     NotNegative,
     NotNegativeTriple,
     Number,
     Pair,
-    Positive,
     Quantity,
     Seed,
     Table,
@@ -34,18 +34,18 @@ class DriveTable(Table):
         Key("from the command to the drive", "s", ("drive.{}.dead_time",), IDEAL),
     ] = None
     velocity_max: Annotated[
-        Positive | None,
+        Bound | None,
         Key("greatest velocity", "m/s", ("drive.{}.velocity_max",), NO_BOUND),
     ] = None
     acceleration_max: Annotated[
-        Positive | None,
+        Bound | None,
         Key("greatest acceleration", "m/s2", ("drive.{}.acceleration_max",), NO_BOUND),
     ] = None
     force_max: Annotated[
-        Positive | None, Key("greatest force", "N", ("drive.{}.force_max",), NO_BOUND)
+        Bound | None, Key("greatest force", "N", ("drive.{}.force_max",), NO_BOUND)
     ] = None
     power_max: Annotated[
-        Positive | None,
+        Bound | None,
         Key("greatest power, driving or braking", "W", ("drive.{}.power_max",), NO_BOUND),
     ] = None
 

@@ -132,7 +132,6 @@ Share = Annotated[float, Field(ge=0.0, le=1.0), NUMBER]
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
 PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
-PositiveTriple = Annotated[list[Positive], Field(min_length=3, max_length=3)]
 NotNegativeTriple = Annotated[list[NotNegative], Field(min_length=3, max_length=3)]
 # ranges that every crane is far within, so that a slip of the pen is told by its key
 Length = Annotated[float, Field(ge=-1e6, le=1e6), NUMBER]
@@ -144,6 +143,9 @@ Quantity = Annotated[float, Field(ge=1e-9, le=1e9), NUMBER]
 SwayPair = Annotated[
     list[Annotated[float, Field(ge=1e-3, le=89.0), NUMBER]], Field(min_length=2, max_length=2)
 ]
+# of drives; the least is that with which plans are made
+Bound = Annotated[float, Field(ge=1e-5, le=1e12), NUMBER]
+BoundTriple = Annotated[list[Bound], Field(min_length=3, max_length=3)]
 Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED, strict=True)]
 
 AXES = ("x", "y", "z")

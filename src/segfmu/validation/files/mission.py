@@ -243,6 +243,8 @@ def load_mission(source: Source, changes: Mapping[str, Any] | None = None) -> Mi
     >>> segfmu.load_mission(mission, {"crane": {"payload_mass": 2.0}}).crane.payload_mass
     2.0
     """
+    if changes is not None and not isinstance(changes, Mapping):
+        raise InputError(f"changes of a mission are a dict, got {type(changes).__name__}")
     if isinstance(source, Mission) and not changes:
         return source
     if isinstance(source, str | Path):
@@ -298,6 +300,8 @@ def _with_crane(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
 
 def _crane_data(mission: Path | None, name: str) -> dict[str, Any]:
     """The content of the crane file that a mission names, checked."""
+    if not name.strip():
+        raise InputError(f"{mission or 'mission'}: crane: no file is named, got {name!r}")
     path = Path(name) if mission is None else mission.parent / name
     try:
         data = read(path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool
@@ -11,10 +12,10 @@ from segfmu.validation.files.keys import (
     DRIVES,
     NUMBER,
     SWAY,
+    BoundTriple,
     Key,
     Place,
     Positive,
-    PositiveTriple,
     SwayPair,
     Table,
     Time,
@@ -29,14 +30,25 @@ Angle = Annotated[float, Field(ge=-45.0, le=45.0), NUMBER]
 
 
 def _state(value: Any) -> Any:
-    """Refuse words other than "free" here, so that the message does not list both types."""
-    if isinstance(value, str) and value != "free":
+    """Refuse what is neither numbers nor "free" here, so that the message does not list types."""
+    if value == "free" and isinstance(value, str):
+        return value
+    if not isinstance(value, list) or len(value) != len(AXES) or not all(map(_finite, value)):
         raise ValueError('must be three numbers or "free"')
     return value
 
 
+def _finite(value: Any) -> bool:
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    return number and isfinite(value)
+
+
 State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]
 REST = "at rest"
+CHOSEN = (
+    '"free": the planner chooses it; at the first and the last waypoint, and at one with a dwell, '
+    "it chooses rest"
+)
 CRANES = "that of the crane file"
 
 
@@ -67,12 +79,12 @@ class WaypointEntry(Table):
     position: Annotated[Place, Key("of the load; z is negative, 0 at the trolley", "m", parts=AXES)]
     velocity: Annotated[
         State,
-        Key('velocity of the load; "free": the planner chooses it', "m/s", default=REST,
+        Key(f'velocity of the load; {CHOSEN}', "m/s", default=REST,
             parts=AXES),
     ] = [0.0, 0.0, 0.0]
     acceleration: Annotated[
         State,
-        Key('acceleration of the load; "free": the planner chooses it', "m/s2", default=REST,
+        Key(f'acceleration of the load; {CHOSEN}', "m/s2", default=REST,
             parts=AXES),
     ] = [0.0, 0.0, 0.0]
     dwell: Annotated[Time, Key("time to rest there", "s")] = 0.0
@@ -82,19 +94,19 @@ class ActuatorEntry(Table):
     """Bounds of this mission alone, beside those of the crane file."""
 
     force: Annotated[
-        PositiveTriple | None,
+        BoundTriple | None,
         Key("greatest of each drive", "N", default=CRANES, parts=DRIVES),
     ] = None
     velocity: Annotated[
-        PositiveTriple | None,
+        BoundTriple | None,
         Key("greatest of each drive", "m/s", default=CRANES, parts=DRIVES),
     ] = None
     acceleration: Annotated[
-        PositiveTriple | None,
+        BoundTriple | None,
         Key("greatest of each drive", "m/s2", default=CRANES, parts=DRIVES),
     ] = None
     power: Annotated[
-        PositiveTriple | None,
+        BoundTriple | None,
         Key("greatest of each drive, driving or braking", "W", default=CRANES, parts=DRIVES),
     ] = None
     sway_angle: Annotated[

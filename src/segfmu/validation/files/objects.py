@@ -49,13 +49,11 @@ def _crane(crane: Crane) -> dict[str, Any]:
 def _limits(limits: Limits) -> dict[str, Any]:
     if limits.crackle.any() or limits.pop.any():
         raise InputError("limits: a mission has limits up to the snap; leave out crackle and pop")
-    found: dict[str, dict[str, float]] = {axis: {} for axis in AXES}
-    for name in LIMITS:
-        bounds = np.broadcast_to(getattr(limits, name), (len(AXES),))
-        for axis, number in zip(AXES, bounds, strict=True):
-            if number > 0.0:
-                found[axis][name] = float(number)
-    return found
+    table = limits.table(len(AXES), len(LIMITS))[:, : len(LIMITS)]
+    return {
+        axis: {name: number for name, number in zip(LIMITS, row, strict=True) if number > 0.0}
+        for axis, row in zip(AXES, table.tolist(), strict=True)
+    }
 
 
 def _waypoint(point: Waypoint) -> dict[str, Any]:

@@ -25,6 +25,10 @@ SIZES = {
     "greater_than": ("gt", "above"), "greater_than_equal": ("ge", "at least"),
     "less_than": ("lt", "below"), "less_than_equal": ("le", "at most"),
 }
+# findings about the length of a list, likewise
+LENGTHS = {"too_short": ("min_length", "at least"), "too_long": ("max_length", "at most")}
+# findings about the type of a value, and words
+TYPES = {"model_type": "table", "dict_type": "table", "list_type": "list"}
 
 
 def read(path: Path) -> dict[str, Any]:
@@ -41,6 +45,8 @@ def read(path: Path) -> dict[str, Any]:
         if len(data) > LARGEST:
             raise InputError(f"{path}: larger than {LARGEST // 1_000_000} MB, no crane or mission")
         return tomllib.loads(data.decode("utf-8-sig"))
+    except IsADirectoryError:
+        raise InputError(f"{path}: this is a folder; name a file in it") from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
@@ -90,14 +96,30 @@ def _finding(kind: type[Table], problem: ErrorDetails) -> str:
         return f"{key}: this key is missing"
     if problem["type"] == "extra_forbidden":
         return f"{_short(key)}: unknown key{_suggestion(kind, problem['loc'])}"
-    text = problem["msg"].replace("Value error, ", "").replace("Input should be", "must be")
-    if problem["type"] == "model_type":
-        text = "must be a table"
-    elif problem["type"] in SIZES:
-        name, words = SIZES[problem["type"]]
-        unit = f" {entry.key.unit}" if entry and entry.key.unit else ""
-        text = f"must be {words} {problem['ctx'][name]:g}{unit}"
+    text = _text(problem, entry)
+    if problem["type"] == "value_error" and not (entry is not None and entry.kind is None):
+        # of a table: the text names the keys that do not fit each other
+        return f"{key}: {text}" if key else text
     return f"{key or 'file'}: {text}, got {_short(repr(problem['input']))}"
+
+
+def _text(problem: ErrorDetails, entry: Entry | None) -> str:
+    """What is wrong with a value, in words."""
+    kind, context = problem["type"], problem.get("ctx", {})
+    if kind in TYPES:
+        return f"must be a {TYPES[kind]}"
+    if kind in SIZES:
+        name, words = SIZES[kind]
+        unit = f" {entry.key.unit}" if entry and entry.key.unit else ""
+        return f"must be {words} {context[name]:g}{unit}"
+    if kind in LENGTHS:
+        name, words = LENGTHS[kind]
+        parts = entry.key.parts if entry else ()
+        if parts:
+            return f"must have {len(parts)} values ({', '.join(parts)})"
+        return f"must have {words} {context[name]} value{'s' * (context[name] != 1)}"
+    text = problem["msg"].replace("Value error, ", "")
+    return text.replace("Input should be", "must be").replace("String should", "must")
 
 
 def _named(kind: type[Table], place: tuple[int | str, ...]) -> tuple[str, Entry | None]:

@@ -39,6 +39,13 @@ def scalar(value: Any) -> Any:
     return value
 
 
+def _names(value: Any) -> Any:
+    """Refuse other types here, so that the message does not list both."""
+    if not all(isinstance(v, str) for v in (value if isinstance(value, list) else [value])):
+        raise ValueError("must be the name of a variable, or a list of names")
+    return value
+
+
 Name = Annotated[str, Field(min_length=1, max_length=100), AfterValidator(printable)]
 Instant = Annotated[float | str, BeforeValidator(_instant)]
 Values = dict[str, Annotated[Any, BeforeValidator(scalar)]]
@@ -93,7 +100,7 @@ class CriterionTable(Table):
         Key("when it has to hold"),
     ] = "always"
     signal: Annotated[
-        Name | list[Name] | None,
+        Annotated[Name | list[Name], BeforeValidator(_names)] | None,
         Key("variable of the run, or several, whose Euclidean norm is meant",
             default="required, but of drives"),
     ] = None

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.cosim.result import replacing
+from segfmu.validation.output import file_path
 
 # of a chart whose limits are far away: from this use on they are in the picture
 NEAR = 0.2
@@ -153,7 +154,7 @@ def write(path: str | Path, page: Page) -> Path:
     InputError
         If the file cannot be written.
     """
-    target = Path(path)
+    target = file_path(path)
     text = render(page)
     with replacing(target) as temporary:
         temporary.write_text(text, encoding="utf-8")

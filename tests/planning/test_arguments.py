@@ -1,0 +1,160 @@
+"""Arguments of plans that are none, copies of frozen objects, and numbers in messages."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+from segfmu import (
+    ActuatorBounds,
+    Clearance,
+    InfeasibleError,
+    InputError,
+    Limits,
+    Obstacle,
+    Waypoint,
+    plan,
+)
+
+ONE = Limits(1, 1, 1, 1)
+MOVE = [Waypoint([0.0]), Waypoint([1.0])]
+MASKED = np.ma.array([1.0, 2.0], mask=[False, True])
+
+
+@pytest.mark.parametrize("given", [
+    lambda: Waypoint(MASKED), lambda: Waypoint([0, 0], velocity=MASKED),
+    lambda: Limits(MASKED, 1, 1), lambda: plan(MOVE, ONE)(MASKED),
+    lambda: Clearance([], np.ma.array([0.0, 0.0, 0.0], mask=True)),
+])
+def test_masked_arrays_are_refused(given) -> None:
+    with pytest.raises(InputError, match="must not be a masked array; leave out or fill"):
+        given()
+
+
+@pytest.mark.parametrize(("given", "words"), [
+    (lambda: Limits(None, 1), r"limits.velocity must be finite, got None$"),
+    (lambda: Limits([None, 1], 1), r"limits.velocity must be finite, got \[None, 1\]$"),
+    (lambda: Limits(1, 1, [-1, None]), r"limits.jerk must be greater than 0, got \[-1, None\]$"),
+    (lambda: Limits(1, 1, np.array([-1.0, 2.0])), r"greater than 0, got \[-1.0, 2.0\]$"),
+    (lambda: Waypoint([1, 2], velocity=[None, "a"]), r"velocity must be .*, got \[None, 'a'\]$"),
+    (lambda: Waypoint([1, 2], [None, np.inf]), r"velocity must be .*, got \[None, inf\]$"),
+])
+def test_messages_show_what_was_given(given, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        given()
+
+
+@pytest.mark.parametrize(("given", "words"), [
+    (lambda: Clearance([], [np.inf] * 3), "minimum must be finite, or None or -inf for no bound"),
+    (lambda: Clearance([], None, [-np.inf] * 3), "maximum must be finite, or None or inf for no"),
+    (lambda: Clearance([], 0), "workspace: minimum must have 3 values, got 1"),
+    (lambda: Clearance([], "abc"), "workspace: minimum must be a number or a list of numbers"),
+    (lambda: Clearance([], ["a", 1, 2]), "workspace: minimum must be a number or a list of"),
+    (lambda: Clearance([], [[1, 2], [1], 3]), "workspace: minimum must be a number or a list of"),
+    (lambda: Clearance(Obstacle("a", [0, 0, 0], [1, 1, 1])), "obstacles must be a sequence"),
+    (lambda: Clearance(None), "obstacles must be a sequence, got None"),
+])
+def test_clearances_that_are_none(given, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        given()
+
+
+def test_a_workspace_may_be_open() -> None:
+    found = Clearance([], [None, -np.inf, 0.0], None)
+    assert found.minimum.tolist() == [-np.inf, -np.inf, 0.0]
+    assert not found.minimum.flags.writeable and not found.maximum.flags.writeable
+
+
+def test_positions_are_bounded_for_one_axis_alone() -> None:
+    points, limits = [Waypoint([0, 0]), Waypoint([1, 1])], Limits(1, 1, 1, 1)
+    for low in (None, -np.inf, [None, None], [None, -1.0], [-np.inf, 0.0], [0.0, None]):
+        plan(points, limits, position_min=low)
+    for high in (np.inf, [None, 2.0], [1.0, np.inf]):
+        plan(points, limits, position_max=high)
+    with pytest.raises(InfeasibleError, match=r"axis y, .*position_max is 0.5 m"):
+        plan(points, limits, position_max=[None, 0.5])
+    with pytest.raises(InfeasibleError, match=r"axis y, .*position_min is 0.5 m"):
+        plan(points, limits, position_min=[None, 0.5])
+    for name, wrong in (("position_min", np.inf), ("position_max", [None, -np.inf])):
+        with pytest.raises(InputError, match=rf"{name} must be finite, or None"):
+            plan(points, limits, **{name: wrong})
+
+
+@pytest.mark.parametrize("dwells", [(2.0, 0.0), (0.5, 1.5)])
+def test_the_same_waypoint_with_a_dwell(dwells: tuple[float, float]) -> None:
+    points = [Waypoint([0.0], dwell=d) for d in dwells]
+    with pytest.raises(InputError, match=r"omit one, and give the other the whole dwell, 2 s"):
+        plan(points, ONE)
+    with pytest.raises(InputError, match=r"omit one, or give the first a dwell"):
+        plan([Waypoint([0.0]), Waypoint([0.0])], ONE)
+
+
+def test_numbers_that_differ_read_differently() -> None:
+    above = 1.0000001
+    for name, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
+        points = [MOVE[0], Waypoint([1.0], **{name: [above]}), Waypoint([2.0])]
+        with pytest.raises(InfeasibleError) as info:
+            plan(points, ONE)
+        assert f"{name} 1.0000001 {unit} exceeds the limit 1 {unit};" in str(info.value)
+    with pytest.raises(InfeasibleError) as info:
+        plan(MOVE, ONE, position_max=1.0 - 1e-11)
+    assert "position reaches 1 m" in str(info.value)
+    assert "position_max is 0.99999999999 m" in str(info.value)
+    shortest = plan(MOVE, ONE).duration
+    with pytest.raises(InfeasibleError) as info:
+        plan(MOVE, ONE, duration=shortest * (1.0 - 1e-10))
+    wanted, found = str(info.value).removeprefix("duration ").split(" s is shorter than the ")
+    assert float(wanted) < float(found.split(", ")[1].split(" s;")[0])
+
+
+def test_a_workspace_just_left_reads_so() -> None:
+    trajectory = plan([Waypoint([0, 0, -1]), Waypoint([1, 0, -1])], Limits(1, 1, 1, 1))
+    with pytest.raises(InfeasibleError) as info:
+        Clearance([], None, [1.0 - 1e-8, None, None]).require(trajectory)
+    assert "range -inf to 0.99999999 m" in str(info.value)
+    assert "from 0 to 1 m" in str(info.value)
+
+
+FROZEN = [
+    Limits(np.array([1.0, 2.0]), 1, [1, np.inf]), Waypoint([0.0, 1.0], [1.0, 0.0]),
+    Obstacle("a", [0, 0, 0], [1, 1, 1]), Clearance([], [0, 0, None]), ActuatorBounds([1, 2, 3], 1),
+]
+
+
+@pytest.mark.parametrize("copied", [
+    copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one)),
+])
+@pytest.mark.parametrize("given", FROZEN, ids=lambda one: type(one).__name__)
+def test_copies_are_frozen_as_well(given, copied) -> None:
+    other = copied(given)
+    for name, value in vars(given).items():
+        if isinstance(value, np.ndarray):
+            assert np.array_equal(getattr(other, name), value, equal_nan=True)
+            with pytest.raises(ValueError, match=r"read-only"):
+                getattr(other, name)[...] = 0.5
+
+
+def test_copied_limits_hold() -> None:
+    limits = Limits(np.array([1.0]), 1, 1, 1)
+    first = plan(MOVE, limits)
+    for other in (copy.deepcopy(limits), pickle.loads(pickle.dumps(limits))):
+        assert plan(MOVE, other).duration == first.duration
+
+
+def test_limits_are_what_their_repr_says() -> None:
+    for limits in (Limits(1, 1, [1, np.inf]), Limits([1, 2], 0.5, None, [3, None])):
+        again = eval(repr(limits), {"Limits": Limits})
+        assert repr(again) == repr(limits)
+        assert np.array_equal(again.table(2, 4), limits.table(2, 4))
+
+
+def test_what_is_free_at_the_ends_and_in_dwells_is_zero() -> None:
+    points = [
+        Waypoint([0.0], "free", "free"), Waypoint([1.0], "free"),
+        Waypoint([2.0], "free", dwell=0.5), Waypoint([3.0], "free"),
+    ]
+    found = [p.velocity[0] for p in plan(points, ONE).waypoints]
+    assert found[0] == found[2] == found[3] == 0.0 and found[1] > 0.1
