@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from segfmu.planning.central import CentralPath, Point
+from segfmu.planning.central import CentralPath
 from segfmu.planning.grid import CELLS, grid
+from segfmu.planning.point import Point
 
 LIMITS = np.array([[1.0, 0.8, 2.0, 15.0], [0.6, 0.7, 3.0, 10.0]])
 PLACES = np.array([[0.0, 0.0], [0.6, 0.2], [0.9, 0.9], [1.8, 0.7]])
@@ -21,7 +22,8 @@ def mission(box: np.ndarray = EVERYWHERE) -> CentralPath:
 
 
 def followed(path: CentralPath, gap: float) -> Point:
-    point = path.start()
+    point = path.start(10.0)
+    assert point is not None
     theta = 0.1 * path.constraints / point.total
     while path.constraints / (theta * point.total) > gap:
         centred = path.centre(point, theta)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize
 
 from segfmu import InfeasibleError, InputError, Limits, Waypoint, plan, verify
+from segfmu.planning.central import CentralPath
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
 STAIRS = [[0.0, 0.0], [0.5, 0.2], [1.0, 0.5], [1.4, 0.8]]
@@ -58,6 +59,35 @@ def test_long_missions_are_planned_and_better_than_with_free_velocities_alone(se
         assert verify(trajectory).passed
         totals[acceleration] = trajectory.duration
     assert totals["free"] <= totals[None]
+
+
+def test_polishing_ends_no_later_than_with_free_velocities_alone() -> None:
+    places = [
+        -9.317405336045531e-07, 1.593867908266418e-05, 1.7253050809908993e-05,
+        4.167364750641245e-05,
+    ]
+    limits = Limits(3.902521434186985e-06, 3.890378125677931e-06, 3.2751451405447502e-06)
+    durations = []
+    for acceleration in (None, "free"):
+        inner = [Waypoint(p, "free", acceleration) for p in places[1:-1]]
+        points = [Waypoint(places[0]), *inner, Waypoint(places[-1])]
+        durations.append(plan(points, limits, smoothness=3).duration)
+    assert durations[1] <= durations[0]
+
+
+def test_a_moving_start_costs_few_steps_and_no_warning(monkeypatch: pytest.MonkeyPatch) -> None:
+    steps = []
+    step = CentralPath._step
+    monkeypatch.setattr(
+        CentralPath, "_step", lambda self, *given: steps.append(1) or step(self, *given)
+    )
+    points = [
+        Waypoint([-0.6909, 2.5334], [-0.0235, 0.139], [0.0844, -0.482]),
+        Waypoint([-0.6953, 2.5072], "free", "free"), Waypoint([-0.6953, 2.4853]),
+    ]
+    trajectory = plan(points, Limits([0.61, 0.75], [1.6, 0.7], [0.95, 0.84]), smoothness=3)
+    assert verify(trajectory).passed
+    assert len(steps) < 1500
 
 
 def test_the_choice_is_the_same_every_time() -> None:

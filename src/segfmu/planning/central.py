@@ -8,9 +8,6 @@ total time within the limits at all nodes, Newton's method follows the central p
 for rising theta, a share being a derivative over its limit (Boyd and Vandenberghe, Convex
 Optimization, ch. 11). The conditions at the waypoints hold by construction, so every point is a
 motion. Axes that have time to spare stay in the middle of what they can do.
-
-Variables are the free states over their limits, the logarithms of the durations, and for each axis
-in each interval the components of the control that change nothing at its ends.
 """
 
 from __future__ import annotations
@@ -23,39 +20,14 @@ from scipy.linalg import solveh_banded
 
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.grid import ENDS, grid
+from segfmu.planning.point import Point
 
 # shares of the curvature's diagonal that are added until Newton's step leads down
 RIDGES = (0.0, 0.1, 1.0, 10.0, 1e2, 1e3, 1e4)
-
-
-@dataclass(frozen=True, eq=False)
-class Point:
-    """A point of the path, or a step.
-
-    Attributes
-    ----------
-    states : ndarray, shape (waypoints, axes, 2)
-        Velocity and acceleration over their limits.
-    times : ndarray, shape (intervals,)
-        Logarithm of the durations [s].
-    components : ndarray, shape (intervals, axes, components)
-        Of the control, over its limit.
-    """
-
-    states: FloatArray
-    times: FloatArray
-    components: FloatArray
-
-    def moved(self, step: Point, share: float) -> Point:
-        """This point plus a share of a step, whose `times` are those of 1 / duration, negative."""
-        return Point(self.states + share * step.states,
-                     self.times - np.log1p(-share * step.times),
-                     self.components + share * step.components)
-
-    @property
-    def total(self) -> float:
-        """Sum of the durations [s]."""
-        return float(np.exp(self.times).sum())
+# how often what given states exceed the limits by is taken back, at most
+RETREATS = 60
+# a larger share than this in use: what the states exceed the limits by is as small as it can be
+USED_UP = 0.999
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,8 +56,7 @@ class CentralPath:
 
     def __init__(
         self, positions: FloatArray, states: FloatArray, free: NDArray[np.bool_],
-        limits: FloatArray,
-        used: FloatArray, box: FloatArray,
+        limits: FloatArray, used: FloatArray, box: FloatArray,
     ) -> None:
         """Take a mission.
 
@@ -132,8 +103,12 @@ class CentralPath:
         """Number of terms of the barrier."""
         return int(self._maps[..., 0].size + self.free.sum())
 
-    def start(self) -> Point:
-        """Rest at the free states; durations keep half of the limits, or as near as can be."""
+    def start(self, gap: float) -> Point | None:
+        """Rest at the free states; durations keep half of the limits, or as near as can be.
+
+        If given states exceed the limits there, a point within them; None if none is found. On the
+        way to it constraints / (theta * total) is `gap`.
+        """
         intervals, axes = self.chords.shape
         least, reach = self._scales
         choices = np.log(np.geomspace(1e-3 * least, 1e3 * (least + reach), 120))
@@ -149,9 +124,29 @@ class CentralPath:
         first = np.where(fitting.any(axis=0), fitting.argmax(axis=0), peaks.argmin(axis=0))
         point = Point(self._given, choices[first], components)
         peak = float(np.abs(self._shares(point)).max())
-        if peak >= 1.0:
-            self.room = 1.5 * peak
-        return point
+        if peak < 1.0:
+            return point
+        self.room = 1.5 * peak
+        return self._within(point, gap)
+
+    def _within(self, point: Point, gap: float) -> Point | None:
+        """A point within the limits: what given states exceed them by is taken back step by step.
+
+        Where time counts much, short durations push against the limits, and what can be taken back
+        gets small. Where it counts little, the motion may turn into a detour.
+        """
+        for _ in range(RETREATS):
+            centred = self.centre(point, self.constraints / (gap * point.total))
+            if centred is None:
+                return None
+            point = centred
+            used = float(np.abs(self._shares(point)).max())
+            if used > USED_UP:
+                return None
+            self.room = max(1.0, self.room * (used + 0.1 * (1.0 - used)))
+            if self.room == 1.0:
+                return point
+        return None
 
     def centre(self, point: Point, theta: float) -> Point | None:
         """The minimum of the barrier function, to about half a unit; None if none is found."""
@@ -169,26 +164,20 @@ class CentralPath:
             point = point.moved(step, share)
             if decrease < 0.5:
                 break
-        self._tighten(point)
         return point
 
-    def _tighten(self, point: Point) -> None:
-        """Take back room that given states needed at the start."""
-        if self.room > 1.0:
-            peak = self.room * float(np.abs(self._shares(point)).max())
-            self.room = max(1.0, peak + 0.3 * (self.room - peak))
-
-    def _scaled(self, point: Point) -> tuple[FloatArray, FloatArray]:
-        """Maps (intervals, axes, rows, columns) at the durations, and their variables."""
+    def _scaled(self, point: Point) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Maps (intervals, axes, rows, columns) at the durations, variables, and shares."""
         times = np.exp(point.times[:, None, None] * self._grid.exponents)
         ends = np.concatenate([point.states[:-1], point.states[1:]], axis=2)
         variables = np.concatenate([self.chords[:, :, None], ends, point.components], axis=2)
-        return self._maps * (times / self.room)[:, None], variables
+        maps = self._maps * (times / self.room)[:, None]
+        shares = self._offsets / self.room + (maps @ variables[..., None])[..., 0]
+        return maps, variables, shares
 
     def _shares(self, point: Point) -> FloatArray:
         """Derivatives over their limits, shape (intervals, axes, rows)."""
-        maps, variables = self._scaled(point)
-        return self._offsets / self.room + np.asarray((maps @ variables[..., None])[..., 0])
+        return self._scaled(point)[2]
 
     def _value(self, point: Point, theta: float) -> float:
         """The barrier function; infinite outside the limits."""
@@ -212,9 +201,9 @@ class CentralPath:
 
     def _model(self, point: Point, ridge: float) -> _Model:
         """The barrier's model; the diagonal of states and durations grows by a share."""
-        maps, variables = self._scaled(point)
+        # the shares that `_value` found below 1; summed in another order they may round to 1
+        maps, variables, shares = self._scaled(point)
         terms = maps * variables[:, :, None, :]
-        shares = self._offsets / self.room + terms.sum(axis=3)
         slopes = (terms * self._grid.exponents).sum(axis=3)
         jacobian = np.concatenate(
             [maps[..., 1:1 + ENDS], slopes[..., None], maps[..., 1 + ENDS:]], axis=3

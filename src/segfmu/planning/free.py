@@ -10,6 +10,7 @@ acceleration are candidates as well, so the choice is never slower than these.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,10 @@ OVERSHOOT = 0.25
 ROUNDS = 10
 # points of the path: by how much its duration may exceed the shortest one, at most
 GAPS = (0.3, 0.1, 0.03)
+# by how much the duration may exceed the shortest one where a path begins: at rest, and if given
+# states move; the motion found there depends on it, so each is tried
+STARTS_AT_REST = (10.0,)
+STARTS = (3.0, 100.0)
 # a path this much longer than the best plan holds nothing faster
 HOPELESS = 1.03
 # a profile keeps up with the path if it takes at most this much longer
@@ -68,14 +73,28 @@ def choose_states(
 
 def _fastest(part: Passage) -> FloatArray:
     """Velocities and accelerations (waypoints, axes, 2) of the fastest plan found."""
-    best = _Best(part)
-    _Search(part, part.free).improve(best)
+    best = _searched(part)
+    candidates = [best]
     if part.free[:, :, 1].any():
         velocities = part.free.copy()
         velocities[:, :, 1] = False
-        _Search(part, velocities).improve(best)
-    best.polish()
-    return best.states
+        alone = _searched(replace(part, free=velocities), best.total)
+        if alone.total < best.total:
+            best.states, best.total = alone.states.copy(), alone.total
+        # polished on its own, as if velocities alone were free: from `best` it may end elsewhere
+        candidates.append(alone)
+    for candidate in candidates:
+        candidate.polish()
+    return min(candidates, key=lambda candidate: candidate.total).states
+
+
+def _searched(part: Passage, known: float = np.inf) -> _Best:
+    """The fastest states on central paths, of interest beside a plan of known duration."""
+    best = _Best(part)
+    moving = part.problem.states[:, :, WaypointState.VELOCITY:].any()
+    for start in STARTS if moving else STARTS_AT_REST:
+        _Search(part, start).improve(best, known)
+    return best
 
 
 class _Best:
@@ -120,25 +139,26 @@ class _Best:
                             break
                         window, least = trial, reached
                 self.states[point] = window[1]
+        self.total = float(self.part.durations(self.states).sum())
 
 
 class _Search:
     """Central paths of a passage, tighter where the planner does not keep up."""
 
-    def __init__(self, part: Passage, free: NDArray[np.bool_]) -> None:
+    def __init__(self, part: Passage, start: float) -> None:
         self.part = part
-        self.free = free
+        self.start = start
         self.limits = _control_limits(part.problem)
         self.total = 0.0
 
-    def improve(self, best: _Best) -> None:
+    def improve(self, best: _Best, known: float) -> None:
         """Offer states on central paths until they cannot be faster."""
         # degrees of tightness: in use, the highest that failed, and those that did not
         degree = np.zeros(len(self.part.box))
         failed, good = degree - 1.0, degree + np.inf
         for _ in range(ROUNDS):
             slow = self._try(degree, best)
-            if slow is None or self.total > best.total * HOPELESS:
+            if slow is None or self.total > min(best.total, known) * HOPELESS:
                 return
             failed[slow] = np.maximum(failed[slow], degree[slow])
             if not slow.any():
@@ -168,14 +188,16 @@ class _Search:
             used = used * SMOOTHSTEP[:self.limits.shape[1]]
         path = CentralPath(
             problem.states[:, :, WaypointState.POSITION],
-            problem.states[:, :, WaypointState.VELOCITY:], self.free, self.limits, used,
+            problem.states[:, :, WaypointState.VELOCITY:], self.part.free, self.limits, used,
             self.part.box,
         )
-        point = path.start()
-        theta = 0.1 * path.constraints / point.total
+        point = path.start(self.start)
+        if point is None:
+            return
+        theta = path.constraints / (self.start * point.total)
         for gap in GAPS:
             reached = np.inf
-            while reached > 1.05 * gap or path.room > 1.0:
+            while reached > 1.05 * gap:
                 centred = path.centre(point, theta)
                 if centred is None:
                     return
@@ -188,7 +210,7 @@ class _Search:
         """States without the last digits, which depend on the processor: all plan the same."""
         problem = self.part.problem
         digits = np.round(shares * 2.0**24) / 2.0**24 * problem.limits[None, :, :2]
-        return np.where(self.free, digits, problem.states[:, :, WaypointState.VELOCITY:])
+        return np.where(self.part.free, digits, problem.states[:, :, WaypointState.VELOCITY:])
 
 
 def _control_limits(problem: Problem) -> FloatArray:
