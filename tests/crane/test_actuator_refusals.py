@@ -72,7 +72,7 @@ def test_a_rope_just_too_long_reads_so() -> None:
 
 def test_arguments_of_another_type() -> None:
     with pytest.raises(InputError, match=r"clearance must be a segfmu.Clearance, got str"):
-        plan_actuated(CRANE, MOVE, None, CALM, clearance="x")
+        plan_actuated(CRANE, MOVE, Limits(0.01, 0.01, 0.01, 0.01), CALM, clearance="x")
     with pytest.raises(InputError, match=r"progress must be a function, got 5"):
         plan_actuated(CRANE, MOVE, None, CALM, progress=5)
     assert plan_actuated(CRANE, MOVE, None, CALM, clearance=Clearance()).passed

@@ -17,6 +17,7 @@ from segfmu import (
     Obstacle,
     Waypoint,
     plan,
+    reach_velocity,
 )
 
 ONE = Limits(1, 1, 1, 1)
@@ -99,6 +100,8 @@ def test_numbers_that_differ_read_differently() -> None:
         with pytest.raises(InfeasibleError) as info:
             plan(points, ONE)
         assert f"{name} 1.0000001 {unit} exceeds the limit 1 {unit};" in str(info.value)
+    with pytest.raises(InfeasibleError, match=r"velocity 1.0000001 m/s exceeds the limit 1 m/s;"):
+        reach_velocity(MOVE[0], [above], limits=ONE)
     with pytest.raises(InfeasibleError) as info:
         plan(MOVE, ONE, position_max=1.0 - 1e-11)
     assert "position reaches 1 m" in str(info.value)

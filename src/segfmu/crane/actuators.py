@@ -128,6 +128,8 @@ def plan_actuated(
     """
     if not isinstance(bounds, ActuatorBounds):
         raise InputError(f"bounds must be an ActuatorBounds, got {type(bounds).__name__}")
+    if not isinstance(clearance, Clearance | None):
+        raise InputError(f"clearance must be a segfmu.Clearance, got {type(clearance).__name__}")
     options: dict[str, Any] = {
         "smoothness": smoothness, "shape": shape, "synchronize": synchronize,
         "axis_names": axis_names,

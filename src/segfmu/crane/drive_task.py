@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
-from segfmu.errors import InfeasibleError, InputError
+from segfmu.errors import InfeasibleError
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
@@ -62,12 +62,6 @@ class Task:
     higher: dict[str, Any]
     options: dict[str, Any]
     clearance: Clearance | None
-
-    def __post_init__(self) -> None:
-        if self.clearance is not None and not isinstance(self.clearance, Clearance):
-            raise InputError(
-                f"clearance must be a segfmu.Clearance, got {type(self.clearance).__name__}"
-            )
 
     def limits(self, table: FloatArray) -> Limits:
         """Limits of a table (3, 4)."""

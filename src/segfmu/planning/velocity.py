@@ -13,6 +13,7 @@ from segfmu.planning.arrays import FloatArray, finite_number, finite_vector, sho
 from segfmu.planning.demands import require
 from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
 from segfmu.planning.limits import Limits
+from segfmu.planning.messages import told_apart
 from segfmu.planning.replanning import left
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, no_lead
@@ -134,10 +135,12 @@ def _require_velocity(request: Request, wanted: FloatArray) -> None:
     over = np.flatnonzero(np.abs(request.problem.states[1, :, 1]) > bounds)
     if over.size:
         axis = int(over[0])
+        value, bound = float(wanted[axis]), float(bounds[axis])
+        digits = told_apart(value, bound, 6)
         raise InfeasibleError(
-            f"axis {request.axis_names[axis]}: velocity {wanted[axis]:.6g} m/s exceeds the limit "
-            f"{bounds[axis]:.6g} m/s; raise limits.velocity or ask for less",
-            axis=axis, limit="velocity", value=float(wanted[axis]), bound=float(bounds[axis]),
+            f"axis {request.axis_names[axis]}: velocity {value:.{digits}g} m/s exceeds the limit "
+            f"{bound:.{digits}g} m/s; raise limits.velocity or ask for less",
+            axis=axis, limit="velocity", value=value, bound=bound,
         )
 
 
