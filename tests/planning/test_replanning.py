@@ -19,6 +19,7 @@ from segfmu import (
     stop,
     verify,
 )
+from tests.property import soak_replan
 
 TARGET = Waypoint([1.0, 0.5, 0.2])
 BOUNDS = (1.0, 1.0, 4.0, 20.0)
@@ -401,3 +402,20 @@ def test_at_its_end_a_plan_that_ends_moving_moves() -> None:
         assert stop(old, end).duration > 0.9
         # behind its end it stays
         assert replan(old, end + 1e-3, ahead).waypoints[0].velocity[0] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("number", "t", "synchronize"),
+    [
+        (1445, 8.967190861307802, "total"), (247, 74.07870375450193, "total"),
+        (6267, 25.273635295188996, "waypoints"),
+    ],
+)
+def test_rounding_of_a_long_motion_before_its_last_nanometres(
+    number: int, t: float, synchronize: str
+) -> None:
+    """One axis has 4e-9 m left; the axes did not have to meet before."""
+    random, more = (np.random.default_rng([2026, 4, number, *k]) for k in ((), (1,)))
+    old = soak_replan.random_plan(random, more, 4, int(random.integers(1, 4)))
+    new = replan(old, t, old.waypoints[-1], synchronize=synchronize)
+    assert verify(new).passed
