@@ -6160,15 +6160,21 @@ static double least_distance(array_double_1d limits)
 {
     double scale;
     double ramp;
+    int64_t order;
+    double square;
     scale = (*cspan_at(&limits, INT64_C(0))) * (*cspan_at(&limits, INT64_C(0))) / (*cspan_at(&limits, INT64_C(1)));
     ramp = 0.0;
-    if ((limits.shape[INT64_C(0)] > INT64_C(2)) && ((*cspan_at(&limits, INT64_C(2))) > 0.0))
+    for (order = INT64_C(2); order < span_min_int(limits.shape[INT64_C(0)], INT64_C(4)); order += INT64_C(1))
     {
-        ramp = (*cspan_at(&limits, INT64_C(1))) * (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, INT64_C(2))) * (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, INT64_C(2)));
-    }
-    if ((limits.shape[INT64_C(0)] > INT64_C(3)) && ((*cspan_at(&limits, INT64_C(3))) > 0.0))
-    {
-        ramp = span_max(ramp, (*cspan_at(&limits, INT64_C(1))) * (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, INT64_C(3))));
+        if ((*cspan_at(&limits, order)) > 0.0)
+        {
+            square = (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, order));
+            if (order == INT64_C(2))
+            {
+                square = square * square;
+            }
+            ramp = span_max(ramp, (*cspan_at(&limits, INT64_C(1))) * square);
+        }
     }
     if (ramp > 0.0)
     {

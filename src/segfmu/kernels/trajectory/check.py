@@ -109,10 +109,13 @@ def least_distance(limits: 'float[:]') -> float:
     """
     scale = limits[0] * limits[0] / limits[1]
     ramp = 0.0
-    if limits.shape[0] > 2 and limits[2] > 0.0:
-        ramp = limits[1] * limits[1] / limits[2] * limits[1] / limits[2]
-    if limits.shape[0] > 3 and limits[3] > 0.0:
-        ramp = max(ramp, limits[1] * limits[1] / limits[3])
+    for order in range(2, min(limits.shape[0], 4)):
+        if limits[order] > 0.0:
+            # the square of the time that the jerk, or the snap, needs for the acceleration
+            square = limits[1] / limits[order]
+            if order == 2:
+                square = square * square
+            ramp = max(ramp, limits[1] * square)
     if ramp > 0.0:
         scale = min(scale, 1e3 * ramp)
     return 1e-9 * scale
