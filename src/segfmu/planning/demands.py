@@ -29,14 +29,12 @@ def require(trajectory: Trajectory) -> None:
     value, bound = float(found.peaks[order, axis]), float(found.limits[order, axis])
     low, high = trajectory.extrema(order + 1)
     time = _reached(trajectory, axis, order + 1, 1.0 if high[axis] >= -low[axis] else -1.0)
-    interval = _interval(trajectory, axis, time)
     digits = told_apart(value, bound, 9)
-    raise InfeasibleError(
-        f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: the plan "
-        f"reaches {name} {value:.{digits}g} {unit} at {time:.3f} s, limit "
-        f"{bound:.{digits}g} {unit}; raise limits.{name}",
-        axis=axis, interval=interval, limit=name, value=value, bound=bound, time=time,
+    text = (
+        f"the plan reaches {name} {value:.{digits}g} {unit} at {time:.3f} s, limit "
+        f"{bound:.{digits}g} {unit}; raise limits.{name}"
     )
+    raise _beyond(trajectory, axis, name, value, bound, time, text)
 
 
 def require_positions(
@@ -56,15 +54,24 @@ def require_positions(
         margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
         for axis in np.flatnonzero(sign * (reached - bounds) > margin).tolist():
             time = _reached(trajectory, axis, 0, sign)
-            interval = _interval(trajectory, axis, time)
             value, bound = float(reached[axis]), float(bounds[axis])
             digits = told_apart(value, bound, 9)
-            raise InfeasibleError(
-                f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: "
+            text = (
                 f"position reaches {value:.{digits}g} m at {time:.3f} s, {name} is "
-                f"{bound:.{digits}g} m; move the waypoints or slow them down",
-                axis=axis, interval=interval, limit=name, value=value, bound=bound, time=time,
+                f"{bound:.{digits}g} m; move the waypoints or slow them down"
             )
+            raise _beyond(trajectory, axis, name, value, bound, time, text)
+
+
+def _beyond(
+    trajectory: Trajectory, axis: int, limit: str, value: float, bound: float, time: float,
+    text: str,
+) -> InfeasibleError:
+    interval = _interval(trajectory, axis, time)
+    return InfeasibleError(
+        f"axis {trajectory.axis_names[axis]}, waypoints {interval} -> {interval + 1}: {text}",
+        axis=axis, interval=interval, limit=limit, value=value, bound=bound, time=time,
+    )
 
 
 def _missed(trajectory: Trajectory, found: Verification) -> InfeasibleError:

@@ -74,15 +74,13 @@ class Limits(Frozen):
         ------
         InputError
             For a limit of a derivative that is unbounded at this smoothness, and for another number
-        of axes than that of the limits.
+            of axes than that of the limits.
         """
         tables: dict[tuple[int, int], FloatArray] = self.__dict__.setdefault("_tables", {})
-        try:
-            return tables[axes, smoothness]
-        except (KeyError, TypeError):
-            pass
-        size = as_index("axes", axes), as_index("smoothness", smoothness, len(NAMES))
-        tables[size] = self._table(*size)
+        size = axes, smoothness
+        if not (type(axes) is int and type(smoothness) is int and size in tables):
+            size = as_index("axes", axes), as_index("smoothness", smoothness, len(NAMES))
+            tables[size] = self._table(*size)
         return tables[size]
 
     def _table(self, axes: int, smoothness: int) -> FloatArray:
