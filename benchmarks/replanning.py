@@ -16,10 +16,10 @@ LIMITS = ((1.0, 1.0, 4.0), (1.0, 1.0, 4.0, 20.0), (1.0, 1.0, 4.0, 20.0, 200.0))
 
 
 def measure(settings: Settings) -> Part:
-    """The three tables."""
+    """The four tables."""
     return Part(
         "Replanning",
-        (_cycles(settings), _stops(settings), _new_targets(settings)),
+        (_cycles(settings), _stops(settings), _stops_alone(settings), _new_targets(settings)),
         (
             "linear programming lets the highest limited derivative jump, which a plan does not",
             "a new target is compared with reaching it from rest, from the same place",
@@ -92,6 +92,28 @@ def _stops(settings: Settings) -> Section:
             "95 %": float(np.quantile(found, 0.95)), "largest": float(found.max()),
         })
     return Section("Time of a stop over linear programming, random states", records)
+
+
+def _stops_alone(settings: Settings) -> Section:
+    records: list[Record] = []
+    for n in range(3, 7):
+        random = np.random.default_rng(SEED)
+        ratios, refused = [], 0
+        for _ in range(2 * settings.samples):
+            old = random_plan(random, n)
+            t = random.uniform(0.0, old.duration)
+            try:
+                found = stop(old.state(t), limits=old.limits, smoothness=n)
+            except InfeasibleError:
+                refused += 1
+            else:
+                ratios.append(found.duration / (old.duration - t))
+        records.append({
+            "smoothness": n, "states": len(ratios) + refused, "refused": refused,
+            "over 1.05 %": 100.0 * float(np.mean(np.array(ratios) > 1.05)),
+            "95 %": float(np.quantile(ratios, 0.95)), "largest": float(np.max(ratios)),
+        })
+    return Section("Stop from a state alone over the rest of the plan that it belongs to", records)
 
 
 def _new_targets(settings: Settings) -> Section:

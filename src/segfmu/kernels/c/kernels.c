@@ -332,7 +332,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
 static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t steps, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
@@ -342,7 +342,9 @@ static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
+static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
@@ -476,10 +478,17 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
 static void clear_piece(array_double_2d coefficients, int64_t row);
 static void set_held(int64_t above, double level, array_double_1d state);
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
+static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
+static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void drop_rounding(int64_t order, array_double_2d lead);
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t passing_phases(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t settle_over_level(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void set_limits(double steep, array_double_2d lead);
+static bool is_settled(array_double_2d lead);
+static void soonest_ends(int64_t order, array_double_2d lead);
 static double profile_time(array_double_2d lead);
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool begins_now(array_double_2d lead, array_double_2d coefficients);
@@ -487,8 +496,14 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
 static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool is_settled(array_double_1d state, int64_t smoothness);
+static int64_t first_free_stage(int64_t order);
+static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double near_zero(double i);
+static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double try_level(double level, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_levels(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -10405,7 +10420,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    level = 0.0;
+    level = (*cspan_at(&passing, INT64_C(7)));
     for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
     {
         (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
@@ -10579,7 +10594,7 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
     double square;
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     pace = (*cspan_at(&passing, INT64_C(2)));
-    before = 0.0;
+    before = (*cspan_at(&passing, INT64_C(7)));
     if (i > INT64_C(0))
     {
         before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
@@ -11136,7 +11151,7 @@ static void keep_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
     }
@@ -11152,7 +11167,7 @@ static void restore_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
     }
@@ -11762,7 +11777,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
     int64_t kind;
     int64_t used;
     above = (*cspan_at(&work, INT64_C(48), INT64_C(1)));
-    level = 0.0;
+    level = (*cspan_at(&work, INT64_C(48), INT64_C(7)));
     used = INT64_C(0);
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
@@ -11846,16 +11861,14 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
     }
     return 0;
 }
-static int64_t passing_form(double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    double shortest;
     bool few;
     int64_t way;
     double found;
     int64_t used;
-    shortest = total_duration(ramps, count) * (1.0 - 1e-09);
     used = INT64_C(0);
-    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 0.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(8))) = 0.0;
     if (!first_solution(count, ramps, problem, axis, work))
     {
         return INT64_C(0);
@@ -11880,7 +11893,7 @@ static int64_t passing_form(double longest, int64_t count, array_double_2d ramps
             {
                 if (way < INT64_C(2))
                 {
-                    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
+                    (*cspan_at(&work, INT64_C(48), INT64_C(8))) = 1.0;
                 }
                 break;
             }
@@ -12235,6 +12248,12 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
+static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    boundary_problem(problem, axis, span_row(&work, INT64_C(43)));
+    (*cspan_at(&work, INT64_C(45), INT64_C(18))) = 0.0;
+    (*cspan_at(&work, INT64_C(45), INT64_C(17))) = 1e+300;
+}
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
@@ -12289,21 +12308,41 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     }
     return best;
 }
+static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    array_double_1d asked;
+    int64_t count;
+    asked = span_row(&work, INT64_C(43));
+    begin_search(problem, axis, work);
+    if (is_done(asked))
+    {
+        return INT64_C(0);
+    }
+    count = shortest_between(INT64_C(0), phases, asked, axis, work);
+    if (count == INT64_C(0))
+    {
+        count = braked_ramps(asked, axis, phases, work);
+    }
+    return count;
+}
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
     array_double_1d passing;
     double longest;
+    double whole;
     int64_t forwards;
     double settled;
     int64_t result;
     int64_t backwards;
     ramps = span_rows(&work, INT64_C(0), INT64_C(13));
     passing = span_row(&work, INT64_C(48));
+    (*cspan_at(&passing, INT64_C(7))) = 0.0;
     copy_phases(phases, ramps, count);
     longest = total_duration(ramps, count) * (1.0 - 1e-09);
-    forwards = passing_form(longest, count, ramps, phases, asked, axis, work);
-    settled = (*cspan_at(&passing, INT64_C(7)));
+    whole = longest;
+    forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
+    settled = (*cspan_at(&passing, INT64_C(8)));
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
     result = count;
     if (forwards > INT64_C(0))
@@ -12317,7 +12356,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     reverse_problem(asked);
     reverse_phases(ramps, INT64_C(0), count);
-    backwards = passing_form(longest, count, ramps, phases, asked, axis, work);
+    backwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
     reverse_problem(asked);
     if (backwards > INT64_C(0))
     {
@@ -12327,7 +12366,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     if (forwards > INT64_C(0))
     {
-        (*cspan_at(&passing, INT64_C(7))) = settled;
+        (*cspan_at(&passing, INT64_C(8))) = settled;
     }
     return result;
 }
@@ -12351,7 +12390,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         if ((*cspan_at(&axis, INT64_C(33))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(8))) > 0.5) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
         if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
@@ -12419,10 +12458,8 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
-    boundary_problem(problem, axis, asked);
-    (*cspan_at(&family, INT64_C(18))) = 0.0;
-    (*cspan_at(&family, INT64_C(17))) = 1e+300;
-    (*cspan_at(&work, INT64_C(48), INT64_C(7))) = 1.0;
+    begin_search(problem, axis, work);
+    (*cspan_at(&work, INT64_C(48), INT64_C(8))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -12433,7 +12470,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     {
         free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(48), INT64_C(7))) < 0.5)
+        if ((*cspan_at(&work, INT64_C(48), INT64_C(8))) < 0.5)
         {
             missed = span_max(missed, 1.0);
         }
@@ -16454,6 +16491,14 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     }
     return row;
 }
+static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem)
+{
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, order + INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(2))) = 0.0;
+    (*cspan_at(&problem, INT64_C(3))) = 0.0;
+    (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
+}
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead)
 {
     array_double_1d state;
@@ -16463,11 +16508,11 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d problem;
     int64_t result;
     state = span_row(&lead, INT64_C(2));
-    phases = span_rows(&lead, INT64_C(11), INT64_C(44));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
+    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(45) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(46) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -16476,28 +16521,21 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(45) + order);
+    chain = span_row(&lead, INT64_C(46) + order);
     if (free)
     {
         result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(10));
-    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
-    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, order + INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(2))) = 0.0;
-    (*cspan_at(&problem, INT64_C(3))) = 0.0;
-    (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(52), INT64_C(218)));
+    problem = span_row(&lead, INT64_C(11));
+    set_stage_problem(order, end, state, problem);
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(219)));
     return result;
 }
-static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
     int64_t smoothness;
-    double end;
-    bool free;
-    int64_t count;
     int64_t seen;
     array_double_1d chain;
     array_double_2d expansion;
@@ -16506,29 +16544,26 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     int64_t i;
     int64_t last;
     state = span_row(&lead, INT64_C(2));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
-    end = (*cspan_at(&lead, INT64_C(6), order));
-    free = end > 1e+299;
-    count = stage_phases(order, end, free, lead);
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(45) + seen);
+    chain = span_row(&lead, INT64_C(46) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(218), INT64_C(220));
+    expansion = span_rows(&lead, INT64_C(219), INT64_C(221));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
     (*cspan_at(&now, INT64_C(2))) = (*cspan_at(&state, seen + INT64_C(2)));
     (*cspan_at(&now, INT64_C(3))) = 0.0;
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(11), INT64_C(44));
+    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
     (*cspan_at(&state, seen + INT64_C(1))) = (*cspan_at(&now, INT64_C(1)));
-    if (!free)
+    if (end <= 1e+299)
     {
         (*cspan_at(&state, order)) = end;
     }
@@ -16539,20 +16574,30 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&now, INT64_C(8)));
     return last;
 }
+static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double end;
+    int64_t count;
+    int64_t result;
+    end = (*cspan_at(&lead, INT64_C(7), order));
+    count = stage_phases(order, end, end > 1e+299, lead);
+    result = append_phases(order, end, count, row, lead, timing, coefficients);
+    return result;
+}
 static void drop_rounding(int64_t order, array_double_2d lead)
 {
     array_double_1d state;
     int64_t i;
     double aim;
     state = span_row(&lead, INT64_C(2));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(6), i)) < 1e+299))
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(7), i)) < 1e+299))
         {
-            aim = (*cspan_at(&lead, INT64_C(6), i));
+            aim = (*cspan_at(&lead, INT64_C(7), i));
         }
-        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(5), i)))
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(6), i)))
         {
             (*cspan_at(&state, i)) = aim;
         }
@@ -16563,7 +16608,7 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(1), i));
@@ -16579,6 +16624,115 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     }
     return row;
 }
+static int64_t passing_phases(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d level;
+    array_double_1d chain;
+    array_double_1d problem;
+    array_double_2d phases;
+    array_double_2d plan;
+    array_double_2d ramps;
+    array_double_1d passing;
+    double end;
+    double longest;
+    int64_t count;
+    int64_t result;
+    state = span_row(&lead, INT64_C(2));
+    level = span_row(&lead, INT64_C(3));
+    chain = span_row(&lead, INT64_C(46) + INT64_C(1));
+    problem = span_row(&lead, INT64_C(11));
+    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
+    plan = span_rows(&lead, INT64_C(53), INT64_C(219));
+    ramps = span_rows(&plan, INT64_C(0), INT64_C(13));
+    passing = span_row(&plan, INT64_C(48));
+    end = (*cspan_at(&lead, INT64_C(7), INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(7), INT64_C(3))) = 1e+300;
+    if (run_stage(INT64_C(3), row, lead, timing, coefficients) < INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    longest = (*cspan_at(&state, INT64_C(8))) - (*cspan_at(&level, INT64_C(8)));
+    set_stage_problem(INT64_C(1), end, state, problem);
+    count = shortest_ramps(problem, chain, phases, plan);
+    if (count <= INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    copy_phases(phases, ramps, count);
+    longest = longest + total_duration(ramps, count);
+    set_stage_problem(INT64_C(1), end, level, problem);
+    (*cspan_at(&passing, INT64_C(7))) = (*cspan_at(&level, INT64_C(0) + INT64_C(4)));
+    result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
+    return result;
+}
+static int64_t settle_over_level(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d level;
+    int64_t i;
+    int64_t count;
+    double end;
+    int64_t result;
+    state = span_row(&lead, INT64_C(2));
+    level = span_row(&lead, INT64_C(3));
+    if ((*cspan_at(&lead, INT64_C(46) + INT64_C(1), INT64_C(33))) < 0.5)
+    {
+        return -INT64_C(1);
+    }
+    row = settle(INT64_C(4), row, lead, timing, coefficients);
+    if (row < INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&level, i)) = (*cspan_at(&state, i));
+    }
+    count = passing_phases(row, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&level, i));
+    }
+    end = (*cspan_at(&lead, INT64_C(7), INT64_C(1)));
+    if (count == INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    result = append_phases(INT64_C(1), end, count, row, lead, timing, coefficients);
+    return result;
+}
+static void set_limits(double steep, array_double_2d lead)
+{
+    array_double_1d axis;
+    axis = span_row(&lead, INT64_C(45));
+    chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(5)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(5)), span_rows(&lead, INT64_C(46), INT64_C(53)));
+}
+static bool is_settled(array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, INT64_C(1), i)) != 0.0)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void soonest_ends(int64_t order, array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = 1e+300;
+    }
+    if (order == INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), order)) = (*cspan_at(&lead, INT64_C(10), INT64_C(2)));
+    }
+}
 static double profile_time(array_double_2d lead)
 {
     array_double_1d state;
@@ -16590,10 +16744,10 @@ static double profile_time(array_double_2d lead)
     int64_t i;
     double duration;
     state = span_row(&lead, INT64_C(2));
-    target = span_row(&lead, INT64_C(9));
-    problem = span_row(&lead, INT64_C(10));
-    axis = span_row(&lead, INT64_C(44));
-    phases = span_rows(&lead, INT64_C(11), INT64_C(44));
+    target = span_row(&lead, INT64_C(10));
+    problem = span_row(&lead, INT64_C(11));
+    axis = span_row(&lead, INT64_C(45));
+    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
     if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(1)))) > (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12))
     {
         return -1.0;
@@ -16607,7 +16761,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(52), INT64_C(218)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(219)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -16638,11 +16792,11 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(2), i));
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(6), i));
+        (*cspan_at(&lead, INT64_C(4), i)) = (*cspan_at(&lead, INT64_C(2), i));
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
-    (*cspan_at(&lead, INT64_C(8), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(8), INT64_C(1))) = last - first;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(1))) = last - first;
 }
 static bool begins_now(array_double_2d lead, array_double_2d coefficients)
 {
@@ -16653,7 +16807,7 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
     {
         value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
-        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(4), i))))
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(5), i))))
         {
             return 0;
         }
@@ -16669,7 +16823,15 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
     double best;
     array_double_2d check;
     first = INT64_C(400);
-    last = settle(order, row, lead, timing, coefficients);
+    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1e+300;
+    if ((order == INT64_C(1)) && ((*cspan_at(&lead, INT64_C(7), INT64_C(4))) < 1e+299))
+    {
+        last = settle_over_level(row, lead, timing, coefficients);
+    }
+    else
+    {
+        last = settle(order, row, lead, timing, coefficients);
+    }
     if (last < INT64_C(0))
     {
         return 0;
@@ -16684,12 +16846,13 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
         }
         time = time + rest;
     }
-    best = (*cspan_at(&lead, INT64_C(8), INT64_C(0)));
-    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(8), INT64_C(2))))))
+    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = time;
+    best = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
+    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(9), INT64_C(2))))))
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(220), INT64_C(264));
+    check = span_rows(&lead, INT64_C(221), INT64_C(265));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -16702,7 +16865,7 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(8), INT64_C(2))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 1.0 - 1e-12;
     return 1;
 }
 static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -16710,12 +16873,12 @@ static bool try_end(int64_t order, int64_t stage, double end, array_double_1d li
     double bound;
     int64_t i;
     bool result;
-    bound = (*cspan_at(&lead, INT64_C(4), stage));
+    bound = (*cspan_at(&lead, INT64_C(5), stage));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(7), i));
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(8), i));
     }
-    (*cspan_at(&lead, INT64_C(6), stage)) = span_min(span_max(end, -bound), bound);
+    (*cspan_at(&lead, INT64_C(7), stage)) = span_min(span_max(end, -bound), bound);
     result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     return result;
 }
@@ -16725,7 +16888,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     int64_t i;
     double step;
     double end;
-    bound = (*cspan_at(&lead, INT64_C(4), stage));
+    bound = (*cspan_at(&lead, INT64_C(5), stage));
     for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
     {
         try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
@@ -16733,7 +16896,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     step = 0.125 * bound;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        end = (*cspan_at(&lead, INT64_C(7), stage));
+        end = (*cspan_at(&lead, INT64_C(8), stage));
         if (end > 1e+299)
         {
             break;
@@ -16752,7 +16915,7 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
     array_double_1d first;
     int64_t i;
     double level;
-    first = span_row(&lead, INT64_C(11));
+    first = span_row(&lead, INT64_C(12));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&first, INT64_C(4))) > 0.5)
@@ -16766,45 +16929,23 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
         }
     }
 }
-static bool is_settled(array_double_1d state, int64_t smoothness)
+static int64_t first_free_stage(int64_t order)
 {
-    int64_t i;
-    for (i = INT64_C(3); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&state, i)) != 0.0)
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t i;
-    int64_t first_free;
-    int64_t sweep;
-    int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(0))));
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(6), i)) = 1e+300;
-    }
-    first_free = order;
     if (order == INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(6), order)) = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
-        first_free = order + INT64_C(2);
+        return INT64_C(3);
     }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(6), i));
-    }
-    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    if (is_settled(span_row(&lead, INT64_C(1)), smoothness))
-    {
-        return;
-    }
+    return order;
+}
+static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t first_free;
+    int64_t sweep;
+    int64_t i;
+    int64_t stage;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
+    first_free = first_free_stage(order);
     for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -16825,27 +16966,143 @@ static void search_ends(int64_t order, array_double_1d limits, array_double_2d l
         }
     }
 }
-static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    array_double_1d axis;
+    int64_t i;
+    soonest_ends(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
+    }
+    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+    if (!is_settled(lead))
+    {
+        improve_ends(order, limits, lead, timing, coefficients);
+    }
+}
+static double near_zero(double i)
+{
+    double share;
+    if (i == 0.0)
+    {
+        return 0.0;
+    }
+    share = pow(0.7, (12.0 - fabs(i)));
+    if (i < 0.0)
+    {
+        share = -share;
+    }
+    return share;
+}
+static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t stage;
+    int64_t earlier;
+    int64_t i;
+    int64_t j;
+    bool free;
+    double end;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
+    stage = first_free_stage(order);
+    earlier = stage + INT64_C(2);
+    for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
+    {
+        for (j = -INT64_C(12); j < INT64_C(14); j += INT64_C(1))
+        {
+            free = j == INT64_C(13);
+            if ((!free) && (earlier >= smoothness))
+            {
+                continue;
+            }
+            soonest_ends(order, lead);
+            (*cspan_at(&lead, INT64_C(7), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(5), stage));
+            if (!free)
+            {
+                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(5), earlier));
+                (*cspan_at(&lead, INT64_C(7), earlier)) = end;
+            }
+            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+        }
+    }
+}
+static double try_level(double level, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    double result;
+    bound = (*cspan_at(&lead, INT64_C(5), INT64_C(4)));
+    soonest_ends(INT64_C(1), lead);
+    (*cspan_at(&lead, INT64_C(7), INT64_C(4))) = span_min(span_max(level, -bound), bound);
+    try_lead(INT64_C(1), INT64_C(400), limits, lead, timing, coefficients);
+    result = (*cspan_at(&lead, INT64_C(9), INT64_C(3)));
+    return result;
+}
+static void search_levels(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    double best;
+    double least;
+    int64_t i;
+    double level;
+    double time;
+    double step;
+    double around;
+    int64_t side;
+    bound = (*cspan_at(&lead, INT64_C(5), INT64_C(4)));
+    best = (*cspan_at(&lead, INT64_C(1), INT64_C(4)));
+    least = try_level(best, limits, lead, timing, coefficients);
+    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    {
+        level = 0.25 * i * bound;
+        time = try_level(level, limits, lead, timing, coefficients);
+        if (time < least)
+        {
+            least = time;
+            best = level;
+        }
+    }
+    step = 0.125 * bound;
+    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    {
+        if (least > 1e+299)
+        {
+            break;
+        }
+        around = best;
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            level = around + step * (INT64_C(1) - INT64_C(2) * side);
+            time = try_level(level, limits, lead, timing, coefficients);
+            if (time < least)
+            {
+                least = time;
+                best = level;
+            }
+        }
+        if (best == around)
+        {
+            step = 0.5 * step;
+        }
+    }
+}
+static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
     double steep;
     int64_t i;
     double before;
     int64_t j;
     bool gained;
-    axis = span_row(&lead, INT64_C(44));
     steep = 1.0;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
-        chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(4)));
-        set_chains(steep, axis, span_row(&lead, INT64_C(4)), span_rows(&lead, INT64_C(45), INT64_C(52)));
-        (*cspan_at(&lead, INT64_C(8), INT64_C(2))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(8), INT64_C(0)));
+        set_limits(steep, lead);
+        (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
         if (before >= 0.0)
         {
             for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(6), j)) = (*cspan_at(&lead, INT64_C(7), j));
+                (*cspan_at(&lead, INT64_C(7), j)) = (*cspan_at(&lead, INT64_C(8), j));
             }
             gained = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
             if ((i > INT64_C(1)) && (!gained))
@@ -16855,6 +17112,42 @@ static void search_lead(int64_t order, array_double_1d limits, array_double_2d l
         }
         search_ends(order, limits, lead, timing, coefficients);
         steep = 10.0 * steep;
+    }
+    if (((*cspan_at(&lead, INT64_C(9), INT64_C(0))) < 0.0) && (!is_settled(lead)))
+    {
+        search_pairs(order, limits, lead, timing, coefficients);
+        if ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0)
+        {
+            improve_ends(order, limits, lead, timing, coefficients);
+        }
+    }
+}
+static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    bool levels;
+    double steep;
+    int64_t i;
+    double before;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
+    search_stages(order, limits, lead, timing, coefficients);
+    levels = (order == INT64_C(1)) && (smoothness > INT64_C(4));
+    if (levels && (!is_settled(lead)))
+    {
+        steep = 1.0;
+        (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 1.0 - 1e-12;
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            set_limits(steep, lead);
+            before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
+            search_levels(limits, lead, timing, coefficients);
+            if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) == before))
+            {
+                break;
+            }
+            (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 0.99;
+            steep = 10.0 * steep;
+        }
     }
 }
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -16880,7 +17173,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
         }
         if (i > INT64_C(2))
         {
-            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(4), i)))
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(5), i)))
             {
                 settled = 0;
             }
@@ -16921,11 +17214,11 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
             tried = tried + INT64_C(1);
             for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(6), i)) = 1e+300;
+                (*cspan_at(&lead, INT64_C(7), i)) = 1e+300;
             }
             if (order == INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(6), order)) = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
+                (*cspan_at(&lead, INT64_C(7), order)) = (*cspan_at(&lead, INT64_C(10), INT64_C(2)));
             }
             try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
         }
@@ -16937,31 +17230,31 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     int64_t shape;
     int64_t i;
     bool result;
-    (*cspan_at(&lead, INT64_C(8), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(8), INT64_C(1))) = 0.0;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(1))) = 0.0;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
         return 0;
     }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(44), INT64_C(1))));
-    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(44)));
-    if (!segfmu_ramp_parameters(usual_share(), span_row(&lead, INT64_C(44)), span_rows(&lead, INT64_C(45), INT64_C(52))))
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(1))));
+    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(45)));
+    if (!segfmu_ramp_parameters(usual_share(), span_row(&lead, INT64_C(45)), span_rows(&lead, INT64_C(46), INT64_C(53))))
     {
         return 0;
     }
     for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(6), i)) = rounding_error(i, limits);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
     }
     search_lead(order, limits, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(8), INT64_C(2))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 1.0 - 1e-12;
     follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
-    result = (*cspan_at(&lead, INT64_C(8), INT64_C(0))) >= 0.0;
+    result = (*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0;
     return result;
 }
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)

@@ -2475,7 +2475,7 @@ static PyObject *call_find_lead(
         && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 264)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 265)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 45)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)

@@ -101,7 +101,7 @@ def measure_excess(axis: 'float[:]', work: 'float[:,:]') -> bool:
     above = int(passing[Passing.ABOVE])
     q = above + 2
     boxes = int(axis[Axis.SMOOTHNESS]) - 1 - above
-    level = 0.0
+    level = passing[Passing.START]
     for order in range(4):
         excess[order, Excess.SHARE] = 0.0
     for i in range(int(passing[Passing.COUNT]) + 1):

@@ -171,7 +171,7 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
 def write_sequence(phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -> int:
     """Write a sequence as phases; their number."""
     above = work[PlanWork.PASSING, Passing.ABOVE]
-    level = 0.0
+    level = work[PlanWork.PASSING, Passing.START]
     used = 0
     for i in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 1):
         row = PlanWork.NODES + i
@@ -238,15 +238,14 @@ def first_solution(
 
 
 def passing_form(
-    longest: float, count: int, ramps: 'float[:,:]', phases: 'float[:,:]', problem: 'float[:]',
-    axis: 'float[:]', work: 'float[:,:]',
+    shortest: float, longest: float, count: int, ramps: 'float[:,:]', phases: 'float[:,:]',
+    problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
 ) -> int:
     """Write a passing profile that takes less than `longest` [s]; 0: none, else its phases.
 
-    count: number of phases of the profile of ramps of the acceleration to start from. The sequence
-    is kept in the rows FOUND of `work`.
+    shortest >= longest: duration of the profile of `count` ramps of the acceleration to start from.
+    The sequence is kept in the rows FOUND of `work`; it starts at the level START.
     """
-    shortest = total_duration(ramps, count) * (1.0 - 1e-9)
     used = 0
     work[PlanWork.PASSING, Passing.SETTLED] = 0.0
     if not first_solution(count, ramps, problem, axis, work):

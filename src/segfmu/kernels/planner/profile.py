@@ -137,6 +137,27 @@ def is_done(problem: 'float[:]') -> bool:
     return problem[Problem.A] == problem[Problem.B]
 
 
+def begin_search(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
+    """Set the boundary problem in the row PROBLEM of `work` (PlanWork); nothing is known of it."""
+    boundary_problem(problem, axis, work[PlanWork.PROBLEM, :])
+    work[PlanWork.FAMILY, Family.MISSED] = 0.0
+    work[PlanWork.FAMILY, Family.FREE] = 1e300
+
+
+def shortest_ramps(
+    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """`shortest_profile` of ramps of the acceleration alone, without loops."""
+    asked = work[PlanWork.PROBLEM, :]
+    begin_search(problem, axis, work)
+    if is_done(asked):
+        return 0
+    count = shortest_between(0, phases, asked, axis, work)
+    if count == 0:
+        count = braked_ramps(asked, axis, phases, work)
+    return count
+
+
 def shortest_profile(
     problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
@@ -148,9 +169,7 @@ def shortest_profile(
     """
     asked = work[PlanWork.PROBLEM, :]
     family = work[PlanWork.FAMILY, :]
-    boundary_problem(problem, axis, asked)
-    family[Family.MISSED] = 0.0
-    family[Family.FREE] = 1e300
+    begin_search(problem, axis, work)
     work[PlanWork.PASSING, Passing.SETTLED] = 1.0
     if is_done(asked):
         return 0
@@ -240,9 +259,11 @@ def passing_either_way(
     """
     ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
     passing = work[PlanWork.PASSING, :]
+    passing[Passing.START] = 0.0
     copy_phases(phases, ramps, count)
     longest = total_duration(ramps, count) * (1.0 - 1e-9)
-    forwards = passing_form(longest, count, ramps, phases, asked, axis, work)
+    whole = longest
+    forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work)
     settled = passing[Passing.SETTLED]
     passing[Passing.REVERSED] = 0.0
     result = count
@@ -253,7 +274,7 @@ def passing_either_way(
         result = forwards
     reverse_problem(asked)
     reverse_phases(ramps, 0, count)
-    backwards = passing_form(longest, count, ramps, phases, asked, axis, work)
+    backwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work)
     reverse_problem(asked)
     if backwards > 0:
         reverse_phases(phases, 0, backwards)

@@ -248,6 +248,7 @@ class Passing(Record):
     ACCELERATION = field("scale of accelerations", "m/s2")
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
     REVERSED = field("1: of the motion with the time reversed")
+    START = field("level at the start")
     SETTLED = field("1: a profile that keeps the limits was found, not one slowed down")
 
 

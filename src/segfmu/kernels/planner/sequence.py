@@ -90,7 +90,7 @@ def pass_node(
     """Ramp to the level of a node; the state after it is written to the next node."""
     above = int(passing[Passing.ABOVE])
     pace = passing[Passing.PACE]
-    before = 0.0
+    before = passing[Passing.START]
     if i > 0:
         before = nodes[i - 1, Node.LEVEL]
     change = nodes[i, Node.LEVEL] - before

@@ -7,7 +7,8 @@ its ramps, where all derivatives above the acceleration are zero, and settling t
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
-from segfmu.kernels.settling.search import search_lead, try_lead
+from segfmu.kernels.settling.search import search_lead
+from segfmu.kernels.settling.trial import try_lead
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing

@@ -6,102 +6,9 @@ other ends are free. The search starts from the soonest ends, goes to the level 
 profile wants first, over a grid, and refines by halved steps.
 """
 
-from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Phase, Problem
-from segfmu.kernels.settling.chain import chain_limits, set_chains
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
-from segfmu.kernels.settling.stages import settle
-from segfmu.kernels.trajectory.check import check_axis
-from segfmu.kernels.trajectory.evaluate import evaluate_piece
-from segfmu.kernels.trajectory.records import Timing
-
-
-def profile_time(lead: 'float[:,:]') -> float:
-    """Duration [s] of the planner's profile from the row STATE to the target; -1: there is none."""
-    state = lead[LeadWork.STATE, :]
-    target = lead[LeadWork.TARGET, :]
-    problem = lead[LeadWork.PROBLEM, :]
-    axis = lead[LeadWork.AXIS, :]
-    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
-    if abs(state[Chain.DERIVATIVES + 1]) > axis[Axis.VELOCITY] * (1.0 + 1e-12):
-        return -1.0
-    if abs(state[Chain.DERIVATIVES + 2]) > axis[Axis.ACCELERATION] * (1.0 + 1e-12):
-        return -1.0
-    problem[Problem.V] = state[Chain.DERIVATIVES + 1]
-    problem[Problem.A] = state[Chain.DERIVATIVES + 2]
-    problem[Problem.W] = target[Problem.W]
-    problem[Problem.B] = target[Problem.B]
-    problem[Problem.DISTANCE] = target[Problem.DISTANCE] - state[Chain.DERIVATIVES]
-    count = shortest_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
-    if count < 0:
-        return -1.0
-    duration = 0.0
-    for i in range(count):
-        duration = duration + phases[i, Phase.DURATION]
-    return duration
-
-
-def keep_lead(
-    last: int, time: float, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
-) -> None:
-    """Keep the lead in the second half of the arrays as the best one."""
-    first = LeadRows.PIECES
-    for row in range(first, last):
-        for i in range(Timing.SIZE):
-            timing[row - first, i] = timing[row, i]
-        for i in range(coefficients.shape[1]):
-            coefficients[row - first, i] = coefficients[row, i]
-    for i in range(Chain.SIZE):
-        lead[LeadWork.REACHED, i] = lead[LeadWork.STATE, i]
-        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
-    lead[LeadWork.BEST, Lead.TIME] = time
-    lead[LeadWork.BEST, Lead.COUNT] = last - first
-
-
-def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
-    """Whether the lead in the second half of the pieces begins in the state of the row NOW."""
-    width = coefficients.shape[1]
-    for i in range(1, width // 2 + 1):
-        value = evaluate_piece(coefficients, LeadRows.PIECES, width, 0.0, i)
-        if not abs(value - lead[LeadWork.NOW, i]) <= 1e-11 * lead[LeadWork.LIMITS, i]:
-            return False
-    return True
-
-
-def try_lead(
-    order: int,
-    row: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-) -> bool:
-    """Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.
-
-    Rows of the second half before `row` belong to the lead as they are.
-    """
-    first = LeadRows.PIECES
-    last = settle(order, row, lead, timing, coefficients)
-    if last < 0:
-        return False
-    time = lead[LeadWork.STATE, Chain.TIME]
-    if order == 2:
-        rest = profile_time(lead)
-        if rest < 0.0:
-            return False
-        time = time + rest
-    best = lead[LeadWork.BEST, Lead.TIME]
-    if best >= 0.0 and not time < best * lead[LeadWork.BEST, Lead.GAIN]:
-        return False
-    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
-    if last > first:
-        if not begins_now(lead, coefficients):
-            return False
-        if not check_axis(first, last, timing, coefficients, limits, 1e-9, check):
-            return False
-    keep_lead(last, time, lead, timing, coefficients)
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
-    return True
+from segfmu.kernels.planner.records import Axis, Phase
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
+from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, try_lead
 
 
 def try_end(
@@ -161,14 +68,6 @@ def follow_profile(
             break
 
 
-def is_settled(state: 'float[:]', smoothness: int) -> bool:
-    """Whether all derivatives above the acceleration are zero in a state (Chain)."""
-    for i in range(3, smoothness + 1):
-        if state[i] != 0.0:
-            return False
-    return True
-
-
 def search_ends(
     order: int,
     limits: 'float[:]',
@@ -177,18 +76,31 @@ def search_ends(
     coefficients: 'float[:,:]',
 ) -> None:
     """Try the soonest ends of all stages, then search for better ones unless all is settled."""
-    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
-    for i in range(Chain.SIZE):
-        lead[LeadWork.ENDS, i] = 1e300
-    first_free = order
-    if order == 1:
-        lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
-        first_free = order + 2
+    soonest_ends(order, lead)
     for i in range(Chain.SIZE):
         lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
     try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
-    if is_settled(lead[LeadWork.START, :], smoothness):
-        return
+    if not is_settled(lead):
+        improve_ends(order, limits, lead, timing, coefficients)
+
+
+def first_free_stage(order: int) -> int:
+    """The last stage whose end is free."""
+    if order == LeadStage.VELOCITY:
+        return LeadStage.JERK
+    return order
+
+
+def improve_ends(
+    order: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Search for better ends of the stages, one after the other."""
+    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
+    first_free = first_free_stage(order)
     for sweep in range(2):
         for i in range(2):
             stage = first_free + 2 * i
@@ -198,6 +110,83 @@ def search_ends(
                 search_end(order, stage, limits, lead, timing, coefficients)
         if first_free + 2 >= smoothness:
             break
+
+
+def near_zero(i: float) -> float:
+    """Numbers from -1 to 1 for i from -12 to 12, denser near 0."""
+    if i == 0.0:
+        return 0.0
+    share = 0.7 ** (12.0 - abs(i))
+    if i < 0.0:
+        share = -share
+    return share
+
+
+def search_pairs(
+    order: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Try the ends of two stages together, over a grid, as few of them keep the limits."""
+    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
+    stage = first_free_stage(order)
+    earlier = stage + 2
+    for i in range(-12, 13):
+        for j in range(-12, 14):
+            free = j == 13
+            if not free and earlier >= smoothness:
+                continue
+            soonest_ends(order, lead)
+            lead[LeadWork.ENDS, stage] = near_zero(float(i)) * lead[LeadWork.LIMITS, stage]
+            if not free:
+                end = near_zero(float(j)) * lead[LeadWork.LIMITS, earlier]
+                lead[LeadWork.ENDS, earlier] = end
+            try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
+
+
+def try_level(
+    level: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """`try_lead` over a level of the snap; its time [s], 1e300 where it fails."""
+    bound = lead[LeadWork.LIMITS, LeadStage.SNAP]
+    soonest_ends(LeadStage.VELOCITY, lead)
+    lead[LeadWork.ENDS, LeadStage.SNAP] = min(max(level, -bound), bound)
+    try_lead(LeadStage.VELOCITY, LeadRows.PIECES, limits, lead, timing, coefficients)
+    return lead[LeadWork.BEST, Lead.TRIED]
+
+
+def search_levels(
+    limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> None:
+    """Search for the shortest lead over a level of the snap: over a grid, then by halved steps."""
+    bound = lead[LeadWork.LIMITS, LeadStage.SNAP]
+    best = lead[LeadWork.START, LeadStage.SNAP]
+    least = try_level(best, limits, lead, timing, coefficients)
+    for i in range(-4, 5):
+        level = 0.25 * i * bound
+        time = try_level(level, limits, lead, timing, coefficients)
+        if time < least:
+            least = time
+            best = level
+    step = 0.125 * bound
+    for i in range(12):
+        if least > 1e299:
+            break
+        around = best
+        for side in range(2):
+            level = around + step * (1 - 2 * side)
+            time = try_level(level, limits, lead, timing, coefficients)
+            if time < least:
+                least = time
+                best = level
+        if best == around:
+            step = 0.5 * step
 
 
 def search_lead(
@@ -211,11 +200,33 @@ def search_lead(
 
     Derivatives that nothing limits are raised as long as that shortens it by more than 1 %.
     """
-    axis = lead[LeadWork.AXIS, :]
+    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
+    search_stages(order, limits, lead, timing, coefficients)
+    levels = order == LeadStage.VELOCITY and smoothness > LeadStage.SNAP
+    if levels and not is_settled(lead):
+        steep = 1.0
+        lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+        for i in range(4):
+            set_limits(steep, lead)
+            before = lead[LeadWork.BEST, Lead.TIME]
+            search_levels(limits, lead, timing, coefficients)
+            if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
+                break
+            lead[LeadWork.BEST, Lead.GAIN] = 0.99
+            steep = 10.0 * steep
+
+
+def search_stages(
+    order: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """`search_lead` by the ends of stages."""
     steep = 1.0
     for i in range(4):
-        chain_limits(steep, axis, lead[LeadWork.START, :], lead[LeadWork.LIMITS, :])
-        set_chains(steep, axis, lead[LeadWork.LIMITS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :])
+        set_limits(steep, lead)
         lead[LeadWork.BEST, Lead.GAIN] = 0.99
         before = lead[LeadWork.BEST, Lead.TIME]
         if before >= 0.0:
@@ -227,3 +238,7 @@ def search_lead(
                 break
         search_ends(order, limits, lead, timing, coefficients)
         steep = 10.0 * steep
+    if lead[LeadWork.BEST, Lead.TIME] < 0.0 and not is_settled(lead):
+        search_pairs(order, limits, lead, timing, coefficients)
+        if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
+            improve_ends(order, limits, lead, timing, coefficients)

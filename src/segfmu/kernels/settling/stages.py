@@ -32,30 +32,34 @@ def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
     if free:
         return append_velocity_change(phases, 0, state[order + 1], state[order + 2], 0.0, chain)
     problem = lead[LeadWork.PROBLEM, :]
+    set_stage_problem(order, end, state, problem)
+    return shortest_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+
+
+def set_stage_problem(order: int, end: float, state: 'float[:]', problem: 'float[:]') -> None:
+    """Set the boundary problem (Problem) of the stage for an order."""
     problem[Problem.V] = state[order + 1]
     problem[Problem.A] = state[order + 2]
     problem[Problem.W] = 0.0
     problem[Problem.B] = 0.0
     problem[Problem.DISTANCE] = end - state[order]
-    return shortest_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
 
 
-def run_stage(
+def append_phases(
     order: int,
+    end: float,
+    count: int,
     row: int,
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
-    """Append the pieces of the stage for an order from `row` on; the row after them, -1: none.
+    """Append the pieces of the phases of a stage from `row` on; the row after them, -1: no room.
 
     The row STATE of `lead` (LeadWork) goes on to the end of the stage.
     """
     state = lead[LeadWork.STATE, :]
     smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
-    end = lead[LeadWork.ENDS, order]
-    free = end > 1e299
-    count = stage_phases(order, end, free, lead)
     seen = min(order, smoothness - 2)
     chain = lead[LeadWork.CHAINS + seen, :]
     if count < 0 or row + ramp_pieces(chain) * count > 2 * LeadRows.PIECES:
@@ -72,12 +76,28 @@ def run_stage(
     lift_pieces(seen, row, last, state, timing, coefficients)
     state[seen] = now[PieceState.POSITION]
     state[seen + 1] = now[PieceState.VELOCITY]
-    if not free:
+    if end <= 1e299:
         state[order] = end
     for i in range(order + 1, smoothness + 1):
         state[i] = 0.0
     state[Chain.TIME] = now[PieceState.TIME]
     return last
+
+
+def run_stage(
+    order: int,
+    row: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """Append the pieces of the stage for an order from `row` on; the row after them, -1: none.
+
+    The row STATE of `lead` (LeadWork) goes on to the end of the stage.
+    """
+    end = lead[LeadWork.ENDS, order]
+    count = stage_phases(order, end, end > 1e299, lead)
+    return append_phases(order, end, count, row, lead, timing, coefficients)
 
 
 def drop_rounding(order: int, lead: 'float[:,:]') -> None:

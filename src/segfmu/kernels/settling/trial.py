@@ -1,0 +1,127 @@
+"""One lead: settling to given ends, its time, its check, and the best one so far."""
+
+from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.settling.chain import chain_limits, set_chains
+from segfmu.kernels.settling.level import settle_over_level
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
+from segfmu.kernels.settling.stages import settle
+from segfmu.kernels.trajectory.check import check_axis
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
+from segfmu.kernels.trajectory.records import Timing
+
+
+def set_limits(steep: float, lead: 'float[:,:]') -> None:
+    """Set natural limits (`natural_limit`) of the row START of `lead`, and the chains."""
+    axis = lead[LeadWork.AXIS, :]
+    chain_limits(steep, axis, lead[LeadWork.START, :], lead[LeadWork.LIMITS, :])
+    set_chains(steep, axis, lead[LeadWork.LIMITS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :])
+
+
+def is_settled(lead: 'float[:,:]') -> bool:
+    """Whether all derivatives above the acceleration are zero in the row START of `lead`."""
+    for i in range(3, int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) + 1):
+        if lead[LeadWork.START, i] != 0.0:
+            return False
+    return True
+
+
+def soonest_ends(order: int, lead: 'float[:,:]') -> None:
+    """Let all stages end as soon as possible, but the last one at the velocity, if it is one."""
+    for i in range(Chain.SIZE):
+        lead[LeadWork.ENDS, i] = 1e300
+    if order == LeadStage.VELOCITY:
+        lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
+
+
+def profile_time(lead: 'float[:,:]') -> float:
+    """Duration [s] of the planner's profile from the row STATE to the target; -1: there is none."""
+    state = lead[LeadWork.STATE, :]
+    target = lead[LeadWork.TARGET, :]
+    problem = lead[LeadWork.PROBLEM, :]
+    axis = lead[LeadWork.AXIS, :]
+    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
+    if abs(state[Chain.DERIVATIVES + 1]) > axis[Axis.VELOCITY] * (1.0 + 1e-12):
+        return -1.0
+    if abs(state[Chain.DERIVATIVES + 2]) > axis[Axis.ACCELERATION] * (1.0 + 1e-12):
+        return -1.0
+    problem[Problem.V] = state[Chain.DERIVATIVES + 1]
+    problem[Problem.A] = state[Chain.DERIVATIVES + 2]
+    problem[Problem.W] = target[Problem.W]
+    problem[Problem.B] = target[Problem.B]
+    problem[Problem.DISTANCE] = target[Problem.DISTANCE] - state[Chain.DERIVATIVES]
+    count = shortest_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+    if count < 0:
+        return -1.0
+    duration = 0.0
+    for i in range(count):
+        duration = duration + phases[i, Phase.DURATION]
+    return duration
+
+
+def keep_lead(
+    last: int, time: float, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> None:
+    """Keep the lead in the second half of the arrays as the best one."""
+    first = LeadRows.PIECES
+    for row in range(first, last):
+        for i in range(Timing.SIZE):
+            timing[row - first, i] = timing[row, i]
+        for i in range(coefficients.shape[1]):
+            coefficients[row - first, i] = coefficients[row, i]
+    for i in range(Chain.SIZE):
+        lead[LeadWork.REACHED, i] = lead[LeadWork.STATE, i]
+        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
+    lead[LeadWork.BEST, Lead.TIME] = time
+    lead[LeadWork.BEST, Lead.COUNT] = last - first
+
+
+def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
+    """Whether the lead in the second half of the pieces begins in the state of the row NOW."""
+    width = coefficients.shape[1]
+    for i in range(1, width // 2 + 1):
+        value = evaluate_piece(coefficients, LeadRows.PIECES, width, 0.0, i)
+        if not abs(value - lead[LeadWork.NOW, i]) <= 1e-11 * lead[LeadWork.LIMITS, i]:
+            return False
+    return True
+
+
+def try_lead(
+    order: int,
+    row: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> bool:
+    """Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.
+
+    Rows of the second half before `row` belong to the lead as they are.
+    """
+    first = LeadRows.PIECES
+    lead[LeadWork.BEST, Lead.TRIED] = 1e300
+    if order == LeadStage.VELOCITY and lead[LeadWork.ENDS, LeadStage.SNAP] < 1e299:
+        last = settle_over_level(row, lead, timing, coefficients)
+    else:
+        last = settle(order, row, lead, timing, coefficients)
+    if last < 0:
+        return False
+    time = lead[LeadWork.STATE, Chain.TIME]
+    if order == 2:
+        rest = profile_time(lead)
+        if rest < 0.0:
+            return False
+        time = time + rest
+    lead[LeadWork.BEST, Lead.TRIED] = time
+    best = lead[LeadWork.BEST, Lead.TIME]
+    if best >= 0.0 and not time < best * lead[LeadWork.BEST, Lead.GAIN]:
+        return False
+    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
+    if last > first:
+        if not begins_now(lead, coefficients):
+            return False
+        if not check_axis(first, last, timing, coefficients, limits, 1e-9, check):
+            return False
+    keep_lead(last, time, lead, timing, coefficients)
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+    return True
