@@ -7,7 +7,7 @@ from time import perf_counter
 import numpy as np
 
 from benchmarks.report import Part, Record, Section, Settings
-from benchmarks.stopping import FloatArray, shortest_stop
+from benchmarks.stopping import FloatArray, shortest_motion, shortest_stop
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, replan, stop
 
 SEED = 11
@@ -16,10 +16,13 @@ LIMITS = ((1.0, 1.0, 4.0), (1.0, 1.0, 4.0, 20.0), (1.0, 1.0, 4.0, 20.0, 200.0))
 
 
 def measure(settings: Settings) -> Part:
-    """The four tables."""
+    """The five tables."""
     return Part(
         "Replanning",
-        (_cycles(settings), _stops(settings), _stops_alone(settings), _new_targets(settings)),
+        (
+            _cycles(settings), _stops(settings), _stops_alone(settings), _moved(settings),
+            _new_targets(settings),
+        ),
         (
             "linear programming lets the highest limited derivative jump, which a plan does not",
             "a new target is compared with reaching it from rest, from the same place",
@@ -114,6 +117,33 @@ def _stops_alone(settings: Settings) -> Section:
             "95 %": float(np.quantile(ratios, 0.95)), "largest": float(np.max(ratios)),
         })
     return Section("Stop from a state alone over the rest of the plan that it belongs to", records)
+
+
+def _moved(settings: Settings) -> Section:
+    records: list[Record] = []
+    for n in range(3, 7):
+        random = np.random.default_rng(SEED)
+        ratios = []
+        for _ in range(min(settings.samples, 300) // 2):
+            old = random_plan(random, n)
+            t = random.uniform(0.0, old.duration)
+            positions = [point.position[0] for point in old.waypoints]
+            moved = float(random.choice([0.01, 0.1, 1.0])) * random.uniform(-1.0, 1.0)
+            target = positions[-1] + moved * float(np.ptp(positions))
+            found = replan(old, t, Waypoint(target)).duration
+            limits = old.limits.table(1, n)[0]
+            highest = int(np.flatnonzero(limits)[-1]) + 1
+            state = old.state(t).state(highest - 1)[0]
+            optimum = shortest_motion(
+                target - state[0], state[1:], limits[:highest], 1.02 * found
+            )
+            if optimum:
+                ratios.append(found / optimum)
+        records.append({
+            "smoothness": n, "states": len(ratios), "median": float(np.median(ratios)),
+            "95 %": float(np.quantile(ratios, 0.95)), "largest": float(np.max(ratios)),
+        })
+    return Section("Time to a target that moves over linear programming, random states", records)
 
 
 def _new_targets(settings: Settings) -> Section:

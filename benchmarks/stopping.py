@@ -1,4 +1,4 @@
-"""The shortest stop of one axis from any state, by linear programming."""
+"""The shortest motion of one axis from any state to rest, by linear programming."""
 
 from __future__ import annotations
 
@@ -27,19 +27,41 @@ def shortest_stop(
     longest : float
         A time that suffices [s].
     """
-    if not _feasible(state, limits, longest, intervals):
+    scale = np.where(limits[:-1] > 0.0, limits[:-1], 1.0)
+    return _shortest(state, limits, scale, longest, intervals, tolerance)
+
+
+def shortest_motion(
+    distance: float, state: FloatArray, limits: FloatArray, longest: float, intervals: int = 50,
+    tolerance: float = 1e-3,
+) -> float | None:
+    """`shortest_stop` that covers a distance [m]."""
+    scale = np.where(limits[:-1] > 0.0, limits[:-1], 1.0)
+    return _shortest(
+        np.array([-distance, *state]), np.array([0.0, *limits]),
+        np.array([max(abs(distance), 1e-9), *scale]), longest, intervals, tolerance,
+    )
+
+
+def _shortest(
+    state: FloatArray, limits: FloatArray, scale: FloatArray, longest: float, intervals: int,
+    tolerance: float,
+) -> float | None:
+    if not _feasible(state, limits, scale, longest, intervals):
         return None
     low, high = 0.0, longest
     while high - low > tolerance * high:
         middle = 0.5 * (low + high)
-        if _feasible(state, limits, middle, intervals):
+        if _feasible(state, limits, scale, middle, intervals):
             high = middle
         else:
             low = middle
     return high
 
 
-def _feasible(state: FloatArray, limits: FloatArray, duration: float, intervals: int) -> bool:
+def _feasible(
+    state: FloatArray, limits: FloatArray, scale: FloatArray, duration: float, intervals: int
+) -> bool:
     order = state.size
     h = duration / intervals
     step, gain = integrators(order, h)
@@ -55,7 +77,6 @@ def _feasible(state: FloatArray, limits: FloatArray, duration: float, intervals:
         inner, offset = effect[1:-1, i] / limits[i], free[1:-1, i] / limits[i]
         rows += [inner, -inner]
         bounds += [1.0 - offset, 1.0 + offset]
-    scale = np.where(limits[:-1] > 0.0, limits[:-1], 1.0)
     found = linprog(
         np.zeros(intervals), A_ub=np.vstack(rows), b_ub=np.concatenate(bounds),
         A_eq=effect[-1] / scale[:, None], b_eq=-free[-1] / scale, bounds=(-1.0, 1.0),

@@ -170,7 +170,7 @@ def trajectory_calls() -> dict[str, Call]:
     leads = zeros(2 * LeadRows.PIECES, Timing.SIZE), zeros(2 * LeadRows.PIECES, width)
     return {
         "find_lead": (
-            1, 0, found.offsets, found.timing, found.coefficients,
+            1, 0.0, 0, found.offsets, found.timing, found.coefficients,
             np.array([1.0, 0.5, 10.0, 20.0, 0.0]), lead, *leads,
         ),
         "cut_plan": (

@@ -662,6 +662,7 @@ def expand_phases(
 
 def find_lead(
     order: int,
+    within: float,
     axis: int,
     plan_offsets: Integers,
     plan_timing: Floats,

@@ -159,8 +159,60 @@ class Leads:
         return replace(self, pieces=pieces, following=np.array([p.used > 0 for p in parts]))
 
 
+@dataclass(frozen=True)
+class _Lead:
+    pieces: Pieces
+    # DelayedState
+    end: FloatArray
+    # to the target [s]
+    time: float
+    following: bool = False
+
+
+class _Search:
+    """Leads of single axes, as `find_leads` takes them."""
+
+    def __init__(
+        self, order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, shape: str,
+        follow: Pieces,
+    ) -> None:
+        self.order, self.now, self.targets, self.limits = order, now, targets, limits
+        self.shape, self.follow = SHAPES.index(shape), follow
+        width = 2 * (now.shape[1] - 1)
+        self.work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
+        self.timing = np.zeros((2 * LeadRows.PIECES, Timing.SIZE))
+        self.coefficients = np.zeros((2 * LeadRows.PIECES, width))
+
+    def lead(self, axis: int, within: float) -> _Lead | None:
+        """The shortest lead of an axis, over levels where others take longer than `within` [s]."""
+        work, target, limits = self.work, self.targets[axis], self.limits[axis]
+        work[LeadWork.AXIS, Axis.SHAPE] = self.shape
+        work[LeadWork.NOW] = 0.0
+        work[LeadWork.NOW, : self.now.shape[1]] = self.now[axis]
+        work[LeadWork.TARGET, Problem.W] = target[WaypointState.VELOCITY]
+        work[LeadWork.TARGET, Problem.B] = target[WaypointState.ACCELERATION]
+        work[LeadWork.TARGET, Problem.DISTANCE] = target[WaypointState.POSITION]
+        found = None
+        if backend.find_lead(
+            self.order, within, axis, self.follow.offsets, self.follow.timing,
+            self.follow.coefficients, limits, work, self.timing, self.coefficients,
+        ):
+            count, time = int(work[LeadWork.BEST, Lead.COUNT]), work[LeadWork.BEST, Lead.TIME]
+            end = work[LeadWork.REACHED, [*range(WaypointState.SIZE), Chain.TIME]].copy()
+            found = _Lead(Pieces.one(self.timing, self.coefficients, count), end, float(time))
+        kept = self.follow.axis(axis)
+        if self.order == TO_VELOCITY and kept.used > 0:
+            end = kept.ends()
+            time = float(end[DelayedState.DELAY])
+            sooner = found is None or time < found.time
+            if sooner and _reaches(end, target[WaypointState.VELOCITY], limits):
+                return _Lead(kept, end, time, following=True)
+        return found
+
+
 def find_leads(
-    order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, shape: str, follow: Pieces
+    order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, shape: str,
+    follow: Pieces, meeting: float | None = None,
 ) -> Leads:
     """The shortest lead of every axis.
 
@@ -174,39 +226,31 @@ def find_leads(
     limits : ndarray, shape (axes, n + 1)
     follow : Pieces
         Plan that can be followed.
+    meeting : float, optional
+        The axes meet at the target, after this time or later [s]: only those that are late make
+        haste, so that the planner can slow the others down.
     """
-    axes, count = now.shape
-    work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
-    timing = np.zeros((2 * LeadRows.PIECES, Timing.SIZE))
-    coefficients = np.zeros((2 * LeadRows.PIECES, 2 * (count - 1)))
-    states = np.zeros((axes, DelayedState.SIZE))
-    parts, following = [], np.zeros(axes, dtype=bool)
+    axes = len(now)
+    search = _Search(order, now, targets, limits, shape, follow)
+    haste = meeting is None or axes == 1
+    found = []
     for axis in range(axes):
-        work[LeadWork.AXIS, Axis.SHAPE] = SHAPES.index(shape)
-        work[LeadWork.NOW] = 0.0
-        work[LeadWork.NOW, :count] = now[axis]
-        target = work[LeadWork.TARGET]
-        target[Problem.W] = targets[axis, WaypointState.VELOCITY]
-        target[Problem.B] = targets[axis, WaypointState.ACCELERATION]
-        target[Problem.DISTANCE] = targets[axis, WaypointState.POSITION]
-        found = backend.find_lead(
-            order, axis, follow.offsets, follow.timing, follow.coefficients, limits[axis], work,
-            timing, coefficients,
-        )
-        best = (Pieces.one(timing, coefficients, int(work[LeadWork.BEST, Lead.COUNT])),
-                work[LeadWork.REACHED, [*range(WaypointState.SIZE), Chain.TIME]].copy())
-        kept = follow.axis(axis)
-        if order == TO_VELOCITY and kept.used > 0:
-            ends = kept.ends()
-            reached = _reaches(ends, targets[axis, WaypointState.VELOCITY], limits[axis])
-            if reached and (not found or ends[DelayedState.DELAY] < best[1][DelayedState.DELAY]):
-                best, found = (kept, ends), True
-                following[axis] = True
-        if not found:
-            return Leads(follow, states, axis)
-        states[axis] = best[1]
-        parts.append(best[0])
-    return Leads(Pieces.together(parts, 2 * (count - 1)), states, following=following)
+        lead = search.lead(axis, meeting or 0.0 if haste else np.inf)
+        if lead is None:
+            return Leads(follow, np.zeros((axes, DelayedState.SIZE)), axis)
+        found.append(lead)
+    if meeting is not None and axes > 1:
+        latest = meeting
+        for axis in sorted(range(axes), key=lambda axis: -found[axis].time):
+            if found[axis].time <= latest:
+                break
+            found[axis] = search.lead(axis, latest) or found[axis]
+            latest = max(latest, found[axis].time)
+    return Leads(
+        Pieces.together([lead.pieces for lead in found], 2 * (now.shape[1] - 1)),
+        np.stack([lead.end for lead in found]),
+        following=np.array([lead.following for lead in found]),
+    )
 
 
 def _reaches(end: FloatArray, velocity: float, limits: FloatArray) -> bool:

@@ -26,9 +26,9 @@ from segfmu.planning.trajectory import Trajectory, require_plan
 from segfmu.planning.verify import TIME_TOLERANCE, TOLERANCE, time_error, verify
 from segfmu.planning.waypoint import Waypoint
 
-# a new plan to the same target has to be shorter than the rest of the old one by this much: a
-# motion that is replanned often would else become steeper and steeper
-SHORTER = 0.99
+# a new plan to the same target has to be shorter than the rest of the old one by this much, more
+# than steeper rises save: a motion that is replanned often would else become steeper and steeper
+SHORTER = 0.95
 
 
 def replan(

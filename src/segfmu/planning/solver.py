@@ -60,9 +60,11 @@ def _leads(request: Request, follow: Pieces | None) -> Leads:
     problem = request.problem
     options = problem.options
     axes = problem.states.shape[1]
+    apart = options.synchronize == "none" and not options.duration
     leads = find_leads(
         TO_PLAN, request.start, problem.states[1], problem.limits, options.shape,
         follow or Pieces.none(axes, options.smoothness),
+        None if apart else options.duration or 0.0,
     )
     if leads.failed >= 0:
         # from rest the target may be refused for itself

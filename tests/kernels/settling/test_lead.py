@@ -26,7 +26,9 @@ LIMITS = {
 STATE = [0.3, 0.4, -0.3, 1.0, -4.0, 20.0, 100.0]
 
 
-def found(n: int, order: int, state: list[float], velocity: float = 0.0) -> tuple:
+def found(
+    n: int, order: int, state: list[float], velocity: float = 0.0, within: float = 0.0
+) -> tuple:
     work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
     work[LeadWork.AXIS, Axis.SHAPE] = 1.0
     work[LeadWork.NOW, : n + 1] = state[: n + 1]
@@ -37,7 +39,8 @@ def found(n: int, order: int, state: list[float], velocity: float = 0.0) -> tupl
     none = np.zeros(2, dtype=np.int64)
     limits = np.array(LIMITS[n])
     ok = find_lead(
-        order, 0, none, np.zeros((1, 2)), np.zeros((1, 2 * n)), limits, work, timing, coefficients
+        order, within, 0, none, np.zeros((1, 2)), np.zeros((1, 2 * n)), limits, work, timing,
+        coefficients,
     )
     count = int(work[LeadWork.BEST, Lead.COUNT])
     return ok, work, timing[:count], coefficients[:count]
@@ -64,6 +67,19 @@ def test_a_lead_joins_the_state_to_a_settled_one_within_the_limits(n: int, order
     assert reached[Chain.TIME] == pytest.approx(timing[:, 1].sum())
     if order == 1:
         assert reached[1] == 0.2
+
+
+@pytest.mark.parametrize("n", [4, 5, 6])
+def test_a_late_lead_goes_over_a_level_to_the_target(n: int) -> None:
+    times = []
+    for within in (np.inf, 0.0):
+        ok, work, timing, _ = found(n, 2, STATE, within=within)
+        assert ok
+        times.append(work[LeadWork.BEST, Lead.TIME])
+        reached = work[LeadWork.REACHED]
+        over = reached[0] == 1.0 and timing[:, 1].sum() == pytest.approx(times[-1])
+        assert over == (within == 0.0)
+    assert times[1] < times[0]
 
 
 def test_the_time_of_a_stop_is_known_in_closed_form() -> None:

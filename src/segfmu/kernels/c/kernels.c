@@ -484,15 +484,19 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void drop_rounding(int64_t order, array_double_2d lead);
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t passing_phases(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t settle_over_level(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t level_order(int64_t order, array_double_2d lead);
+static double lead_end(int64_t order, array_double_2d lead);
+static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void set_limits(double steep, array_double_2d lead);
 static bool is_settled(array_double_2d lead);
 static void soonest_ends(int64_t order, array_double_2d lead);
 static double profile_time(array_double_2d lead);
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool begins_now(array_double_2d lead, array_double_2d coefficients);
+static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -501,10 +505,11 @@ static void improve_ends(int64_t order, array_double_1d limits, array_double_2d 
 static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
 static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double try_level(double level, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_levels(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool permits_levels(int64_t order, array_double_2d lead);
 static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
@@ -10777,6 +10782,7 @@ static double sequence_duration(array_double_1d passing, array_double_2d nodes)
 static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
 {
     int64_t k;
+    int64_t jerk;
     int64_t row;
     int64_t i;
     double error;
@@ -10786,6 +10792,11 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     }
     (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
     (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
+    jerk = INT64_C(0) + INT64_C(3);
+    if ((*cspan_at(&passing, INT64_C(1))) > 1.5)
+    {
+        (*cspan_at(&nodes, INT64_C(0), jerk)) = (*cspan_at(&passing, INT64_C(8)));
+    }
     row = INT64_C(0);
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
@@ -11151,7 +11162,7 @@ static void keep_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
         (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
     }
@@ -11167,7 +11178,7 @@ static void restore_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
     }
@@ -11868,7 +11879,7 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     double found;
     int64_t used;
     used = INT64_C(0);
-    (*cspan_at(&work, INT64_C(48), INT64_C(8))) = 0.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 0.0;
     if (!first_solution(count, ramps, problem, axis, work))
     {
         return INT64_C(0);
@@ -11893,7 +11904,7 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
             {
                 if (way < INT64_C(2))
                 {
-                    (*cspan_at(&work, INT64_C(48), INT64_C(8))) = 1.0;
+                    (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
                 }
                 break;
             }
@@ -12338,11 +12349,12 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     ramps = span_rows(&work, INT64_C(0), INT64_C(13));
     passing = span_row(&work, INT64_C(48));
     (*cspan_at(&passing, INT64_C(7))) = 0.0;
+    (*cspan_at(&passing, INT64_C(8))) = 0.0;
     copy_phases(phases, ramps, count);
     longest = total_duration(ramps, count) * (1.0 - 1e-09);
     whole = longest;
     forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
-    settled = (*cspan_at(&passing, INT64_C(8)));
+    settled = (*cspan_at(&passing, INT64_C(9)));
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
     result = count;
     if (forwards > INT64_C(0))
@@ -12366,7 +12378,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     if (forwards > INT64_C(0))
     {
-        (*cspan_at(&passing, INT64_C(8))) = settled;
+        (*cspan_at(&passing, INT64_C(9))) = settled;
     }
     return result;
 }
@@ -12390,7 +12402,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         if ((*cspan_at(&axis, INT64_C(33))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(8))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(9))) > 0.5) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
         if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
@@ -12459,7 +12471,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
     begin_search(problem, axis, work);
-    (*cspan_at(&work, INT64_C(48), INT64_C(8))) = 1.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -12470,7 +12482,7 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     {
         free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(48), INT64_C(8))) < 0.5)
+        if ((*cspan_at(&work, INT64_C(48), INT64_C(9))) < 0.5)
         {
             missed = span_max(missed, 1.0);
         }
@@ -16540,6 +16552,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     array_double_1d chain;
     array_double_2d expansion;
     array_double_1d now;
+    int64_t third;
     array_double_2d phases;
     int64_t i;
     int64_t last;
@@ -16556,7 +16569,8 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
     (*cspan_at(&now, INT64_C(2))) = (*cspan_at(&state, seen + INT64_C(2)));
-    (*cspan_at(&now, INT64_C(3))) = 0.0;
+    third = seen + INT64_C(3);
+    (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
@@ -16624,10 +16638,34 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     }
     return row;
 }
-static int64_t passing_phases(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t level_order(int64_t order, array_double_2d lead)
+{
+    int64_t seen;
+    int64_t above;
+    seen = INT64_C(2) - order;
+    above = (int64_t)((*cspan_at(&lead, INT64_C(46) + seen, INT64_C(33))));
+    if (above == INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    return seen + INT64_C(2) + above;
+}
+static double lead_end(int64_t order, array_double_2d lead)
+{
+    double result;
+    if (order == INT64_C(1))
+    {
+        result = (*cspan_at(&lead, INT64_C(10), INT64_C(2)));
+        return result;
+    }
+    result = (*cspan_at(&lead, INT64_C(10), INT64_C(4)));
+    return result;
+}
+static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
     array_double_1d level;
+    int64_t seen;
     array_double_1d chain;
     array_double_1d problem;
     array_double_2d phases;
@@ -16637,51 +16675,58 @@ static int64_t passing_phases(int64_t row, array_double_2d lead, array_double_2d
     double end;
     double longest;
     int64_t count;
+    int64_t third;
     int64_t result;
     state = span_row(&lead, INT64_C(2));
     level = span_row(&lead, INT64_C(3));
-    chain = span_row(&lead, INT64_C(46) + INT64_C(1));
+    seen = INT64_C(2) - order;
+    chain = span_row(&lead, INT64_C(46) + seen);
     problem = span_row(&lead, INT64_C(11));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
     plan = span_rows(&lead, INT64_C(53), INT64_C(219));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(13));
     passing = span_row(&plan, INT64_C(48));
-    end = (*cspan_at(&lead, INT64_C(7), INT64_C(1)));
-    (*cspan_at(&lead, INT64_C(7), INT64_C(3))) = 1e+300;
-    if (run_stage(INT64_C(3), row, lead, timing, coefficients) < INT64_C(0))
+    end = lead_end(order, lead);
+    (*cspan_at(&lead, INT64_C(7), seen + INT64_C(2))) = 1e+300;
+    if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
     {
         return INT64_C(0);
     }
     longest = (*cspan_at(&state, INT64_C(8))) - (*cspan_at(&level, INT64_C(8)));
-    set_stage_problem(INT64_C(1), end, state, problem);
+    set_stage_problem(seen, end, state, problem);
     count = shortest_ramps(problem, chain, phases, plan);
     if (count <= INT64_C(0))
     {
         return INT64_C(0);
     }
     copy_phases(phases, ramps, count);
-    longest = longest + total_duration(ramps, count);
-    set_stage_problem(INT64_C(1), end, level, problem);
-    (*cspan_at(&passing, INT64_C(7))) = (*cspan_at(&level, INT64_C(0) + INT64_C(4)));
+    longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
+    set_stage_problem(seen, end, level, problem);
+    (*cspan_at(&passing, INT64_C(7))) = (*cspan_at(&level, level_order(order, lead)));
+    third = seen + INT64_C(3);
+    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, third));
     result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
     return result;
 }
-static int64_t settle_over_level(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
     array_double_1d level;
+    int64_t stage;
     int64_t i;
     int64_t count;
-    double end;
+    int64_t seen;
     int64_t result;
     state = span_row(&lead, INT64_C(2));
     level = span_row(&lead, INT64_C(3));
-    if ((*cspan_at(&lead, INT64_C(46) + INT64_C(1), INT64_C(33))) < 0.5)
+    stage = level_order(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        return -INT64_C(1);
+        (*cspan_at(&lead, INT64_C(7), i)) = 1e+300;
     }
-    row = settle(INT64_C(4), row, lead, timing, coefficients);
-    if (row < INT64_C(0))
+    (*cspan_at(&lead, INT64_C(7), stage)) = end;
+    row = settle(stage, row, lead, timing, coefficients);
+    if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
     {
         return -INT64_C(1);
     }
@@ -16689,17 +16734,18 @@ static int64_t settle_over_level(int64_t row, array_double_2d lead, array_double
     {
         (*cspan_at(&level, i)) = (*cspan_at(&state, i));
     }
-    count = passing_phases(row, lead, timing, coefficients);
+    count = passing_phases(order, least, row, lead, timing, coefficients);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&level, i));
     }
-    end = (*cspan_at(&lead, INT64_C(7), INT64_C(1)));
     if (count == INT64_C(0))
     {
         return -INT64_C(1);
     }
-    result = append_phases(INT64_C(1), end, count, row, lead, timing, coefficients);
+    seen = INT64_C(2) - order;
+    end = lead_end(order, lead);
+    result = append_phases(seen, end, count, row, lead, timing, coefficients);
     return result;
 }
 static void set_limits(double steep, array_double_2d lead)
@@ -16814,41 +16860,14 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     }
     return 1;
 }
-static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t first;
-    int64_t last;
-    double time;
-    double rest;
     double best;
     array_double_2d check;
     first = INT64_C(400);
-    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1e+300;
-    if ((order == INT64_C(1)) && ((*cspan_at(&lead, INT64_C(7), INT64_C(4))) < 1e+299))
-    {
-        last = settle_over_level(row, lead, timing, coefficients);
-    }
-    else
-    {
-        last = settle(order, row, lead, timing, coefficients);
-    }
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    time = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
-    if (order == INT64_C(2))
-    {
-        rest = profile_time(lead);
-        if (rest < 0.0)
-        {
-            return 0;
-        }
-        time = time + rest;
-    }
-    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = time;
     best = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(9), INT64_C(2))))))
+    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(9), INT64_C(3))))))
     {
         return 0;
     }
@@ -16865,8 +16884,45 @@ static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_d
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1.0 - 1e-12;
     return 1;
+}
+static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double time;
+    double rest;
+    bool result;
+    last = settle(order, row, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    time = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
+    if (order == INT64_C(2))
+    {
+        rest = profile_time(lead);
+        if (rest < 0.0)
+        {
+            return 0;
+        }
+        time = time + rest;
+    }
+    result = keep_better(last, time, limits, lead, timing, coefficients);
+    return result;
+}
+static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double time;
+    last = settle_over_level(order, level, least, INT64_C(400), lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    time = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
+    keep_better(last, time, limits, lead, timing, coefficients);
+    return time;
 }
 static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -16933,7 +16989,7 @@ static int64_t first_free_stage(int64_t order)
 {
     if (order == INT64_C(1))
     {
-        return INT64_C(3);
+        return order + INT64_C(2);
     }
     return order;
 }
@@ -17026,64 +17082,129 @@ static void search_pairs(int64_t order, array_double_1d limits, array_double_2d 
         }
     }
 }
-static double try_level(double level, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    double bound;
-    double result;
-    bound = (*cspan_at(&lead, INT64_C(5), INT64_C(4)));
-    soonest_ends(INT64_C(1), lead);
-    (*cspan_at(&lead, INT64_C(7), INT64_C(4))) = span_min(span_max(level, -bound), bound);
-    try_lead(INT64_C(1), INT64_C(400), limits, lead, timing, coefficients);
-    result = (*cspan_at(&lead, INT64_C(9), INT64_C(3)));
-    return result;
-}
-static void search_levels(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    double best;
+    int64_t stage;
+    double kept;
     double least;
+    int64_t count;
     int64_t i;
     double level;
     double time;
-    double step;
-    double around;
-    int64_t side;
-    bound = (*cspan_at(&lead, INT64_C(5), INT64_C(4)));
-    best = (*cspan_at(&lead, INT64_C(1), INT64_C(4)));
-    least = try_level(best, limits, lead, timing, coefficients);
-    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    double found;
+    stage = level_order(order, lead);
+    kept = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
+    least = 1e+300;
+    if ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0)
     {
-        level = 0.25 * i * bound;
-        time = try_level(level, limits, lead, timing, coefficients);
+        least = 1.2 * (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
+    }
+    found = 1e+300;
+    count = INT64_C(6);
+    if ((*cspan_at(&lead, INT64_C(45), INT64_C(0))) > 4.5)
+    {
+        count = INT64_C(24);
+    }
+    for (i = (-count) - INT64_C(1); i < count + INT64_C(1); i += INT64_C(1))
+    {
+        level = kept;
+        if (i >= -count)
+        {
+            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(5), stage));
+        }
+        time = try_level(order, level, least, limits, lead, timing, coefficients);
         if (time < least)
         {
             least = time;
-            best = level;
+            found = time;
+            (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = level;
         }
     }
-    step = 0.125 * bound;
-    for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+    return found;
+}
+static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    double step;
+    int64_t i;
+    double around;
+    int64_t side;
+    double level;
+    double time;
+    bound = (*cspan_at(&lead, INT64_C(5), level_order(order, lead)));
+    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(9), INT64_C(2)))) + 0.005 * bound;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        if (least > 1e+299)
-        {
-            break;
-        }
-        around = best;
+        around = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
-            level = around + step * (INT64_C(1) - INT64_C(2) * side);
-            time = try_level(level, limits, lead, timing, coefficients);
+            level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
+            time = try_level(order, level, least, limits, lead, timing, coefficients);
             if (time < least)
             {
                 least = time;
-                best = level;
+                (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = level;
             }
         }
-        if (best == around)
+        if ((*cspan_at(&lead, INT64_C(9), INT64_C(2))) == around)
         {
             step = 0.5 * step;
         }
     }
+}
+static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double steep;
+    double found;
+    double highest;
+    int64_t i;
+    double before;
+    double level;
+    steep = 1.0;
+    found = 1e+300;
+    highest = (*cspan_at(&lead, INT64_C(45), INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = (*cspan_at(&lead, INT64_C(1), level_order(order, lead)));
+    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1.0 - 1e-12;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        set_limits(steep, lead);
+        before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
+        if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
+        {
+            found = search_grid(order, limits, lead, timing, coefficients);
+        }
+        else
+        {
+            level = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
+            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
+        }
+        if (found < 1e+299)
+        {
+            improve_level(order, found, limits, lead, timing, coefficients);
+        }
+        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) == before))
+        {
+            break;
+        }
+        (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 0.99;
+        steep = 10.0 * steep;
+    }
+}
+static bool permits_levels(int64_t order, array_double_2d lead)
+{
+    array_double_1d target;
+    bool resting;
+    target = span_row(&lead, INT64_C(10));
+    if (((*cspan_at(&lead, INT64_C(45), INT64_C(0))) < 3.5) || is_settled(lead))
+    {
+        return 0;
+    }
+    if (level_order(order, lead) == INT64_C(0))
+    {
+        return 0;
+    }
+    resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
+    return (order == INT64_C(1)) || resting;
 }
 static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -17096,7 +17217,7 @@ static void search_stages(int64_t order, array_double_1d limits, array_double_2d
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 0.99;
+        (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 0.99;
         before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
         if (before >= 0.0)
         {
@@ -17119,34 +17240,6 @@ static void search_stages(int64_t order, array_double_1d limits, array_double_2d
         if ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0)
         {
             improve_ends(order, limits, lead, timing, coefficients);
-        }
-    }
-}
-static void search_lead(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    bool levels;
-    double steep;
-    int64_t i;
-    double before;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
-    search_stages(order, limits, lead, timing, coefficients);
-    levels = (order == INT64_C(1)) && (smoothness > INT64_C(4));
-    if (levels && (!is_settled(lead)))
-    {
-        steep = 1.0;
-        (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 1.0 - 1e-12;
-        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-        {
-            set_limits(steep, lead);
-            before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-            search_levels(limits, lead, timing, coefficients);
-            if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) == before))
-            {
-                break;
-            }
-            (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 0.99;
-            steep = 10.0 * steep;
         }
     }
 }
@@ -17224,11 +17317,12 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
         }
     }
 }
-bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
     int64_t shape;
     int64_t i;
+    double time;
     bool result;
     (*cspan_at(&lead, INT64_C(9), INT64_C(0))) = -1.0;
     (*cspan_at(&lead, INT64_C(9), INT64_C(1))) = 0.0;
@@ -17251,9 +17345,18 @@ bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets
     {
         (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
     }
-    search_lead(order, limits, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = 1.0 - 1e-12;
+    search_stages(order, limits, lead, timing, coefficients);
+    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1.0 - 1e-12;
     follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    time = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
+    if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
+    {
+        search_levels(order, limits, lead, timing, coefficients);
+    }
     result = (*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0;
     return result;
 }

@@ -89,7 +89,7 @@ SEGFMU_API int64_t segfmu_judge_start(array_double_1d state, array_double_1d ref
 SEGFMU_API int64_t segfmu_check_start_rope(double length, double shortest, double longest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, double step);
 SEGFMU_API int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
-SEGFMU_API bool segfmu_find_lead(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+SEGFMU_API bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 SEGFMU_API double segfmu_same_break(double time);
 SEGFMU_API double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 SEGFMU_API double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);

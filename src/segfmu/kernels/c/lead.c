@@ -2,6 +2,7 @@
 #include "lead.h"
 
 #include <math.h>
+#include <string.h>
 
 /* of velocity and acceleration at the end of a plan, relative to their limits */
 static const double ROUNDING = 1e-11;
@@ -19,7 +20,8 @@ size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int6
     const int64_t piece = TIMING_SIZE + 2 * smoothness;
     const int64_t cells = (points - 1) * axes;
     const int64_t lists = 5 * (rows * piece + axes + 1);
-    const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + 2 * LEAD_ROWS_PIECES * piece;
+    const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + 2 * LEAD_ROWS_PIECES * piece
+        + 2 * axes;
     const int64_t planned = points * axes * (DELAYED_STATE_SIZE + smoothness + 1)
         + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE + cells * CELL_SIZE * CELL_COLUMNS
         + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS + EXPANSION_SIZE * EXPANSION_COLUMNS
@@ -99,17 +101,15 @@ void segfmu_rest_end(const replanning *t, int64_t axis, double *end)
     end[DELAYED_STATE_DELAY] = when[TIMING_START] + length;
 }
 
-static void append(piece_list *list, int64_t *count, const double *timing,
-                   const double *coefficients, int64_t rows)
+/* Copy pieces to row `to` of a list. */
+static void copy_rows(piece_list *list, int64_t to, const double *timing,
+                      const double *coefficients, int64_t rows)
 {
     const int64_t width = list->coefficients.shape[1];
-    for (int64_t i = 0; i < rows * TIMING_SIZE; i++) {
-        list->timing.data[*count * TIMING_SIZE + i] = timing[i];
-    }
-    for (int64_t i = 0; i < rows * width; i++) {
-        list->coefficients.data[*count * width + i] = coefficients[i];
-    }
-    *count += rows;
+    memmove(list->timing.data + to * TIMING_SIZE, timing,
+            (size_t)(rows * TIMING_SIZE) * sizeof *timing);
+    memmove(list->coefficients.data + to * width, coefficients,
+            (size_t)(rows * width) * sizeof *coefficients);
 }
 
 int segfmu_ends_at_velocity(
@@ -123,65 +123,115 @@ int segfmu_ends_at_velocity(
                                                          + DELAYED_STATE_DELAY]);
 }
 
-/* A lead of one axis to a target in the row BEST of work (LeadWork); 0 if there is none. */
-static int find_one(replanning *t, int64_t order, int64_t axis, const double *target,
-                    array_double_2d work, array_double_2d timing, array_double_2d coefficients)
+/* What the leads of all axes are searched with. */
+typedef struct {
+    int64_t order, shape;
+    const double *targets;
+    array_double_2d work, timing, coefficients;
+} lead_search;
+
+/* A lead of one axis, from row `to` of t->leads on; the number of its pieces, -1: there is none.
+   It goes over levels if others take longer than `within`. */
+static int64_t find_one(replanning *t, const lead_search *s, int64_t axis, double within,
+                        int64_t to)
 {
     const int64_t width = t->smoothness + 1;
-    double *now = work.data + LEAD_WORK_NOW * LEAD_WORK_COLUMNS;
-    double *aim = work.data + LEAD_WORK_TARGET * LEAD_WORK_COLUMNS;
-    const double *reached = work.data + LEAD_WORK_REACHED * LEAD_WORK_COLUMNS;
-    double *end = t->ends + axis * DELAYED_STATE_SIZE;
+    const double *target = s->targets + axis * width;
+    double *now = s->work.data + LEAD_WORK_NOW * LEAD_WORK_COLUMNS;
+    double *aim = s->work.data + LEAD_WORK_TARGET * LEAD_WORK_COLUMNS;
+    const double *reached = s->work.data + LEAD_WORK_REACHED * LEAD_WORK_COLUMNS;
+    const double *best = s->work.data + LEAD_WORK_BEST * LEAD_WORK_COLUMNS;
+    double *end = t->ends + axis * DELAYED_STATE_SIZE, last[DELAYED_STATE_SIZE];
     for (int64_t i = 0; i < width; i++) {
         now[i] = t->now[axis * width + i];
     }
     aim[PROBLEM_DISTANCE] = target[WAYPOINT_STATE_POSITION];
     aim[PROBLEM_W] = target[WAYPOINT_STATE_VELOCITY];
     aim[PROBLEM_B] = target[WAYPOINT_STATE_ACCELERATION];
+    s->work.data[LEAD_WORK_AXIS * LEAD_WORK_COLUMNS + AXIS_SHAPE] = (double)s->shape;
     int found = segfmu_find_lead(
-        order, axis, t->rest.offsets, t->rest.timing, t->rest.coefficients,
-        span_row(&t->limits, axis), work, timing, coefficients);
+        s->order, within, axis, t->rest.offsets, t->rest.timing, t->rest.coefficients,
+        span_row(&t->limits, axis), s->work, s->timing, s->coefficients);
     for (int64_t i = 0; i < STATE; i++) {
         end[i] = reached[i];
     }
     end[DELAYED_STATE_DELAY] = reached[CHAIN_TIME];
-    return found;
+    segfmu_rest_end(t, axis, last);
+    if (s->order == TO_VELOCITY && segfmu_ends_at_velocity(t, axis, target, last, found)) {
+        const int64_t first = t->rest.offsets.data[axis];
+        const int64_t rows = t->rest.offsets.data[axis + 1] - first;
+        memcpy(end, last, sizeof last);
+        copy_rows(&t->leads, to, t->rest.timing.data + first * TIMING_SIZE,
+                  t->rest.coefficients.data + first * 2 * t->smoothness, rows);
+        return rows;
+    }
+    if (!found) {
+        return -1;
+    }
+    copy_rows(&t->leads, to, s->timing.data, s->coefficients.data, (int64_t)best[LEAD_COUNT]);
+    return (int64_t)best[LEAD_COUNT];
 }
 
-int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double *targets)
+/* Leads of axes that meet at the targets after the time `latest` or later: only those that are late
+   make haste, so that the planner can slow the others down. */
+static int64_t find_meeting(replanning *t, const lead_search *s, double latest, double *space)
+{
+    double *times = take(&space, t->axes), *counts = take(&space, t->axes);
+    const double *time = s->work.data + LEAD_WORK_BEST * LEAD_WORK_COLUMNS + LEAD_TIME;
+    for (int64_t axis = 0; axis < t->axes; axis++) {
+        const int64_t rows = find_one(t, s, axis, INFINITY, axis * LEAD_ROWS_PIECES);
+        if (rows < 0) {
+            return axis;
+        }
+        counts[axis] = (double)rows;
+        times[axis] = *time;
+    }
+    for (int64_t i = 0; i < t->axes; i++) {
+        int64_t last = 0;
+        for (int64_t axis = 1; axis < t->axes; axis++) {
+            last = times[axis] > times[last] ? axis : last;
+        }
+        if (times[last] <= latest) {
+            break;
+        }
+        counts[last] = (double)find_one(t, s, last, latest, last * LEAD_ROWS_PIECES);
+        latest = span_max(latest, *time);
+        times[last] = -1.0;
+    }
+    for (int64_t axis = 0; axis < t->axes; axis++) {
+        const int64_t from = axis * LEAD_ROWS_PIECES, to = t->leads.offsets.data[axis];
+        const int64_t width = t->leads.coefficients.shape[1], rows = (int64_t)counts[axis];
+        copy_rows(&t->leads, to, t->leads.timing.data + from * TIMING_SIZE,
+                  t->leads.coefficients.data + from * width, rows);
+        t->leads.offsets.data[axis + 1] = to + rows;
+    }
+    return -1;
+}
+
+int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, double meeting,
+                          const double *targets)
 {
     const int64_t n = t->smoothness, rows = 2 * LEAD_ROWS_PIECES;
     double *space = t->space;
-    array_double_2d work = matrix(take(&space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS),
-                                  LEAD_WORK_SIZE, LEAD_WORK_COLUMNS);
-    array_double_2d timing = matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE);
-    array_double_2d coefficients = matrix(take(&space, rows * 2 * n), rows, 2 * n);
-    int64_t count = 0;
+    lead_search s = {order, shape, targets,
+                     matrix(take(&space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS), LEAD_WORK_SIZE,
+                            LEAD_WORK_COLUMNS),
+                     matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE),
+                     matrix(take(&space, rows * 2 * n), rows, 2 * n)};
     for (int64_t i = 0; i < LEAD_WORK_SIZE * LEAD_WORK_COLUMNS; i++) {
-        work.data[i] = 0.0;
+        s.work.data[i] = 0.0;
     }
-    const double *best = work.data + LEAD_WORK_BEST * LEAD_WORK_COLUMNS;
     t->leads.offsets.data[0] = 0;
+    if (meeting >= 0.0 && t->axes > 1) {
+        return find_meeting(t, &s, meeting, space);
+    }
     for (int64_t axis = 0; axis < t->axes; axis++) {
-        const double *target = targets + axis * (n + 1);
-        double *end = t->ends + axis * DELAYED_STATE_SIZE, last[DELAYED_STATE_SIZE];
-        work.data[LEAD_WORK_AXIS * LEAD_WORK_COLUMNS + AXIS_SHAPE] = (double)shape;
-        int found = find_one(t, order, axis, target, work, timing, coefficients);
-        segfmu_rest_end(t, axis, last);
-        if (order == TO_VELOCITY && segfmu_ends_at_velocity(t, axis, target, last, found)) {
-            const int64_t first = t->rest.offsets.data[axis];
-            for (int64_t i = 0; i < DELAYED_STATE_SIZE; i++) {
-                end[i] = last[i];
-            }
-            append(&t->leads, &count, t->rest.timing.data + first * TIMING_SIZE,
-                   t->rest.coefficients.data + first * 2 * n,
-                   t->rest.offsets.data[axis + 1] - first);
-        } else if (found) {
-            append(&t->leads, &count, timing.data, coefficients.data, (int64_t)best[LEAD_COUNT]);
-        } else {
+        const int64_t to = t->leads.offsets.data[axis];
+        const int64_t count = find_one(t, &s, axis, span_max(meeting, 0.0), to);
+        if (count < 0) {
             return axis;
         }
-        t->leads.offsets.data[axis + 1] = count;
+        t->leads.offsets.data[axis + 1] = to + count;
     }
     return -1;
 }

@@ -42,8 +42,11 @@ void segfmu_rest_end(const replanning *t, int64_t axis, double *end);
 int segfmu_ends_at_velocity(
     const replanning *t, int64_t axis, const double *target, const double *end, int found);
 
-/* The leads of all axes to targets (k, n + 1); the first axis that has none, or -1. */
-int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, const double *targets);
+/* The leads of all axes to targets (k, n + 1); the first axis that has none, or -1.
+   meeting >= 0: the axes meet at the targets, after this time or later; else each is as fast as it
+   can. */
+int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, double meeting,
+                          const double *targets);
 
 /* Show pieces as the trajectory, judged; states (m, k, n + 1), times (m + 1, k). */
 int segfmu_judge_pieces(

@@ -2449,6 +2449,7 @@ static PyObject *call_find_lead(
     arguments call = {.function = "find_lead", .values = values};
     PyObject *answer = NULL;
     int64_t in_order;
+    double in_within;
     int64_t in_axis;
     Py_buffer *in_plan_offsets;
     Py_buffer *in_plan_timing;
@@ -2458,16 +2459,17 @@ static PyObject *call_find_lead(
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     (void)self;
-    if (take_count(&call, count, 9)
+    if (take_count(&call, count, 10)
         && take_int(&call, 0, &in_order)
-        && take_int(&call, 1, &in_axis)
-        && (in_plan_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && (in_plan_timing = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_plan_coefficients = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_lead = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 8, 2, 'd', true)) != NULL
+        && take_float(&call, 1, &in_within)
+        && take_int(&call, 2, &in_axis)
+        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 6, 1, 'd', false)) != NULL
+        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
         && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
         && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
@@ -2483,6 +2485,7 @@ static PyObject *call_find_lead(
         && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_axis + 2), 0, in_plan_timing->shape[0])) {
         answer = PyBool_FromLong(segfmu_find_lead(
             in_order,
+            in_within,
             in_axis,
             (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
             (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},

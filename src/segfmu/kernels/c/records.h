@@ -924,8 +924,9 @@ enum {
     PASSING_TARGET = 5,
     PASSING_REVERSED = 6,
     PASSING_START = 7,
-    PASSING_SETTLED = 8,
-    PASSING_SIZE = 9
+    PASSING_JERK = 8,
+    PASSING_SETTLED = 9,
+    PASSING_SIZE = 10
 };
 
 enum {
@@ -1346,15 +1347,14 @@ enum {
 
 enum {
     LEAD_STAGE_VELOCITY = 1,
-    LEAD_STAGE_JERK = 3,
-    LEAD_STAGE_SNAP = 4
+    LEAD_STAGE_ACCELERATION = 2
 };
 
 enum {
     LEAD_TIME = 0,
     LEAD_COUNT = 1,
-    LEAD_GAIN = 2,
-    LEAD_TRIED = 3,
+    LEAD_LEVEL = 2,
+    LEAD_GAIN = 3,
     LEAD_SIZE = 4
 };
 

@@ -2,7 +2,7 @@
 #include "lead.h"
 
 /* a plan to the same target replaces the rest of the old one if it takes less than this share */
-static const double SHORTER = 0.99;
+static const double SHORTER = 0.95;
 /* of times, which nothing but rounding changes, relative */
 static const double SAME_TIME = 1e-12;
 
@@ -72,7 +72,19 @@ static int plan_behind(replanning *t, const segfmu_problem *p, double *full, dou
     }
     /* with rounding errors in its velocity an axis at rest would count as moving */
     segfmu_settle_states(cuboid(t->ends, 1, t->axes, DELAYED_STATE_SIZE), t->limits);
-    return plan_after(t, p, full, times, t->space, trajectory);
+    int status = plan_after(t, p, full, times, t->space, trajectory);
+    if (status == PLAN_STATUS_CHECK_FAILED) {
+        /* rounding errors of a whole motion may be large against what is left of it */
+        double *space = t->space, *ends = take(&space, t->axes * STATE);
+        for (int64_t axis = 0; axis < t->axes; axis++) {
+            memcpy(ends + axis * STATE, t->ends + axis * DELAYED_STATE_SIZE, STATE * sizeof *ends);
+        }
+        segfmu_anchor_plan(matrix(ends, t->axes, STATE), t->limits, t->leads.timing,
+                           t->leads.coefficients, t->leads.offsets);
+        segfmu_start_states(&t->leads, t->smoothness, full);
+        status = plan_after(t, p, full, times, t->space, trajectory);
+    }
+    return status;
 }
 
 /* Whether two states of an axis are the same within the tolerance of a plan that takes `clock`. */
@@ -127,16 +139,20 @@ static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double tim
     for (int64_t axis = 0; axis < k; axis++) {
         segfmu_rest_end(t, axis, end);
         stops[axis] = end[DELAYED_STATE_DELAY];
-        const double together = p->duration > 0.0 ? p->duration : stops[0];
-        const int meets = p->synchronization != SYNCHRONIZATION_NONE || p->duration > 0.0;
         if (!same_state(t, axis, old->duration, end, targets + axis * (t->smoothness + 1))
-            || fabs(old->ends[axis] - arrivals[axis] - p->dwells[1]) > same
-            || (meets && fabs(stops[axis] - together) > same)) {
+            || fabs(old->ends[axis] - arrivals[axis] - p->dwells[1]) > same) {
             return 0;
         }
         begun = begun || (p->dwells[1] > 0.0 && arrivals[axis] < time);
     }
     rest_in_dwell(t, begun, p->dwells[1], times);
+    const int meets = p->synchronization != SYNCHRONIZATION_NONE || p->duration > 0.0;
+    const double together = p->duration > 0.0 ? p->duration : stops[0];
+    for (int64_t axis = 0; axis < k && meets; axis++) {
+        if (fabs(stops[axis] - together) > same) {
+            return 0;
+        }
+    }
     return 1;
 }
 
@@ -195,7 +211,9 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
     }
     const int moves = status == PLAN_STATUS_PLANNED;
     const double *targets = full + k * (t.smoothness + 1);
-    if (moves && segfmu_find_leads(&t, TO_PLAN, problem->shape, targets) >= 0) {
+    const int apart = problem->synchronization == SYNCHRONIZATION_NONE && problem->duration == 0.0;
+    const double meeting = apart ? -1.0 : problem->duration;
+    if (moves && segfmu_find_leads(&t, TO_PLAN, problem->shape, meeting, targets) >= 0) {
         status = PLAN_STATUS_NO_PROFILE;
     } else if (moves) {
         status = plan_after(&t, problem, full, times, t.space, trajectory);

@@ -28,7 +28,7 @@ SEGFMU_API size_t segfmu_replan_size(
              Consecutive waypoints differ.
 
    All options of the problem hold for a new plan. If the problem has one more waypoint, what is left
-   of the trajectory is kept unless a new plan is shorter by 1 %. It must do what the problem asks:
+   of the trajectory is kept unless a new plan is shorter by 5 %. It must do what the problem asks:
 
    - It ends in the position, velocity and acceleration of that waypoint, to 1e-9 (relative).
    - dwells[1] is the trajectory's own last dwell. Once an axis has begun it, what is left of it

@@ -111,7 +111,7 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     if (status != PLAN_STATUS_PLANNED) {
         return status;
     }
-    const int64_t failed = segfmu_find_leads(&t, TO_VELOCITY, SHAPE_PLATEAU, targets);
+    const int64_t failed = segfmu_find_leads(&t, TO_VELOCITY, SHAPE_PLATEAU, -1.0, targets);
     if (failed >= 0) {
         trajectory->report[REFUSAL_AXIS] = (double)failed;
         return PLAN_STATUS_NO_PROFILE;

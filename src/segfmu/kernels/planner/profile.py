@@ -260,6 +260,7 @@ def passing_either_way(
     ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
     passing = work[PlanWork.PASSING, :]
     passing[Passing.START] = 0.0
+    passing[Passing.JERK] = 0.0
     copy_phases(phases, ramps, count)
     longest = total_duration(ramps, count) * (1.0 - 1e-9)
     whole = longest

@@ -198,6 +198,9 @@ def run_sequence(
         nodes[0, Node.STATE + k] = 0.0
     nodes[0, Node.STATE + 1] = problem[Problem.V]
     nodes[0, Node.STATE + 2] = problem[Problem.A]
+    jerk = Node.STATE + 3
+    if passing[Passing.ABOVE] > 1.5:
+        nodes[0, jerk] = passing[Passing.JERK]
     row = 0
     for i in range(int(passing[Passing.COUNT]) + 1):
         row = follow_node(i, row, problem, passing, axis, nodes, residual)

@@ -1,13 +1,14 @@
 """The lead of one axis: from any state to one from which the planner goes on, or to a velocity.
 
-Two kinds are tried: settling at once (search.py), and following an old plan to the end of one of
-its ramps, where all derivatives above the acceleration are zero, and settling there.
+Settling at once is tried (search.py), and following an old plan to the end of one of its ramps,
+where all derivatives above the acceleration are zero, and settling there. Where both take too long,
+leads over a level are tried (level.py).
 """
 
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
-from segfmu.kernels.settling.search import search_lead
+from segfmu.kernels.settling.search import permits_levels, search_levels, search_stages
 from segfmu.kernels.settling.trial import try_lead
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -70,6 +71,7 @@ def follow_plan(
 
 def find_lead(
     order: int,
+    within: float,
     axis: int,
     plan_offsets: 'int[:]',
     plan_timing: 'float[:,:]',
@@ -85,6 +87,9 @@ def find_lead(
     2 where the planner goes on to the position there. The caller sets that row, the state in the
     row NOW, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1}, 0 where absent.
     The plan to follow has no pieces where there is none; its times count from now on.
+
+    A lead that takes longer than `within` [s], to the target, is searched for over levels as well.
+    With the order 2 the target is where that one ends; nothing is left to be slowed down.
 
     Written: the rows REACHED and BEST, and pieces from the first row on of timing and coefficients,
     which have twice LeadRows.PIECES rows.
@@ -104,10 +109,15 @@ def find_lead(
         lead[LeadWork.ROUNDING, i] = rounding_error(i, limits)
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
-    search_lead(order, limits, lead, timing, coefficients)
+    search_stages(order, limits, lead, timing, coefficients)
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
     follow_plan(
         order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
         coefficients,
     )
+    for i in range(Chain.SIZE):
+        lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
+    time = lead[LeadWork.BEST, Lead.TIME]
+    if (time < 0.0 or time > within) and permits_levels(order, lead):
+        search_levels(order, limits, lead, timing, coefficients)
     return lead[LeadWork.BEST, Lead.TIME] >= 0.0

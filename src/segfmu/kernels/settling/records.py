@@ -19,11 +19,10 @@ class Ends(Record):
 
 
 class LeadStage(Codes):
-    """Orders of stages: of the derivatives that they lead to a value."""
+    """Orders of last stages: of the derivatives that they lead to a value."""
 
     VELOCITY = 1
-    JERK = 3
-    SNAP = 4
+    ACCELERATION = 2
 
 
 class Lead(Record):
@@ -31,8 +30,8 @@ class Lead(Record):
 
     TIME = field("from its start to the target, -1: there is none", "s")
     COUNT = field("number of its pieces")
+    LEVEL = field("level of the best one that goes over a level")
     GAIN = field("a lead is better if it takes less than this share of its time")
-    TRIED = field("time of the one that was tried last; 1e300: it fails", "s")
 
 
 class LeadRows(Codes):
@@ -47,7 +46,7 @@ class LeadWork(Record):
     NOW = field("state at the start", of=Chain)
     START = field("state from which the axis settles: at the start, or later in a plan", of=Chain)
     STATE = field("state that is reached", of=Chain)
-    LEVEL = field("state at a level of the snap", of=Chain)
+    LEVEL = field("state at a level", of=Chain)
     REACHED = field("state that the best lead reaches", of=Chain)
     LIMITS = field("limits by order; natural ones where there are none", of=Chain)
     ROUNDING = field("rounding errors by order", of=Chain)

@@ -3,12 +3,19 @@
 The last stage of a lead that ends at a velocity (order 1) leads to it; a lead to where the planner
 takes over (order 2) may end at any acceleration, and the planner's profile belongs to its time. All
 other ends are free. The search starts from the soonest ends, goes to the level that the following
-profile wants first, over a grid, and refines by halved steps.
+profile wants first, over a grid, and refines by halved steps. That for a level does the same.
 """
 
-from segfmu.kernels.planner.records import Axis, Phase
+from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
-from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, try_lead
+from segfmu.kernels.settling.trial import (
+    is_settled,
+    set_limits,
+    soonest_ends,
+    try_lead,
+    try_level,
+)
 
 
 def try_end(
@@ -87,7 +94,7 @@ def search_ends(
 def first_free_stage(order: int) -> int:
     """The last stage whose end is free."""
     if order == LeadStage.VELOCITY:
-        return LeadStage.JERK
+        return order + 2
     return order
 
 
@@ -146,74 +153,103 @@ def search_pairs(
             try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
 
 
-def try_level(
-    level: float,
+def search_grid(
+    order: int,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
-    """`try_lead` over a level of the snap; its time [s], 1e300 where it fails."""
-    bound = lead[LeadWork.LIMITS, LeadStage.SNAP]
-    soonest_ends(LeadStage.VELOCITY, lead)
-    lead[LeadWork.ENDS, LeadStage.SNAP] = min(max(level, -bound), bound)
-    try_lead(LeadStage.VELOCITY, LeadRows.PIECES, limits, lead, timing, coefficients)
-    return lead[LeadWork.BEST, Lead.TRIED]
+    """Search for the shortest lead over a level on a grid, and at the one before; its time [s].
 
-
-def search_levels(
-    limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
-) -> None:
-    """Search for the shortest lead over a level of the snap: over a grid, then by halved steps."""
-    bound = lead[LeadWork.LIMITS, LeadStage.SNAP]
-    best = lead[LeadWork.START, LeadStage.SNAP]
-    least = try_level(best, limits, lead, timing, coefficients)
-    for i in range(-4, 5):
-        level = 0.25 * i * bound
-        time = try_level(level, limits, lead, timing, coefficients)
+    1e300: there is none.
+    """
+    stage = level_order(order, lead)
+    kept = lead[LeadWork.BEST, Lead.LEVEL]
+    least = 1e300
+    if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
+        # halved steps do not gain more
+        least = 1.2 * lead[LeadWork.BEST, Lead.TIME]
+    found = 1e300
+    # with limits above the snap the time jumps more often
+    count = 6
+    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] > 4.5:
+        count = 24
+    for i in range(-count - 1, count + 1):
+        level = kept
+        if i >= -count:
+            level = near_zero(12.0 * i / count) * lead[LeadWork.LIMITS, stage]
+        time = try_level(order, level, least, limits, lead, timing, coefficients)
         if time < least:
             least = time
-            best = level
-    step = 0.125 * bound
-    for i in range(12):
-        if least > 1e299:
-            break
-        around = best
+            found = time
+            lead[LeadWork.BEST, Lead.LEVEL] = level
+    return found
+
+
+def improve_level(
+    order: int,
+    least: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Improve the level of a lead that takes `least` [s] by halved steps."""
+    bound = lead[LeadWork.LIMITS, level_order(order, lead)]
+    step = 0.15 * abs(lead[LeadWork.BEST, Lead.LEVEL]) + 0.005 * bound
+    for i in range(8):
+        around = lead[LeadWork.BEST, Lead.LEVEL]
         for side in range(2):
-            level = around + step * (1 - 2 * side)
-            time = try_level(level, limits, lead, timing, coefficients)
+            level = min(max(around + step * (1 - 2 * side), -bound), bound)
+            time = try_level(order, level, least, limits, lead, timing, coefficients)
             if time < least:
                 least = time
-                best = level
-        if best == around:
+                lead[LeadWork.BEST, Lead.LEVEL] = level
+        if lead[LeadWork.BEST, Lead.LEVEL] == around:
             step = 0.5 * step
 
 
-def search_lead(
+def search_levels(
     order: int,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """Search for the best lead from the row START.
+    """`search_stages`, but over levels; shorter leads alone are kept."""
+    steep = 1.0
+    found = 1e300
+    highest = lead[LeadWork.AXIS, Axis.SMOOTHNESS]
+    lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+    for i in range(4):
+        set_limits(steep, lead)
+        before = lead[LeadWork.BEST, Lead.TIME]
+        # with limits above the snap other levels are best where derivatives may be larger
+        if found > 1e299 or (i == 1 and highest > 4.5):
+            found = search_grid(order, limits, lead, timing, coefficients)
+        else:
+            level = lead[LeadWork.BEST, Lead.LEVEL]
+            found = try_level(order, level, 1e300, limits, lead, timing, coefficients)
+        if found < 1e299:
+            improve_level(order, found, limits, lead, timing, coefficients)
+        if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
+            break
+        lead[LeadWork.BEST, Lead.GAIN] = 0.99
+        steep = 10.0 * steep
 
-    Derivatives that nothing limits are raised as long as that shortens it by more than 1 %.
-    """
-    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
-    search_stages(order, limits, lead, timing, coefficients)
-    levels = order == LeadStage.VELOCITY and smoothness > LeadStage.SNAP
-    if levels and not is_settled(lead):
-        steep = 1.0
-        lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
-        for i in range(4):
-            set_limits(steep, lead)
-            before = lead[LeadWork.BEST, Lead.TIME]
-            search_levels(limits, lead, timing, coefficients)
-            if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
-                break
-            lead[LeadWork.BEST, Lead.GAIN] = 0.99
-            steep = 10.0 * steep
+
+def permits_levels(order: int, lead: 'float[:,:]') -> bool:
+    """Whether leads over a level are searched for."""
+    target = lead[LeadWork.TARGET, :]
+    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] < 3.5 or is_settled(lead):
+        return False
+    if level_order(order, lead) == 0:
+        return False
+    # behind such a lead the planner has nothing left to prolong but rest
+    resting = target[Problem.W] == 0.0 and target[Problem.B] == 0.0
+    return order == LeadStage.VELOCITY or resting
 
 
 def search_stages(
@@ -223,7 +259,10 @@ def search_stages(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """`search_lead` by the ends of stages."""
+    """Search for the best lead from the row START by the ends of stages.
+
+    Derivatives that nothing limits are raised as long as that shortens it by more than 1 %.
+    """
     steep = 1.0
     for i in range(4):
         set_limits(steep, lead)

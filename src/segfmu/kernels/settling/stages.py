@@ -69,7 +69,8 @@ def append_phases(
     now[PieceState.POSITION] = state[seen]
     now[PieceState.VELOCITY] = state[seen + 1]
     now[PieceState.ACCELERATION] = state[seen + 2]
-    now[PieceState.JERK] = 0.0
+    third = seen + 3
+    now[PieceState.JERK] = state[third]
     now[PieceState.TIME] = state[Chain.TIME]
     phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
     last = expand_phases(phases, count, chain, timing, coefficients, row, expansion)

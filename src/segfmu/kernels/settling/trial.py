@@ -86,33 +86,16 @@ def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
     return True
 
 
-def try_lead(
-    order: int,
-    row: int,
+def keep_better(
+    last: int,
+    time: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
-    """Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.
-
-    Rows of the second half before `row` belong to the lead as they are.
-    """
+    """Keep a lead that takes `time` [s] and ends before the row `last`, if it is the best one."""
     first = LeadRows.PIECES
-    lead[LeadWork.BEST, Lead.TRIED] = 1e300
-    if order == LeadStage.VELOCITY and lead[LeadWork.ENDS, LeadStage.SNAP] < 1e299:
-        last = settle_over_level(row, lead, timing, coefficients)
-    else:
-        last = settle(order, row, lead, timing, coefficients)
-    if last < 0:
-        return False
-    time = lead[LeadWork.STATE, Chain.TIME]
-    if order == 2:
-        rest = profile_time(lead)
-        if rest < 0.0:
-            return False
-        time = time + rest
-    lead[LeadWork.BEST, Lead.TRIED] = time
     best = lead[LeadWork.BEST, Lead.TIME]
     if best >= 0.0 and not time < best * lead[LeadWork.BEST, Lead.GAIN]:
         return False
@@ -125,3 +108,48 @@ def try_lead(
     keep_lead(last, time, lead, timing, coefficients)
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
     return True
+
+
+def try_lead(
+    order: int,
+    row: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> bool:
+    """Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.
+
+    Rows of the second half before `row` belong to the lead as they are.
+    """
+    last = settle(order, row, lead, timing, coefficients)
+    if last < 0:
+        return False
+    time = lead[LeadWork.STATE, Chain.TIME]
+    if order == LeadStage.ACCELERATION:
+        rest = profile_time(lead)
+        if rest < 0.0:
+            return False
+        time = time + rest
+    return keep_better(last, time, limits, lead, timing, coefficients)
+
+
+def try_level(
+    order: int,
+    level: float,
+    least: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """Settle over a level in less than `least` [s]; its time, 1e300 if it fails.
+
+    The lead is kept if it is the best one so far.
+    """
+    last = settle_over_level(order, level, least, LeadRows.PIECES, lead, timing, coefficients)
+    if last < 0:
+        return 1e300
+    time = lead[LeadWork.STATE, Chain.TIME]
+    keep_better(last, time, limits, lead, timing, coefficients)
+    return time
