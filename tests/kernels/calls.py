@@ -186,7 +186,7 @@ def trajectory_calls() -> dict[str, Call]:
             np.zeros(4, dtype=np.int64),
         ),
         "check_plan": (
-            states, np.vstack([times, ends]), *pieces, bounds, 1e-9,
+            states, np.vstack([times, ends]), *pieces, bounds, 1e-9, 5e-10,
             zeros(Check.SIZE, Check.COLUMNS),
         ),
         "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),

@@ -336,6 +336,7 @@ def check_plan(
     offsets: Integers,
     limits: Floats,
     tolerance: float,
+    joints: float,
     work: Floats,
     /,
 ) -> int: ...

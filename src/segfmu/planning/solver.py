@@ -106,7 +106,7 @@ def judged(
     """
     wrong = backend.check_plan(
         states, times, pieces.timing, pieces.coefficients, pieces.offsets, request.problem.limits,
-        tolerance, np.empty((Check.SIZE, Check.COLUMNS)),
+        tolerance, 0.5 * tolerance, np.empty((Check.SIZE, Check.COLUMNS)),
     )
     timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
     return _trajectory(request, timing, coefficients, pieces.offsets, times), wrong == 0

@@ -41,7 +41,7 @@ def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
     }
     change(arrays)
     with np.errstate(all="ignore"):
-        return check_plan(*arrays.values(), 1e-9, np.zeros((Check.SIZE, Check.COLUMNS)))
+        return check_plan(*arrays.values(), 1e-9, 5e-10, np.zeros((Check.SIZE, Check.COLUMNS)))
 
 
 def test_a_plan_passes() -> None:

@@ -165,7 +165,7 @@ static double least_distance(array_double_1d limits);
 static double rounding_error(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
-static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, double joints, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -6276,7 +6276,7 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     }
     return 1;
 }
-static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, double joints, array_double_2d work)
 {
     int64_t order;
     int64_t i;
@@ -6315,7 +6315,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     }
     for (d = INT64_C(0); d < order; d += INT64_C(1))
     {
-        if (!((*cspan_at(&work, INT64_C(42), d)) <= 0.5 * tolerance * (*cspan_at(&work, INT64_C(41), d))))
+        if (!((*cspan_at(&work, INT64_C(42), d)) <= joints * (*cspan_at(&work, INT64_C(41), d))))
         {
             return 0;
         }
@@ -6323,7 +6323,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
     return result;
 }
-int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, array_double_2d work)
+int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, double joints, array_double_2d work)
 {
     int64_t width;
     int64_t points;
@@ -6343,7 +6343,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     {
         first = (*cspan_at(&offsets, axis));
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), tolerance, work))
+        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), tolerance, joints, work))
         {
             return INT64_C(1) + axis;
         }
@@ -6360,7 +6360,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
                 {
                     scale = (*cspan_at(&limits, axis, d - INT64_C(1)));
                 }
-                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= 0.5 * tolerance * scale))
+                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
                 {
                     return INT64_C(1) + axis;
                 }
@@ -16878,7 +16878,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
         {
             return 0;
         }
-        if (!check_axis(first, last, timing, coefficients, limits, 1e-09, check))
+        if (!check_axis(first, last, timing, coefficients, limits, 1e-09, 5e-10, check))
         {
             return 0;
         }
@@ -17894,13 +17894,15 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
 }
 int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
+    double tolerance;
     int64_t wrong;
     if (segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(0)])
     {
         return INT64_C(1);
     }
     segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(168), INT64_C(170)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, (*cspan_at(&work, INT64_C(1), INT64_C(0))), span_rows(&work, INT64_C(170), INT64_C(214)));
+    tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(170), INT64_C(214)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);

@@ -244,9 +244,11 @@ int segfmu_judge_pieces(
     array_double_2d check = matrix(take(&space, CHECK_SIZE * CHECK_COLUMNS), CHECK_SIZE,
                                    CHECK_COLUMNS);
     segfmu_describe(found, points, times, trajectory);
+    /* as nothing judges it once more, nearly all of the tolerance is used */
     int64_t wrong = segfmu_check_plan(
         cuboid(states, points, k, n + 1), matrix(times, points + 1, k), found->timing,
-        found->coefficients, found->offsets, t->limits, PLAN_TOLERANCE, check);
+        found->coefficients, found->offsets, t->limits, PLAN_TOLERANCE, 0.95 * PLAN_TOLERANCE,
+        check);
     return wrong == 0 ? PLAN_STATUS_PLANNED : PLAN_STATUS_CHECK_FAILED;
 }
 

@@ -1196,9 +1196,10 @@ static PyObject *call_check_plan(
     Py_buffer *in_offsets;
     Py_buffer *in_limits;
     double in_tolerance;
+    double in_joints;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 8)
+    if (take_count(&call, count, 9)
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
@@ -1206,7 +1207,8 @@ static PyObject *call_check_plan(
         && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
         && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
         && take_float(&call, 6, &in_tolerance)
-        && (in_work = take_array(&call, 7, 2, 'd', true)) != NULL
+        && take_float(&call, 7, &in_joints)
+        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
@@ -1230,6 +1232,7 @@ static PyObject *call_check_plan(
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
             in_tolerance,
+            in_joints,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);

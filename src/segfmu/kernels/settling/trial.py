@@ -103,7 +103,7 @@ def keep_better(
     if last > first:
         if not begins_now(lead, coefficients):
             return False
-        if not check_axis(first, last, timing, coefficients, limits, 1e-9, check):
+        if not check_axis(first, last, timing, coefficients, limits, 1e-9, 5e-10, check):
             return False
     keep_lead(last, time, lead, timing, coefficients)
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12

@@ -133,10 +133,12 @@ def check_axis(
     coefficients: 'float[:,:]',
     limits: 'float[:]',
     tolerance: float,
+    joints: float,
     work: 'float[:,:]',
 ) -> bool:
     """Whether the pieces first .. last - 1 of one axis keep its limits c_1 .. and join smoothly.
 
+    tolerance of limits, joints of jumps; both are relative.
     The row PEAKS of `work` (Check) becomes the peaks of the derivatives, or bounds of them.
     """
     order = limits.shape[0]
@@ -159,7 +161,7 @@ def check_axis(
     for d in range(1, order):
         work[Check.PEAKS, d] = max(work[Check.PEAKS, d], least_peak(d, limits))
     for d in range(order):
-        if not work[Check.JUMPS, d] <= 0.5 * tolerance * work[Check.PEAKS, d]:
+        if not work[Check.JUMPS, d] <= joints * work[Check.PEAKS, d]:
             return False
     return work[Check.PEAKS, 0] < 1e300
 
@@ -223,15 +225,18 @@ def check_plan(
     offsets: 'int[:]',
     limits: 'float[:,:]',
     tolerance: float,
+    joints: float,
     work: 'float[:,:]',
 ) -> int:
     """Check the pieces of every axis: 0, or 1 + the first axis that may be wrong.
 
-    Up to the relative tolerance, limits hold, the derivatives 0 .. n are continuous (in units of
-    the range of the position and of the peaks of the others), and the trajectory passes the
-    waypoints; for the last two half of it, which leaves room for rounding errors of another
-    evaluation and for bounds of peaks above them. Arrays as in `expand_plan`; limits[axis, i] is
-    c_{i+1}, 0 if absent; work (Check rows, Check columns).
+    Up to the relative tolerance limits hold. Up to `joints` the derivatives 0 .. n are continuous
+    (in units of the range of the position and of the peaks of the others), and the trajectory
+    passes the waypoints. Half of what is promised for these leaves room for rounding errors of
+    another evaluation, and for bounds of peaks above them.
+
+    Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work (Check rows, Check
+    columns).
     """
     width = coefficients.shape[1]
     points = states.shape[0]
@@ -239,7 +244,7 @@ def check_plan(
         first = offsets[axis]
         last = offsets[axis + 1]
         if not check_axis(
-            first, last, timing, coefficients, limits[axis, :], tolerance, work
+            first, last, timing, coefficients, limits[axis, :], tolerance, joints, work
         ):
             return 1 + axis
         for j in range(points + 1):
@@ -252,6 +257,6 @@ def check_plan(
                 scale = work[Check.PEAKS, d]
                 if d > 0 and limits[axis, d - 1] > 0.0:
                     scale = limits[axis, d - 1]
-                if not abs(value - states[point, axis, d]) <= 0.5 * tolerance * scale:
+                if not abs(value - states[point, axis, d]) <= joints * scale:
                     return 1 + axis
     return 0

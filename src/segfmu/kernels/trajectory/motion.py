@@ -62,9 +62,10 @@ def expand_motion(
         states, dwells, axes, cells, timing, coefficients, offsets, times,
         work[MotionWork.EXPANSION:MotionWork.CHECK, :],
     )
+    tolerance = work[MotionWork.JUDGING, Judging.TOLERANCE]
     wrong = check_plan(
-        states, times, timing, coefficients, offsets, limits,
-        work[MotionWork.JUDGING, Judging.TOLERANCE], work[MotionWork.CHECK:MotionWork.SIZE, :],
+        states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance,
+        work[MotionWork.CHECK:MotionWork.SIZE, :],
     )
     if wrong > 0:
         return PlanStatus.CHECK_FAILED
