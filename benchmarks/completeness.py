@@ -14,6 +14,7 @@ import numpy as np
 from benchmarks.optimal_control import Transition, earliest, smoothest
 from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
+from benchmarks.smooth_motions import measure_smooth
 from segfmu import InfeasibleError, InputError, Limits, Trajectory, Waypoint, plan
 from segfmu.kernels import backend
 from segfmu.kernels.planner.parameters import usual_share
@@ -43,6 +44,7 @@ def measure(settings: Settings) -> Part:
         "Completeness",
         (
             _constructed(10 * settings.samples),
+            measure_smooth(3 * settings.samples),
             _optima(max(settings.samples // 5, 20)),
             _cliffs(8 * settings.samples),
             _loosened(10 * settings.problems),

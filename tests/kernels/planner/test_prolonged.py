@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.polynomial import chebyshev, polynomial
+from benchmarks.smooth_motions import boundary, smooth_motion
 
 from segfmu import InfeasibleError, Limits, Waypoint, plan, verify
 
@@ -52,31 +52,15 @@ def test_axes_meet_shortly_after_their_shortest_profiles() -> None:
     assert verify(trajectory).passed
 
 
-def smooth_motion(rng: np.random.Generator, smoothness: int) -> np.ndarray:
-    """Coefficients of a polynomial on [0, 1], the higher derivatives zero at its ends."""
-    factor = chebyshev.cheb2poly(rng.normal(size=rng.integers(1, 9)))
-    jerk = polynomial.polymul(polynomial.polypow([0.0, 1.0, -1.0], smoothness - 2), factor)
-    acceleration = polynomial.polyint(jerk)
-    acceleration[0] = rng.choice([0.0, -0.5, -1.0]) * polynomial.polyval(1.0, acceleration)
-    velocity = polynomial.polyint(acceleration)
-    velocity[0] = rng.choice([0.0, -0.5, -1.0, rng.normal()]) * polynomial.polyval(1.0, velocity)
-    return polynomial.polyint(velocity)
-
-
 def prolonged(rng: np.random.Generator, smoothness: int) -> bool:
     """Whether the states of a smooth motion are joined in its duration, with 10 % of slack."""
     motion = smooth_motion(rng, smoothness)
-    times = np.linspace(0.0, 1.0, 401)
-    orders = [polynomial.polyder(motion, k) for k in range(max(smoothness, 3) + 1)]
-    limits = [1.1 * np.abs(polynomial.polyval(times, c)).max() for c in orders[1:]]
-    points = [
-        Waypoint(*(float(polynomial.polyval(t, c)) for c in orders[:3])) for t in (0.0, 1.0)
-    ]
+    points, limits = boundary(motion, max(smoothness, 3), 1.0 / 1.1)
     try:
-        shortest = plan(points, Limits(*limits), smoothness=smoothness)
+        shortest = plan(points, limits, smoothness=smoothness)
         if shortest.duration > 1.0:
             return False
-        plan(points, Limits(*limits), smoothness=smoothness, duration=1.0)
+        plan(points, limits, smoothness=smoothness, duration=1.0)
     except InfeasibleError:
         return False
     return True
