@@ -79,6 +79,13 @@ def over_optimum(trajectory: Trajectory, t: float) -> float | None:
     return found / optimum if optimum else None
 
 
+def _quantiles(n: int, ratios: list[float]) -> Record:
+    return {
+        "smoothness": n, "states": len(ratios), "median": float(np.median(ratios)),
+        "95 %": float(np.quantile(ratios, 0.95)), "largest": float(np.max(ratios)),
+    }
+
+
 def _stops(settings: Settings) -> Section:
     records: list[Record] = []
     for n in range(2, 7):
@@ -89,11 +96,7 @@ def _stops(settings: Settings) -> Section:
             ratio = over_optimum(trajectory, random.uniform(0.0, trajectory.duration))
             if ratio is not None:
                 ratios.append(ratio)
-        found = np.array(ratios)
-        records.append({
-            "smoothness": n, "states": found.size, "median": float(np.median(found)),
-            "95 %": float(np.quantile(found, 0.95)), "largest": float(found.max()),
-        })
+        records.append(_quantiles(n, ratios))
     return Section("Time of a stop over linear programming, random states", records)
 
 
@@ -139,10 +142,7 @@ def _moved(settings: Settings) -> Section:
             )
             if optimum:
                 ratios.append(found / optimum)
-        records.append({
-            "smoothness": n, "states": len(ratios), "median": float(np.median(ratios)),
-            "95 %": float(np.quantile(ratios, 0.95)), "largest": float(np.max(ratios)),
-        })
+        records.append(_quantiles(n, ratios))
     return Section("Time to a target that moves over linear programming, random states", records)
 
 

@@ -194,7 +194,11 @@ static int64_t find_meeting(replanning *t, const lead_search *s, double latest, 
         if (times[last] <= latest) {
             break;
         }
-        counts[last] = (double)find_one(t, s, last, latest, last * LEAD_ROWS_PIECES);
+        const int64_t rows = find_one(t, s, last, latest, last * LEAD_ROWS_PIECES);
+        if (rows < 0) {
+            return last;
+        }
+        counts[last] = (double)rows;
         latest = span_max(latest, *time);
         times[last] = -1.0;
     }
