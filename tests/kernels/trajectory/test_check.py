@@ -83,6 +83,29 @@ def test_a_tighter_limit_is_found(order: int) -> None:
     assert judged(touch) == 0
 
 
+def late_arrival(shift: float) -> int:
+    """The verdict of minutes that end with a pop that changes within 74 us, all times shifted."""
+    limits = Limits(velocity=0.1354, acceleration=0.0534, snap=0.437, crackle=13.0)
+    trajectory = plan([Waypoint(0.0), Waypoint(45.0)], limits, smoothness=6)
+    states = np.stack([point.state(6) for point in trajectory.waypoints])
+    times = np.vstack([trajectory.axis_waypoint_times, trajectory.axis_durations])
+    times[1:] += shift * trajectory.duration
+    return check_plan(
+        states, times, trajectory.timing, trajectory.coefficients, trajectory.offsets,
+        limits.table(1, 6), 1e-9, 5e-10, np.zeros((Check.SIZE, Check.COLUMNS)),
+    )
+
+
+@pytest.mark.parametrize("shift", [0.0, -1e-15, 1e-15, -2e-13])
+def test_rounding_of_the_clock_is_no_error(shift: float) -> None:
+    assert late_arrival(shift) == 0
+
+
+@pytest.mark.parametrize("shift", [-1e-10, -1e-3])
+def test_an_arrival_too_soon_is_found(shift: float) -> None:
+    assert late_arrival(shift) == 1
+
+
 @settings(max_examples=200, deadline=None)
 @given(
     st.lists(st.floats(-3.0, 3.0), min_size=4, max_size=12), st.floats(0.1, 3.0),

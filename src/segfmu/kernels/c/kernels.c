@@ -166,6 +166,7 @@ static double rounding_error(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, double joints, array_double_2d work);
+static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -6323,6 +6324,24 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
     return result;
 }
+static double switching_time(double time, double duration, array_double_2d timing, int64_t row)
+{
+    double length;
+    double same;
+    double local;
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    local = local_time(time, timing, row);
+    same = 1e-12 * duration;
+    if (local > length - same)
+    {
+        local = length;
+    }
+    else if (local < same)
+    {
+        local = 0.0;
+    }
+    return local;
+}
 int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, double joints, array_double_2d work)
 {
     int64_t width;
@@ -6351,7 +6370,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
         {
             point = span_min_int(j, points - INT64_C(1));
             row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
-            local = local_time((*cspan_at(&times, j, axis)), timing, row);
+            local = switching_time((*cspan_at(&times, j, axis)), (*cspan_at(&times, points, axis)), timing, row);
             for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
             {
                 value = evaluate_piece(coefficients, row, width, local, d);

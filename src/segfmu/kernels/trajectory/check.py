@@ -217,6 +217,24 @@ def note_ends(
     work[Check.ENDS, d] = end
 
 
+def switching_time(
+    time: float, duration: float, timing: 'float[:,:]', row: int
+) -> float:
+    """Local time in a piece, its start or end where only rounding tells them apart.
+
+    Late in a long plan a rounding error of the clock is much for a derivative that changes within
+    microseconds. Times have to be right to 1e-12 of the duration.
+    """
+    length = timing[row, Timing.LENGTH]
+    local = local_time(time, timing, row)
+    same = 1e-12 * duration
+    if local > length - same:
+        local = length
+    elif local < same:
+        local = 0.0
+    return local
+
+
 def check_plan(
     states: 'float[:,:,:]',
     times: 'float[:,:]',
@@ -251,7 +269,7 @@ def check_plan(
             # the last waypoint is checked on arrival and, after its dwell, at the end
             point = min(j, points - 1)
             row = find_piece(times[j, axis], timing, first, last)
-            local = local_time(times[j, axis], timing, row)
+            local = switching_time(times[j, axis], times[points, axis], timing, row)
             for d in range(states.shape[2]):
                 value = evaluate_piece(coefficients, row, width, local, d)
                 scale = work[Check.PEAKS, d]
