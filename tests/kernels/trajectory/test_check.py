@@ -15,6 +15,7 @@ from segfmu.kernels.trajectory.check import (
     bernstein_coefficients,
     check_plan,
     integrate_hull,
+    switching_time,
     within,
 )
 from segfmu.kernels.trajectory.records import Check, Hull
@@ -104,6 +105,15 @@ def test_rounding_of_the_clock_is_no_error(shift: float) -> None:
 @pytest.mark.parametrize("shift", [-1e-10, -1e-3])
 def test_an_arrival_too_soon_is_found(shift: float) -> None:
     assert late_arrival(shift) == 1
+
+
+@pytest.mark.parametrize(
+    ("time", "row", "local"),
+    [(0.0, 0, 0.0), (1e-13, 0, 1e-13), (2e-13, 1, 0.0), (0.4, 1, 0.4), (1.0, 1, 1.0)],
+)
+def test_a_waypoint_lies_at_the_nearest_switching_time(time, row: int, local: float) -> None:
+    timing = np.array([[0.0, 1e-13], [1e-13, 1.0]])
+    assert switching_time(time, 1.0, timing, row) == pytest.approx(local, rel=1e-12, abs=1e-15)
 
 
 @settings(max_examples=200, deadline=None)

@@ -6332,13 +6332,16 @@ static double switching_time(double time, double duration, array_double_2d timin
     length = (*cspan_at(&timing, row, INT64_C(1)));
     local = local_time(time, timing, row);
     same = 1e-12 * duration;
-    if (local > length - same)
+    if (local < length - local)
+    {
+        if (local < same)
+        {
+            local = 0.0;
+        }
+    }
+    else if (local > length - same)
     {
         local = length;
-    }
-    else if (local < same)
-    {
-        local = 0.0;
     }
     return local;
 }

@@ -228,10 +228,12 @@ def switching_time(
     length = timing[row, Timing.LENGTH]
     local = local_time(time, timing, row)
     same = 1e-12 * duration
-    if local > length - same:
+    # a piece may be shorter than that
+    if local < length - local:
+        if local < same:
+            local = 0.0
+    elif local > length - same:
         local = length
-    elif local < same:
-        local = 0.0
     return local
 
 
