@@ -286,6 +286,12 @@ static void advance_piece(double length, array_double_1d state, array_double_1d 
 static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
 static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
 static bool measure_excess(array_double_1d axis, array_double_2d work);
+static double power_term(double t, double sixth);
+static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth);
+static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static void shift_instants(int64_t place, int64_t by, array_double_1d passing);
+static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing);
 static double power_of(double base, int64_t exponent);
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
@@ -305,6 +311,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes);
 static double residual_norm(int64_t count, array_double_1d residual);
 static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double longest_step(array_double_2d work);
 static void take_step(double share, array_double_2d work);
@@ -312,9 +319,11 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
 static void keep_sequence(int64_t row, array_double_2d work);
 static void restore_sequence(int64_t row, array_double_2d work);
 static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
-static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work);
+static void remove_node(int64_t place, array_double_2d work);
+static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess);
+static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work);
 static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work);
-static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, array_double_2d work);
+static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_double_1d axis, array_double_2d work);
 static bool rotate_levels(array_double_2d work);
 static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t overlong_plateau(array_double_2d work);
@@ -323,6 +332,13 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
 static bool release_touch(int64_t kind, array_double_2d work);
 static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
 static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void loosen(double share, array_double_1d axis, array_double_2d work);
+static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -10390,9 +10406,9 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(129));
-    end = span_row(&work, INT64_C(129) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(124), INT64_C(128));
+    state = span_row(&work, INT64_C(131));
+    end = span_row(&work, INT64_C(131) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(124), INT64_C(130));
     q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
     rest = length;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
@@ -10442,8 +10458,8 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double length;
     double peak;
     passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(124), INT64_C(128));
-    state = span_row(&work, INT64_C(129));
+    excess = span_rows(&work, INT64_C(124), INT64_C(130));
+    state = span_row(&work, INT64_C(131));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -10503,6 +10519,171 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
         }
     }
     return 0;
+}
+static double power_term(double t, double sixth)
+{
+    return t * t * t * t * t * t * sixth / 720.0;
+}
+static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth)
+{
+    double end;
+    double slope;
+    double at;
+    double highest;
+    end = length;
+    highest = value + taylor(end, first, second, third, fourth, fifth);
+    highest = highest + power_term(end, sixth);
+    slope = first + taylor(end, second, third, fourth, fifth, sixth);
+    if ((first > 0.0) && (slope < 0.0))
+    {
+        end = crossing_time(first, length, second, third, fourth, fifth, sixth);
+        at = value + taylor(end, first, second, third, fourth, fifth);
+        highest = span_max(highest, at + power_term(end, sixth));
+    }
+    return highest;
+}
+static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
+{
+    int64_t boxes;
+    double before;
+    int64_t jerk_at;
+    double v;
+    double a;
+    double jerk;
+    double snap;
+    double crackle;
+    double pop;
+    double seventh;
+    double ramp;
+    double change;
+    int64_t piece;
+    double length;
+    int64_t held;
+    double direction;
+    double peak;
+    double at;
+    double highest;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(3);
+    before = (*cspan_at(&passing, INT64_C(7)));
+    if (i > INT64_C(0))
+    {
+        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
+    }
+    jerk_at = INT64_C(0) + INT64_C(3);
+    v = sign * (*cspan_at(&nodes, i, INT64_C(0) + INT64_C(1)));
+    a = sign * (*cspan_at(&nodes, i, INT64_C(0) + INT64_C(2)));
+    jerk = sign * (*cspan_at(&nodes, i, jerk_at));
+    snap = sign * before;
+    crackle = 0.0;
+    pop = 0.0;
+    seventh = 0.0;
+    ramp = (*cspan_at(&nodes, i, INT64_C(11)));
+    change = sign * ((*cspan_at(&nodes, i, INT64_C(9))) - before);
+    highest = v;
+    if (order == INT64_C(2))
+    {
+        highest = a;
+    }
+    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)) + INT64_C(1); piece += INT64_C(1))
+    {
+        length = (*cspan_at(&nodes, i, INT64_C(10)));
+        if (piece < pow(2.0, (double)(boxes)))
+        {
+            length = 0.0;
+            if (ramp > 0.0)
+            {
+                held_level(&held, &direction, piece, boxes);
+                piece_peak(&length, &peak, held, INT64_C(2), change, ramp, ramp * (*cspan_at(&passing, INT64_C(2))), axis);
+                if (held == INT64_C(0))
+                {
+                    crackle = direction * peak;
+                    pop = 0.0;
+                    seventh = 0.0;
+                }
+                else if (held == INT64_C(1))
+                {
+                    pop = direction * peak;
+                    seventh = 0.0;
+                }
+                else
+                {
+                    seventh = direction * peak;
+                }
+            }
+        }
+        else
+        {
+            snap = sign * (*cspan_at(&nodes, i, INT64_C(9)));
+            crackle = 0.0;
+            pop = 0.0;
+            seventh = 0.0;
+        }
+        if (length > 0.0)
+        {
+            at = highest_in_piece(length, v, a, jerk, snap, crackle, pop, seventh);
+            if (order == INT64_C(2))
+            {
+                at = highest_in_piece(length, a, jerk, snap, crackle, pop, seventh, 0.0);
+            }
+            highest = span_max(highest, at);
+            v = v + taylor(length, a, jerk, snap, crackle, pop) + power_term(length, seventh);
+            a = a + taylor(length, jerk, snap, crackle, pop, seventh);
+            jerk = jerk + taylor(length, snap, crackle, pop, seventh, 0.0);
+            snap = snap + taylor(length, crackle, pop, seventh, 0.0, 0.0);
+            crackle = crackle + taylor(length, pop, seventh, 0.0, 0.0, 0.0);
+            pop = pop + length * seventh;
+        }
+    }
+    return highest;
+}
+static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
+{
+    int64_t order;
+    int64_t first;
+    int64_t last;
+    double highest;
+    int64_t i;
+    double sign;
+    double result;
+    order = (int64_t)((*cspan_at(&passing, INT64_C(11) + peak)));
+    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(17) + peak))), INT64_C(0));
+    last = (int64_t)((*cspan_at(&passing, INT64_C(20) + peak)));
+    highest = -1e+300;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        if ((i >= first) && (i <= last))
+        {
+            sign = (*cspan_at(&passing, INT64_C(14) + peak));
+            highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
+        }
+    }
+    result = highest - (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+    return result;
+}
+static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
+{
+    int64_t peak;
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(10)))); peak += INT64_C(1))
+    {
+        if ((*cspan_at(&passing, INT64_C(17) + peak)) >= place)
+        {
+            (*cspan_at(&passing, INT64_C(17) + peak)) = (*cspan_at(&passing, INT64_C(17) + peak)) + by;
+        }
+        if ((*cspan_at(&passing, INT64_C(20) + peak)) >= place)
+        {
+            (*cspan_at(&passing, INT64_C(20) + peak)) = (*cspan_at(&passing, INT64_C(20) + peak)) + by;
+        }
+    }
+}
+static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
+{
+    int64_t peak;
+    peak = (int64_t)((*cspan_at(&passing, INT64_C(10))));
+    (*cspan_at(&passing, INT64_C(11) + peak)) = order;
+    (*cspan_at(&passing, INT64_C(14) + peak)) = sign;
+    (*cspan_at(&passing, INT64_C(17) + peak)) = node - INT64_C(1);
+    (*cspan_at(&passing, INT64_C(20) + peak)) = node + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(10))) = peak + INT64_C(1);
 }
 static double power_of(double base, int64_t exponent)
 {
@@ -10807,6 +10988,8 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     int64_t jerk;
     int64_t row;
     int64_t i;
+    int64_t peak;
+    double scale;
     double error;
     for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
     {
@@ -10823,6 +11006,13 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         row = follow_node(i, row, problem, passing, axis, nodes, residual);
+    }
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(10)))); peak += INT64_C(1))
+    {
+        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(11) + peak))), passing, axis);
+        error = instant_error(peak, passing, axis, nodes);
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / scale;
+        row = row + INT64_C(1);
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -10882,6 +11072,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
     int64_t conditions;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(10))));
     return (conditions == count) && (count <= INT64_C(16));
 }
 static double residual_norm(int64_t count, array_double_1d residual)
@@ -10905,15 +11096,15 @@ static void pace_column(int64_t count, array_double_1d problem, array_double_1d 
     double slope;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(128));
+    residual = span_row(&work, INT64_C(130));
     change = 1e-07;
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(129) + i, count - INT64_C(1))) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(131) + i, count - INT64_C(1))) = slope;
     }
     run_sequence(problem, passing, axis, nodes, residual);
 }
@@ -10939,13 +11130,13 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     double difference;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(128));
-    slopes = span_row(&work, INT64_C(161));
-    before = span_rows(&work, INT64_C(162), INT64_C(165));
-    moved = span_row(&work, INT64_C(165));
+    residual = span_row(&work, INT64_C(130));
+    slopes = span_row(&work, INT64_C(163));
+    before = span_rows(&work, INT64_C(164), INT64_C(167));
+    moved = span_row(&work, INT64_C(167));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     following = column + INT64_C(2);
-    base = span_row(&work, INT64_C(162) + INT64_C(2));
+    base = span_row(&work, INT64_C(164) + INT64_C(2));
     spent = 0.0;
     for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
@@ -10970,7 +11161,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = begin; i < row; i += INT64_C(1))
     {
-        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)));
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
         (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
     }
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
@@ -10999,7 +11190,30 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(129) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(131) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+    }
+}
+static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    double time;
+    double change;
+    int64_t i;
+    double slope;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(130));
+    time = (*cspan_at(&nodes, column, INT64_C(6)));
+    change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+    (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
+    run_sequence(problem, passing, axis, nodes, residual);
+    (*cspan_at(&nodes, column, INT64_C(6))) = time;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(131) + i, column)) = slope;
     }
 }
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -11013,40 +11227,48 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     double diagonal;
     array_double_2d matrix;
     passing = span_row(&work, INT64_C(48));
-    residual = span_row(&work, INT64_C(128));
+    residual = span_row(&work, INT64_C(130));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(145) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(147) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
         pace_column(count, problem, axis, work);
     }
+    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = (*cspan_at(&work, INT64_C(128), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        time_column(j, count, problem, axis, work);
+        if ((*cspan_at(&passing, INT64_C(10))) > 0.5)
+        {
+            whole_column(j, count, problem, axis, work);
+        }
+        else
+        {
+            time_column(j, count, problem, axis, work);
+        }
     }
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         largest = 0.0;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(129) + i, j))));
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(131) + i, j))));
         }
         added = 1e-12 * largest;
         if (largest == 0.0)
         {
             added = 1.0;
         }
-        diagonal = (*cspan_at(&work, INT64_C(129) + j, j));
+        diagonal = (*cspan_at(&work, INT64_C(131) + j, j));
         if (diagonal < 0.0)
         {
             added = -added;
         }
-        (*cspan_at(&work, INT64_C(129) + j, j)) = diagonal + added;
+        (*cspan_at(&work, INT64_C(131) + j, j)) = diagonal + added;
     }
-    matrix = span_rows(&work, INT64_C(129), INT64_C(145));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(145), INT64_C(161)));
+    matrix = span_rows(&work, INT64_C(131), INT64_C(147));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(147), INT64_C(163)));
 }
 static double longest_step(array_double_2d work)
 {
@@ -11064,7 +11286,7 @@ static double longest_step(array_double_2d work)
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -11087,7 +11309,7 @@ static double longest_step(array_double_2d work)
     }
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
-        change = fabs((*cspan_at(&work, INT64_C(145) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(147) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -11105,11 +11327,11 @@ static void take_step(double share, array_double_2d work)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         row = INT64_C(49) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(145) + i, INT64_C(0)));
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
     }
     if ((*cspan_at(&work, INT64_C(48), INT64_C(5))) > 0.0)
     {
-        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(145) + count, INT64_C(0)));
+        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(147) + count, INT64_C(0)));
         (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
     }
 }
@@ -11128,7 +11350,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     int64_t j;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(128));
+    residual = span_row(&work, INT64_C(130));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
@@ -11184,7 +11406,7 @@ static void keep_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
     {
         (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
     }
@@ -11200,7 +11422,7 @@ static void restore_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
     }
@@ -11221,6 +11443,7 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     int64_t i;
     passing = span_row(&work, INT64_C(48));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    shift_instants(place, INT64_C(1), passing);
     for (j = INT64_C(0); j < count - place; j += INT64_C(1))
     {
         row = INT64_C(49) + count - j;
@@ -11237,12 +11460,54 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     (*cspan_at(&work, row, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
 }
-static bool split_level(int64_t place, int64_t kind, double sign, array_double_1d axis, array_double_2d work)
+static void remove_node(int64_t place, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    passing = span_row(&work, INT64_C(48));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (row = INT64_C(49) + place; row < INT64_C(49) + count - INT64_C(1); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = (*cspan_at(&work, row + INT64_C(1), i));
+        }
+    }
+    (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
+    shift_instants(place + INT64_C(1), -INT64_C(1), passing);
+}
+static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess)
+{
+    if (guess == INT64_C(1))
+    {
+        (*result_0_0001) = 0.9;
+        (*result_1_0001) = 0.7;
+        (*result_2_0001) = 0.6;
+        return 0;
+    }
+    if (guess == INT64_C(2))
+    {
+        (*result_0_0001) = 0.6;
+        (*result_1_0001) = 0.7;
+        (*result_2_0001) = 0.9;
+        return 0;
+    }
+    (*result_0_0001) = 0.8;
+    (*result_1_0001) = 0.5;
+    (*result_2_0001) = 0.8;
+    return 0;
+}
+static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work)
 {
     int64_t row;
     double time;
     double level_sign;
     double dip;
+    double before;
+    double depth;
+    double after;
     row = INT64_C(49) + place;
     if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
     {
@@ -11251,9 +11516,10 @@ static bool split_level(int64_t place, int64_t kind, double sign, array_double_1
     time = (*cspan_at(&work, row, INT64_C(6)));
     level_sign = (*cspan_at(&work, row, INT64_C(5)));
     dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(16) + kind - INT64_C(1))));
-    (*cspan_at(&work, row, INT64_C(6))) = 0.8 * time;
-    insert_node(place + INT64_C(1), kind, sign, (-0.5) * dip, 0, work);
-    insert_node(place + INT64_C(2), INT64_C(0), level_sign, 0.8 * time, 0, work);
+    split_guess(&before, &depth, &after, guess);
+    (*cspan_at(&work, row, INT64_C(6))) = before * time;
+    insert_node(place + INT64_C(1), kind, sign, (-depth) * dip, 0, work);
+    insert_node(place + INT64_C(2), INT64_C(0), level_sign, after * time, 0, work);
     return 1;
 }
 static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work)
@@ -11300,7 +11566,7 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
     insert_node(place, INT64_C(0), after, time, 0, work);
     return 1;
 }
-static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, array_double_2d work)
+static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     array_double_1d excess;
@@ -11311,6 +11577,7 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
     bool holding;
     int64_t row;
     bool here;
+    bool inside;
     bool result;
     passing = span_row(&work, INT64_C(48));
     excess = span_row(&work, INT64_C(124) + kind);
@@ -11334,7 +11601,8 @@ static bool insert_plateau(int64_t kind, bool touching, array_double_1d axis, ar
                 place = place - INT64_C(1);
             }
         }
-        result = (place >= INT64_C(0)) && (place < count) && split_level(place, kind, sign, axis, work);
+        inside = (place >= INT64_C(0)) && (place < count);
+        result = inside && split_level(place, kind, sign, guess, axis, work);
         return result;
     }
     if ((place == INT64_C(0)) || (place >= count))
@@ -11361,8 +11629,6 @@ static bool rotate_levels(array_double_2d work)
     int64_t first;
     int64_t last;
     double tiny;
-    int64_t row;
-    int64_t i;
     passing = span_row(&work, INT64_C(48));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     first = INT64_C(49);
@@ -11374,20 +11640,13 @@ static bool rotate_levels(array_double_2d work)
     }
     if (fabs((*cspan_at(&work, first, INT64_C(6)))) < tiny)
     {
-        for (row = first; row < last; row += INT64_C(1))
-        {
-            for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-            {
-                (*cspan_at(&work, row, i)) = (*cspan_at(&work, row + INT64_C(1), i));
-            }
-        }
-        (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
+        remove_node(INT64_C(0), work);
         insert_node(count - INT64_C(1), INT64_C(0), -(*cspan_at(&work, last - INT64_C(1), INT64_C(5))), tiny, 0, work);
         return 1;
     }
     if (fabs((*cspan_at(&work, last, INT64_C(6)))) < tiny)
     {
-        (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
+        remove_node(count - INT64_C(1), work);
         insert_node(INT64_C(0), INT64_C(0), -(*cspan_at(&work, first, INT64_C(5))), tiny, 0, work);
         return 1;
     }
@@ -11496,7 +11755,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
         if ((*cspan_at(&work, INT64_C(124) + kind, INT64_C(0))) > 0.0)
         {
-            if (insert_plateau(kind, 0, axis, work))
+            if (insert_plateau(kind, 0, INT64_C(0), axis, work))
             {
                 return kind;
             }
@@ -11533,7 +11792,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
             }
             restore_sequence(INT64_C(67), work);
             added = INT64_C(0);
-            if (!insert_plateau(q - INT64_C(3), 1, axis, work))
+            if (!insert_plateau(q - INT64_C(3), 1, INT64_C(0), axis, work))
             {
                 return 0;
             }
@@ -11568,6 +11827,216 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
             {
                 return 0;
             }
+        }
+    }
+    return 0;
+}
+static void loosen(double share, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d loose;
+    int64_t i;
+    int64_t order;
+    double excess;
+    loose = span_row(&work, INT64_C(129));
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
+    }
+    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+    {
+        i = INT64_C(2) + order - INT64_C(1);
+        excess = (*cspan_at(&work, INT64_C(128), INT64_C(0) + order));
+        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
+    }
+}
+static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t node;
+    int64_t count;
+    int64_t place;
+    int64_t beside;
+    int64_t row;
+    bool result;
+    passing = span_row(&work, INT64_C(48));
+    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    place = node;
+    beside = node;
+    if (variant == INT64_C(0))
+    {
+        beside = node - INT64_C(1);
+    }
+    else if (variant == INT64_C(2))
+    {
+        place = node - INT64_C(1);
+        beside = node - INT64_C(1);
+    }
+    else if (variant == INT64_C(3))
+    {
+        place = node + INT64_C(1);
+    }
+    if ((place < INT64_C(0)) || (beside < INT64_C(0)) || (beside >= count) || (count > INT64_C(12)))
+    {
+        return 0;
+    }
+    row = INT64_C(49) + beside;
+    if (((*cspan_at(&passing, INT64_C(10))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    insert_node(place, INT64_C(0), (*cspan_at(&work, row, INT64_C(5))), 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
+    add_instant(order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
+    result = solve_rotated(problem, axis, work);
+    return result;
+}
+static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t variant;
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        if (insert_level(variant, order, problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    return 0;
+}
+static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t q;
+    int64_t order;
+    int64_t guesses;
+    int64_t guess;
+    bool result;
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    order = q - INT64_C(1);
+    while((*cspan_at(&work, INT64_C(124) + order, INT64_C(0))) == 0.0)
+    {
+        order = order - INT64_C(1);
+    }
+    keep_sequence(INT64_C(67), work);
+    if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
+    {
+        return 1;
+    }
+    guesses = INT64_C(1);
+    if (order == q - INT64_C(2))
+    {
+        guesses = INT64_C(3);
+    }
+    for (guess = INT64_C(0); guess < guesses; guess += INT64_C(1))
+    {
+        if (insert_plateau(order, 0, guess, axis, work))
+        {
+            if (solve_rotated(problem, axis, work))
+            {
+                return 1;
+            }
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    result = (order == q - INT64_C(2)) && insert_instant(order, problem, axis, work);
+    return result;
+}
+static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t row;
+    int64_t order;
+    double sign;
+    int64_t side;
+    bool result;
+    row = INT64_C(49) + place;
+    order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+    sign = (*cspan_at(&work, row, INT64_C(5)));
+    if (order == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
+    {
+        (*cspan_at(&work, row, INT64_C(7))) = 2.0;
+        (*cspan_at(&work, row, INT64_C(8))) = 0.0;
+        result = solve_sequence(problem, axis, work);
+        return result;
+    }
+    keep_sequence(INT64_C(67), work);
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        remove_node(place, work);
+        remove_node(place - side, work);
+        add_instant(order, sign, place - side, span_row(&work, INT64_C(48)));
+        if (solve_rotated(problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    return 0;
+}
+static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t attempt;
+    int64_t place;
+    for (attempt = INT64_C(0); attempt < INT64_C(10); attempt += INT64_C(1))
+    {
+        place = overlong_plateau(work);
+        if (place >= INT64_C(0))
+        {
+            if (!end_plateau(place, problem, axis, work))
+            {
+                return 0;
+            }
+        }
+        else if (!measure_excess(axis, work))
+        {
+            return 1;
+        }
+        else if (!insert_limit(problem, axis, work))
+        {
+            return 0;
+        }
+    }
+    return 0;
+}
+static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d loose;
+    int64_t order;
+    double reached;
+    double step;
+    double share;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    loose = span_row(&work, INT64_C(129));
+    measure_excess(axis, work);
+    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(128), INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
+    }
+    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = 0.0;
+    reached = 0.0;
+    step = 1.0;
+    while((step > 0.1) && ((*cspan_at(&work, INT64_C(128), INT64_C(4))) < 60.0))
+    {
+        share = span_min(reached + step, 1.0);
+        loosen(share, axis, work);
+        restore_sequence(INT64_C(105), work);
+        if (solve_rotated(problem, loose, work) && meet_all(problem, loose, work))
+        {
+            if (sequence_duration(passing, nodes) >= longest)
+            {
+                return 0;
+            }
+            if (share == 1.0)
+            {
+                return 1;
+            }
+            keep_sequence(INT64_C(105), work);
+            reached = share;
+        }
+        else
+        {
+            step = 0.5 * step;
         }
     }
     return 0;
@@ -11703,6 +12172,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
+    (*cspan_at(&passing, INT64_C(10))) = 0.0;
     (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
     (*cspan_at(&passing, INT64_C(4))) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -11862,7 +12332,11 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     bool found;
     double result;
     restore_sequence(INT64_C(105), work);
-    if (way == INT64_C(2))
+    if (way == INT64_C(3))
+    {
+        found = tighten(longest, problem, axis, work);
+    }
+    else if (way == INT64_C(2))
     {
         found = slow_down(longest, problem, axis, work);
     }
@@ -11897,6 +12371,7 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     bool few;
+    int64_t ways;
     int64_t way;
     double found;
     int64_t used;
@@ -11907,9 +12382,14 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
         return INT64_C(0);
     }
     few = ramps_suffice(axis);
-    for (way = INT64_C(0); way < INT64_C(3); way += INT64_C(1))
+    ways = INT64_C(3);
+    if ((*cspan_at(&work, INT64_C(48), INT64_C(1))) > 1.5)
     {
-        if (few && ((way == INT64_C(2)) || ((way == INT64_C(1)) && (used == INT64_C(0)))))
+        ways = INT64_C(4);
+    }
+    for (way = INT64_C(0); way < ways; way += INT64_C(1))
+    {
+        if (few && ((way > INT64_C(1)) || ((way == INT64_C(1)) && (used == INT64_C(0)))))
         {
             break;
         }
@@ -11922,12 +12402,9 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
                 used = write_sequence(phases, axis, work);
                 keep_sequence(INT64_C(86), work);
             }
-            if (!stays_below(work))
+            if ((way == INT64_C(3)) || ((way < INT64_C(2)) && (!stays_below(work))))
             {
-                if (way < INT64_C(2))
-                {
-                    (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
-                }
+                (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
                 break;
             }
         }
@@ -16563,7 +17040,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     }
     problem = span_row(&lead, INT64_C(11));
     set_stage_problem(order, end, state, problem);
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(219)));
+    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -16586,7 +17063,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(219), INT64_C(221));
+    expansion = span_rows(&lead, INT64_C(221), INT64_C(223));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -16705,7 +17182,7 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     chain = span_row(&lead, INT64_C(46) + seen);
     problem = span_row(&lead, INT64_C(11));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    plan = span_rows(&lead, INT64_C(53), INT64_C(219));
+    plan = span_rows(&lead, INT64_C(53), INT64_C(221));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(13));
     passing = span_row(&plan, INT64_C(48));
     end = lead_end(order, lead);
@@ -16829,7 +17306,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(219)));
+    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -16893,7 +17370,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(221), INT64_C(265));
+    check = span_rows(&lead, INT64_C(223), INT64_C(267));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -17922,9 +18399,9 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(168), INT64_C(170)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(170), INT64_C(172)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(170), INT64_C(214)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(172), INT64_C(216)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -17935,7 +18412,7 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(168));
+    planner = span_rows(&work, INT64_C(2), INT64_C(170));
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
     if (status == INT64_C(0))
     {

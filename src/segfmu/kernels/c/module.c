@@ -1462,8 +1462,8 @@ static PyObject *call_shortest_profile(
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 45)
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 33)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 166)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 31)) {
+        && has_at_least(&call, "work", 0, in_work->shape[0], 168)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 45)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1492,8 +1492,8 @@ static PyObject *call_timed_profile(
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 45)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 6)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 166)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 31)) {
+        && has_at_least(&call, "work", 0, in_work->shape[0], 168)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 45)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1536,8 +1536,8 @@ static PyObject *call_plan_phases(
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 6)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 166)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 31)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 168)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 45)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -2480,7 +2480,7 @@ static PyObject *call_find_lead(
         && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 265)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 267)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 45)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -2882,8 +2882,8 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 214)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 31)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 216)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 45)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_plan_motion(
@@ -2945,8 +2945,8 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 214)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 31)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 216)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 45)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_motion(

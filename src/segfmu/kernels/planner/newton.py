@@ -4,7 +4,7 @@ from math import sqrt
 
 from segfmu.kernels.numerics.matrices import matrix_solve
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork
+from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import (
     first_row,
     follow_change,
@@ -88,6 +88,23 @@ def time_column(
         work[PlanWork.MATRIX + i, column] = slopes[Equations.VALUES + i]
 
 
+def whole_column(
+    column: int, count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """`time_column` from a run of the whole sequence, as a peak may be anywhere around its node."""
+    passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    residual = work[PlanWork.RESIDUAL, :]
+    time = nodes[column, Node.TIME]
+    change = 1e-7 * (abs(time) + 1e-3 * passing[Passing.TIME])
+    nodes[column, Node.TIME] = time + change
+    run_sequence(problem, passing, axis, nodes, residual)
+    nodes[column, Node.TIME] = time
+    for i in range(count):
+        slope = (residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]) / change
+        work[PlanWork.MATRIX + i, column] = slope
+
+
 def newton_step(
     count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> None:
@@ -98,8 +115,12 @@ def newton_step(
         work[PlanWork.STEP + i, 0] = -residual[Equations.VALUES + i]
     if passing[Passing.TARGET] > 0.0:
         pace_column(count, problem, axis, work)
+    work[PlanWork.TIGHTEN, Tighten.STEPS] = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for j in range(int(passing[Passing.COUNT])):
-        time_column(j, count, problem, axis, work)
+        if passing[Passing.INSTANTS] > 0.5:
+            whole_column(j, count, problem, axis, work)
+        else:
+            time_column(j, count, problem, axis, work)
     for j in range(count):
         largest = 0.0
         for i in range(count):

@@ -22,6 +22,7 @@ from segfmu.kernels.planner.plateaus import (
 from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
 from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
+from segfmu.kernels.planner.tighten import tighten
 
 
 def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
@@ -107,6 +108,7 @@ def set_sequence(
     passing[Passing.ABOVE] = axis[Axis.ABOVE]
     passing[Passing.PACE] = 1.0
     passing[Passing.TARGET] = 0.0
+    passing[Passing.INSTANTS] = 0.0
     passing[Passing.TIME] = total_duration(phases, count)
     passing[Passing.ACCELERATION] = 0.0
     for i in range(count):
@@ -211,11 +213,13 @@ def passing_duration(
 ) -> float:
     """Duration of the solved sequence after it meets the limits in one of several ways.
 
-    Plateaus of derivatives of high order first (0), of low order first (1), or a slower pace (2).
-    -1: there is none.
+    Plateaus of derivatives of high order first (0), of low order first (1), a slower pace (2), or
+    limits that come down in steps (3). -1: there is none.
     """
     restore_sequence(PlanWork.SOLVED, work)
-    if way == 2:
+    if way == 3:
+        found = tighten(longest, problem, axis, work)
+    elif way == 2:
         found = slow_down(longest, problem, axis, work)
     else:
         found = meet_limits(way == 1, longest, problem, axis, work)
@@ -252,8 +256,12 @@ def passing_form(
         return 0
     # where levels of the jerk fail at first, other ways hardly help: 0.5 % in one of 2,000 plans
     few = ramps_suffice(axis)
-    for way in range(3):
-        if few and (way == 2 or (way == 1 and used == 0)):
+    # and those of crackle limits gain less than 2 % by the last one
+    ways = 3
+    if work[PlanWork.PASSING, Passing.ABOVE] > 1.5:
+        ways = 4
+    for way in range(ways):
+        if few and (way > 1 or (way == 1 and used == 0)):
             break
         found = passing_duration(way, shortest, problem, axis, work)
         if found > 0.0 and found < shortest:
@@ -261,9 +269,8 @@ def passing_form(
             if found < longest:
                 used = write_sequence(phases, axis, work)
                 keep_sequence(PlanWork.FOUND, work)
-            if not stays_below(work):
-                if way < 2:
-                    work[PlanWork.PASSING, Passing.SETTLED] = 1.0
+            if way == 3 or (way < 2 and not stays_below(work)):
+                work[PlanWork.PASSING, Passing.SETTLED] = 1.0
                 break
     return used
 

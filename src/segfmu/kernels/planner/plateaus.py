@@ -2,6 +2,7 @@
 
 
 from segfmu.kernels.planner.excess import measure_excess
+from segfmu.kernels.planner.instant import shift_instants
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sequence import sequence_duration
@@ -31,6 +32,7 @@ def insert_node(
     """Insert a node before another one."""
     passing = work[PlanWork.PASSING, :]
     count = int(passing[Passing.COUNT])
+    shift_instants(place, 1, passing)
     for j in range(count - place):
         row = PlanWork.NODES + count - j
         for i in range(Node.SIZE):
@@ -44,7 +46,29 @@ def insert_node(
     passing[Passing.COUNT] = count + 1
 
 
-def split_level(place: int, kind: int, sign: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
+def remove_node(place: int, work: 'float[:,:]') -> None:
+    """Remove a node."""
+    passing = work[PlanWork.PASSING, :]
+    count = int(passing[Passing.COUNT])
+    for row in range(PlanWork.NODES + place, PlanWork.NODES + count - 1):
+        for i in range(Node.SIZE):
+            work[row, i] = work[row + 1, i]
+    passing[Passing.COUNT] = count - 1
+    shift_instants(place + 1, -1, passing)
+
+
+def split_guess(guess: int) -> 'tuple[float, float, float]':
+    """What Newton's method starts from where a level is split: shares of the level and the dip."""
+    if guess == 1:
+        return 0.9, 0.7, 0.6
+    if guess == 2:
+        return 0.6, 0.7, 0.9
+    return 0.8, 0.5, 0.8
+
+
+def split_level(
+    place: int, kind: int, sign: float, guess: int, axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
     """Let the derivative q - 2 stay at its limit within a level: level, plateau, level."""
     row = PlanWork.NODES + place
     if work[row, Node.KIND] > 0.5:
@@ -52,9 +76,10 @@ def split_level(place: int, kind: int, sign: float, axis: 'float[:]', work: 'flo
     time = work[row, Node.TIME]
     level_sign = work[row, Node.SIGN]
     dip = min(abs(time), axis[Axis.RISES + kind - 1])
-    work[row, Node.TIME] = 0.8 * time
-    insert_node(place + 1, kind, sign, -0.5 * dip, False, work)
-    insert_node(place + 2, 0, level_sign, 0.8 * time, False, work)
+    before, depth, after = split_guess(guess)
+    work[row, Node.TIME] = before * time
+    insert_node(place + 1, kind, sign, -depth * dip, False, work)
+    insert_node(place + 2, 0, level_sign, after * time, False, work)
     return True
 
 
@@ -90,10 +115,13 @@ def split_ramp(
     return True
 
 
-def insert_plateau(kind: int, touching: bool, axis: 'float[:]', work: 'float[:,:]') -> bool:
+def insert_plateau(
+    kind: int, touching: bool, guess: int, axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
     """Let a derivative that exceeds its limit the most at a node stay at the limit there.
 
-    touching: that of the order q - 3 only touches it. False if there is no place for it.
+    touching: that of the order q - 3 only touches it. guess: as in `split_guess`. False if there is
+    no place for it.
     """
     passing = work[PlanWork.PASSING, :]
     excess = work[PlanWork.EXCESS + kind, :]
@@ -110,7 +138,8 @@ def insert_plateau(kind: int, touching: bool, axis: 'float[:]', work: 'float[:,:
             here = place < count and work[row, Node.KIND] < 0.5
             if not here or work[row, Node.LEVEL] * sign >= 0.0:
                 place = place - 1
-        return place >= 0 and place < count and split_level(place, kind, sign, axis, work)
+        inside = place >= 0 and place < count
+        return inside and split_level(place, kind, sign, guess, axis, work)
     if place == 0 or place >= count:
         return False
     if kind == q - 3:
@@ -132,14 +161,11 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     if count < 2 or work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
         return False
     if abs(work[first, Node.TIME]) < tiny:
-        for row in range(first, last):
-            for i in range(Node.SIZE):
-                work[row, i] = work[row + 1, i]
-        passing[Passing.COUNT] = count - 1
+        remove_node(0, work)
         insert_node(count - 1, 0, -work[last - 1, Node.SIGN], tiny, False, work)
         return True
     if abs(work[last, Node.TIME]) < tiny:
-        passing[Passing.COUNT] = count - 1
+        remove_node(count - 1, work)
         insert_node(0, 0, -work[first, Node.SIGN], tiny, False, work)
         return True
     return False
@@ -216,7 +242,7 @@ def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
         if upward:
             kind = j + 1
         if work[PlanWork.EXCESS + kind, Excess.SHARE] > 0.0:
-            if insert_plateau(kind, False, axis, work):
+            if insert_plateau(kind, False, 0, axis, work):
                 return kind
     lowest = q - 3
     if lowest > 0 and work[PlanWork.EXCESS + lowest, Excess.SHARE] > 0.0:
@@ -241,7 +267,7 @@ def meet_limits(
                 return False
             restore_sequence(PlanWork.KEPT, work)
             added = 0
-            if not insert_plateau(q - 3, True, axis, work):
+            if not insert_plateau(q - 3, True, 0, axis, work):
                 return False
             if not solve_sequence(problem, axis, work):
                 return False

@@ -251,6 +251,11 @@ class Passing(Record):
     START = field("level at the start")
     JERK = field("jerk at the start, where the levels are those of the snap", "m/s3")
     SETTLED = field("1: a profile that keeps the limits was found, not one slowed down")
+    INSTANTS = field("number of derivatives that reach their limits for an instant")
+    INSTANT_ORDER = field("their orders", size=3)
+    INSTANT_SIGN = field("signs of the limits", size=3)
+    INSTANT_FROM = field("first nodes in whose ramps or holds they may do so", size=3)
+    INSTANT_TO = field("last nodes", size=3)
 
 
 class Excess(Record):
@@ -260,6 +265,13 @@ class Excess(Record):
     NODE = field("node in whose ramp or hold")
     HOLDING = field("1: in its hold")
     SIGN = field("sign of the derivative there")
+
+
+class Tighten(Record):
+    """Limits that a sequence exceeds, brought down to what they are (tighten.py)."""
+
+    SHARE = field("by which the derivatives exceed them at first", size=4)
+    STEPS = field("steps of Newton's method so far")
 
 
 class Equations(Record):
@@ -335,6 +347,8 @@ class PlanWork(Record):
     FOUND = field("the same of the shortest one", size=19, of=Node)
     SOLVED = field("the same of one before it meets the limits", size=19, of=Node)
     EXCESS = field("by the order of the derivative", size=4, of=Excess)
+    TIGHTEN = field("limits that are brought down", of=Tighten)
+    LOOSE = field("the axis with wider limits", of=Axis)
     RESIDUAL = field("residuals of the equations", of=Equations)
     MATRIX = field("their derivatives", size=16, of=Equations)
     STEP = field("step of Newton's method, in the first column", size=16, of=Equations)

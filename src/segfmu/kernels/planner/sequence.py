@@ -10,9 +10,10 @@ limit on a plateau, a node of level 0 with a hold: q - k more conditions.
 A free level has one unknown, the duration of the rise from 0 to it and, beyond its limit, of its
 hold. That of a plateau is its hold. Where the plateau of the derivative q - 2 has no time left, its
 node becomes a level, which touches the limit; that of q - 1 or q - 3 has one condition less then
-(TOUCH).
+(TOUCH). One level more has the peak of a derivative at its limit as its condition (instant.py).
 """
 
+from segfmu.kernels.planner.instant import instant_error
 from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_moments
 from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem
 
@@ -204,6 +205,11 @@ def run_sequence(
     row = 0
     for i in range(int(passing[Passing.COUNT]) + 1):
         row = follow_node(i, row, problem, passing, axis, nodes, residual)
+    for peak in range(int(passing[Passing.INSTANTS])):
+        scale = residual_scale(int(passing[Passing.INSTANT_ORDER + peak]), passing, axis)
+        error = instant_error(peak, passing, axis, nodes)
+        residual[Equations.VALUES + row] = error / scale
+        row = row + 1
     if passing[Passing.TARGET] > 0.0:
         error = sequence_duration(passing, nodes) - passing[Passing.TARGET]
         residual[Equations.VALUES + row] = error / passing[Passing.TIME]
@@ -280,4 +286,5 @@ def is_square(passing: 'float[:]', nodes: 'float[:,:]') -> bool:
     """Whether a sequence has as many unknowns as conditions."""
     count = int(passing[Passing.COUNT])
     conditions = first_row(count, passing, nodes) + int(passing[Passing.ABOVE]) + 2
+    conditions = conditions + int(passing[Passing.INSTANTS])
     return conditions == count and count <= 16
