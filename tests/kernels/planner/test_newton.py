@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from segfmu.kernels.planner.newton import newton_step
-from segfmu.kernels.planner.passing import set_sequence
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import (
     Cell,
@@ -18,6 +17,7 @@ from segfmu.kernels.planner.records import (
     Problem,
 )
 from segfmu.kernels.planner.sequence import is_square, run_sequence
+from segfmu.kernels.planner.starts import set_sequence
 from tests.problems import packed_axis, work_space
 
 

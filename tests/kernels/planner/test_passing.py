@@ -55,6 +55,85 @@ def test_a_velocity_touches_its_limit(
     assert found.duration < 1.045 * optimum
 
 
+INSTANTS = (
+    # limits, state, the optimum [s] by a linear program over 50 cells; the velocity, or the
+    # acceleration, reaches its limit for an instant
+    (
+        (0.6482, 0.7369, 2.5022, 1.4228, 1.6372, 0.5442),
+        (-0.1855, 0.1349, -0.482, 0.0897, 0.0091), 9.3204,
+    ),
+    (
+        (2.2144, 1.9352, 4.3893, 2.0306, 1.051, 1.3562),
+        (1.7715, -1.5481, 0.8857, 0.7741, 4.4335), 11.85,
+    ),
+    (
+        (0.6208, 0.6585, 3.2165, 1.0099, 1.1143, 0.8054),
+        (0.4966, -0.2634, 0.0, -0.2634, -0.2719), 8.7198,
+    ),
+    (
+        (3.0734, 0.6889, 1.8041, 4.2553, 1.923, 1.8331),
+        (-0.1218, 0.2118, -1.8507, -0.0493, -5.12), 6.8584,
+    ),
+    (
+        (0.7968, 0.9345, 1.1291, 2.0243, 4.9968, 3.364),
+        (-0.3187, 0.7476, 0.3187, 0.3738, 2.6529), 7.2498,
+    ),
+    (
+        (0.7011, 0.6615, 3.2157, 3.5239, 2.1276, 1.8475),
+        (0.0, -0.2646, -0.2804, -0.5292, 0.9548), 6.5586,
+    ),
+)
+FARTHER = (
+    # where the profile of ramps, which Newton's method starts from, goes beyond the target and back
+    (
+        (1.0577, 0.8018, 0.9712, 1.9899, 4.1633, 2.3947),
+        (0.4231, 0.3207, 0.0, -0.6414, 2.6219), 4.0069,
+    ),
+    (
+        (1.0391, 1.4749, 3.069, 2.3517, 4.6777, 0.8174),
+        (0.714, -0.6828, -0.1631, 0.2662, -1.3652), 5.0365,
+    ),
+    (
+        (4.7048, 1.5898, 2.4407, 4.848, 1.2177, 2.9805),
+        (0.0, 1.2718, -1.8819, -1.2718, 4.3508), 5.7893,
+    ),
+    (
+        (1.268, 1.6494, 0.8553, 4.023, 2.2384),
+        (0.3556, -0.0599, -0.9223, -0.8969, -0.1357), 2.5245,
+    ),
+)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+@pytest.mark.parametrize(("limits", "state", "optimum"), INSTANTS + FARTHER)
+def test_levels_of_the_snap_are_near_the_optimum(
+    limits: tuple[float, ...], state: tuple[float, ...], optimum: float, backwards: bool
+) -> None:
+    v, a, w, b, distance = state
+    if backwards:
+        v, a, w, b = w, -b, v, -a
+    points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
+    found = plan(points, Limits(*limits), smoothness=len(limits))
+    assert verify(found).passed
+    assert found.duration < 1.04 * optimum
+    if (limits, state, optimum) in INSTANTS:
+        peaks = [np.abs(found.extrema(order)).max() for order in (1, 2)]
+        assert min(abs(peak / bound - 1.0) for peak, bound in zip(peaks, limits)) < 1e-9
+
+
+@pytest.mark.parametrize("factor", [1.02, 1.3])
+@pytest.mark.parametrize(("limits", "state", "optimum"), INSTANTS)
+def test_an_instant_at_a_limit_with_a_given_duration(
+    limits: tuple[float, ...], state: tuple[float, ...], optimum: float, factor: float
+) -> None:
+    v, a, w, b, distance = state
+    points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
+    given = factor * 1.04 * optimum
+    found = plan(points, Limits(*limits), smoothness=len(limits), duration=given)
+    assert found.duration == pytest.approx(given, rel=1e-9)
+    assert verify(found).passed
+
+
 @pytest.mark.parametrize("n", [5, 6])
 @pytest.mark.parametrize(
     "given",

@@ -21,6 +21,14 @@ FITTING = [
     ((3.8197, 3.4078, 4.9625, 0.7763), (-1.5279, -1.3631, 1.5279, 2.7262, -19.1909)),
     # an acceleration that keeps its sign, beside a profile that brakes
     ((2.4248, 1.5724, 4.5401, 1.3238), (-0.9699, 0.6289, 0.0, 0.6289, -1.2347)),
+    ((0.9048, 1.1233, 3.669, 1.179, 0.6283), (0.0811, -0.6125, -0.6892, 0.1461, -2.0979)),
+    (
+        (4.1085, 2.5624, 0.6791, 0.8332, 0.5157, 0.8361),
+        (1.376, -1.0895, 2.1212, 1.2306, 0.2161),
+    ),
+]
+# here they did not fit the profiles of the first search
+SHORTER = [
     ((1.1746, 1.6921, 2.9627, 3.8189, 4.6568), (0.2921, 0.1814, -0.1644, -0.734, 0.6)),
     ((0.9669, 0.9282, 1.1447, 1.9913, 1.4536, 0.9127), (-0.7411, 0.515, -0.6815, -0.436, -0.8368)),
 ]
@@ -58,6 +66,14 @@ def test_smoothness_costs_little_where_the_usual_rises_do_not_fit(limits, state)
     assert count > 0 and duration > 1.5 * trajectory.duration
     assert verify(trajectory).passed
     # without smoothness of the last order the highest limited derivative jumps
+    assert trajectory.duration < 1.1 * planned(limits, state, len(limits) - 1).duration
+
+
+@pytest.mark.parametrize(("limits", "state"), SHORTER)
+def test_the_usual_rises_fit_a_shorter_profile(limits, state) -> None:
+    trajectory = planned(limits, state, len(limits))
+    count, duration = usual(limits, state)
+    assert count > 0 and duration < 1.01 * trajectory.duration
     assert trajectory.duration < 1.1 * planned(limits, state, len(limits) - 1).duration
 
 

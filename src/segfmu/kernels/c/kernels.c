@@ -332,6 +332,14 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
 static bool release_touch(int64_t kind, array_double_2d work);
 static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
 static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void append_level(double sign, double time, array_double_2d work);
+static void append_levels(double change, array_double_1d axis, array_double_2d work);
+static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
+static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
+static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool may_go_on(array_double_2d work);
 static void loosen(double share, array_double_1d axis, array_double_2d work);
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -339,16 +347,11 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
 static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void append_level(double sign, double time, array_double_2d work);
-static void append_levels(double change, array_double_1d axis, array_double_2d work);
-static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
-static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
-static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work);
 static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t steps, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -365,6 +368,8 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
+static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -395,6 +400,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -10645,15 +10651,15 @@ static double instant_error(int64_t peak, array_double_1d passing, array_double_
     int64_t i;
     double sign;
     double result;
-    order = (int64_t)((*cspan_at(&passing, INT64_C(11) + peak)));
-    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(17) + peak))), INT64_C(0));
-    last = (int64_t)((*cspan_at(&passing, INT64_C(20) + peak)));
+    order = (int64_t)((*cspan_at(&passing, INT64_C(13) + peak)));
+    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(19) + peak))), INT64_C(0));
+    last = (int64_t)((*cspan_at(&passing, INT64_C(22) + peak)));
     highest = -1e+300;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         if ((i >= first) && (i <= last))
         {
-            sign = (*cspan_at(&passing, INT64_C(14) + peak));
+            sign = (*cspan_at(&passing, INT64_C(16) + peak));
             highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
         }
     }
@@ -10663,27 +10669,27 @@ static double instant_error(int64_t peak, array_double_1d passing, array_double_
 static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
 {
     int64_t peak;
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(10)))); peak += INT64_C(1))
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(12)))); peak += INT64_C(1))
     {
-        if ((*cspan_at(&passing, INT64_C(17) + peak)) >= place)
+        if ((*cspan_at(&passing, INT64_C(19) + peak)) >= place)
         {
-            (*cspan_at(&passing, INT64_C(17) + peak)) = (*cspan_at(&passing, INT64_C(17) + peak)) + by;
+            (*cspan_at(&passing, INT64_C(19) + peak)) = (*cspan_at(&passing, INT64_C(19) + peak)) + by;
         }
-        if ((*cspan_at(&passing, INT64_C(20) + peak)) >= place)
+        if ((*cspan_at(&passing, INT64_C(22) + peak)) >= place)
         {
-            (*cspan_at(&passing, INT64_C(20) + peak)) = (*cspan_at(&passing, INT64_C(20) + peak)) + by;
+            (*cspan_at(&passing, INT64_C(22) + peak)) = (*cspan_at(&passing, INT64_C(22) + peak)) + by;
         }
     }
 }
 static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
 {
     int64_t peak;
-    peak = (int64_t)((*cspan_at(&passing, INT64_C(10))));
-    (*cspan_at(&passing, INT64_C(11) + peak)) = order;
-    (*cspan_at(&passing, INT64_C(14) + peak)) = sign;
-    (*cspan_at(&passing, INT64_C(17) + peak)) = node - INT64_C(1);
-    (*cspan_at(&passing, INT64_C(20) + peak)) = node + INT64_C(1);
-    (*cspan_at(&passing, INT64_C(10))) = peak + INT64_C(1);
+    peak = (int64_t)((*cspan_at(&passing, INT64_C(12))));
+    (*cspan_at(&passing, INT64_C(13) + peak)) = order;
+    (*cspan_at(&passing, INT64_C(16) + peak)) = sign;
+    (*cspan_at(&passing, INT64_C(19) + peak)) = node - INT64_C(1);
+    (*cspan_at(&passing, INT64_C(22) + peak)) = node + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(12))) = peak + INT64_C(1);
 }
 static double power_of(double base, int64_t exponent)
 {
@@ -11007,9 +11013,9 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     {
         row = follow_node(i, row, problem, passing, axis, nodes, residual);
     }
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(10)))); peak += INT64_C(1))
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(12)))); peak += INT64_C(1))
     {
-        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(11) + peak))), passing, axis);
+        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(13) + peak))), passing, axis);
         error = instant_error(peak, passing, axis, nodes);
         (*cspan_at(&residual, INT64_C(0) + row)) = error / scale;
         row = row + INT64_C(1);
@@ -11072,7 +11078,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
     int64_t conditions;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(10))));
+    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(12))));
     return (conditions == count) && (count <= INT64_C(16));
 }
 static double residual_norm(int64_t count, array_double_1d residual)
@@ -11239,7 +11245,7 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     (*cspan_at(&work, INT64_C(128), INT64_C(4))) = (*cspan_at(&work, INT64_C(128), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        if ((*cspan_at(&passing, INT64_C(10))) > 0.5)
+        if ((*cspan_at(&passing, INT64_C(12))) > 0.5)
         {
             whole_column(j, count, problem, axis, work);
         }
@@ -11358,7 +11364,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     }
     run_sequence(problem, passing, axis, nodes, residual);
     error = residual_norm(count, residual);
-    quick = ramps_suffice(axis);
+    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(11))) > 0.5);
     earlier = error;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
@@ -11406,7 +11412,7 @@ static void keep_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(25); i += INT64_C(1))
     {
         (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
     }
@@ -11422,7 +11428,7 @@ static void restore_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(25); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
     }
@@ -11831,216 +11837,6 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
     }
     return 0;
 }
-static void loosen(double share, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d loose;
-    int64_t i;
-    int64_t order;
-    double excess;
-    loose = span_row(&work, INT64_C(129));
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
-    {
-        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
-    }
-    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
-    {
-        i = INT64_C(2) + order - INT64_C(1);
-        excess = (*cspan_at(&work, INT64_C(128), INT64_C(0) + order));
-        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
-    }
-}
-static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t node;
-    int64_t count;
-    int64_t place;
-    int64_t beside;
-    int64_t row;
-    bool result;
-    passing = span_row(&work, INT64_C(48));
-    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    place = node;
-    beside = node;
-    if (variant == INT64_C(0))
-    {
-        beside = node - INT64_C(1);
-    }
-    else if (variant == INT64_C(2))
-    {
-        place = node - INT64_C(1);
-        beside = node - INT64_C(1);
-    }
-    else if (variant == INT64_C(3))
-    {
-        place = node + INT64_C(1);
-    }
-    if ((place < INT64_C(0)) || (beside < INT64_C(0)) || (beside >= count) || (count > INT64_C(12)))
-    {
-        return 0;
-    }
-    row = INT64_C(49) + beside;
-    if (((*cspan_at(&passing, INT64_C(10))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
-    {
-        return 0;
-    }
-    insert_node(place, INT64_C(0), (*cspan_at(&work, row, INT64_C(5))), 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
-    add_instant(order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
-    result = solve_rotated(problem, axis, work);
-    return result;
-}
-static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t variant;
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
-    {
-        if (insert_level(variant, order, problem, axis, work))
-        {
-            return 1;
-        }
-        restore_sequence(INT64_C(67), work);
-    }
-    return 0;
-}
-static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t q;
-    int64_t order;
-    int64_t guesses;
-    int64_t guess;
-    bool result;
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
-    order = q - INT64_C(1);
-    while((*cspan_at(&work, INT64_C(124) + order, INT64_C(0))) == 0.0)
-    {
-        order = order - INT64_C(1);
-    }
-    keep_sequence(INT64_C(67), work);
-    if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
-    {
-        return 1;
-    }
-    guesses = INT64_C(1);
-    if (order == q - INT64_C(2))
-    {
-        guesses = INT64_C(3);
-    }
-    for (guess = INT64_C(0); guess < guesses; guess += INT64_C(1))
-    {
-        if (insert_plateau(order, 0, guess, axis, work))
-        {
-            if (solve_rotated(problem, axis, work))
-            {
-                return 1;
-            }
-        }
-        restore_sequence(INT64_C(67), work);
-    }
-    result = (order == q - INT64_C(2)) && insert_instant(order, problem, axis, work);
-    return result;
-}
-static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t row;
-    int64_t order;
-    double sign;
-    int64_t side;
-    bool result;
-    row = INT64_C(49) + place;
-    order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-    sign = (*cspan_at(&work, row, INT64_C(5)));
-    if (order == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
-    {
-        (*cspan_at(&work, row, INT64_C(7))) = 2.0;
-        (*cspan_at(&work, row, INT64_C(8))) = 0.0;
-        result = solve_sequence(problem, axis, work);
-        return result;
-    }
-    keep_sequence(INT64_C(67), work);
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-    {
-        remove_node(place, work);
-        remove_node(place - side, work);
-        add_instant(order, sign, place - side, span_row(&work, INT64_C(48)));
-        if (solve_rotated(problem, axis, work))
-        {
-            return 1;
-        }
-        restore_sequence(INT64_C(67), work);
-    }
-    return 0;
-}
-static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t attempt;
-    int64_t place;
-    for (attempt = INT64_C(0); attempt < INT64_C(10); attempt += INT64_C(1))
-    {
-        place = overlong_plateau(work);
-        if (place >= INT64_C(0))
-        {
-            if (!end_plateau(place, problem, axis, work))
-            {
-                return 0;
-            }
-        }
-        else if (!measure_excess(axis, work))
-        {
-            return 1;
-        }
-        else if (!insert_limit(problem, axis, work))
-        {
-            return 0;
-        }
-    }
-    return 0;
-}
-static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    array_double_1d loose;
-    int64_t order;
-    double reached;
-    double step;
-    double share;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    loose = span_row(&work, INT64_C(129));
-    measure_excess(axis, work);
-    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(128), INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
-    }
-    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = 0.0;
-    reached = 0.0;
-    step = 1.0;
-    while((step > 0.1) && ((*cspan_at(&work, INT64_C(128), INT64_C(4))) < 60.0))
-    {
-        share = span_min(reached + step, 1.0);
-        loosen(share, axis, work);
-        restore_sequence(INT64_C(105), work);
-        if (solve_rotated(problem, loose, work) && meet_all(problem, loose, work))
-        {
-            if (sequence_duration(passing, nodes) >= longest)
-            {
-                return 0;
-            }
-            if (share == 1.0)
-            {
-                return 1;
-            }
-            keep_sequence(INT64_C(105), work);
-            reached = share;
-        }
-        else
-        {
-            step = 0.5 * step;
-        }
-    }
-    return 0;
-}
 static void append_level(double sign, double time, array_double_2d work)
 {
     int64_t count;
@@ -12172,7 +11968,8 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
-    (*cspan_at(&passing, INT64_C(10))) = 0.0;
+    (*cspan_at(&passing, INT64_C(12))) = 0.0;
+    (*cspan_at(&passing, INT64_C(11))) = 0.0;
     (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
     (*cspan_at(&passing, INT64_C(4))) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -12222,6 +12019,293 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
         }
     }
     return 1;
+}
+static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t attempt;
+    for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
+    {
+        if (!set_sequence(attempt, count, ramps, problem, axis, work))
+        {
+            return 0;
+        }
+        if (solve_rotated(problem, axis, work))
+        {
+            keep_sequence(INT64_C(105), work);
+            return 1;
+        }
+    }
+    return 0;
+}
+static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t q;
+    double duration;
+    double sign;
+    int64_t attempt;
+    int64_t i;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    if (((int64_t)((*cspan_at(&passing, INT64_C(0)))) != q) || ramps_suffice(axis) || is_resting(problem, axis))
+    {
+        return 0;
+    }
+    duration = sequence_duration(passing, nodes);
+    sign = (*cspan_at(&work, INT64_C(49), INT64_C(5)));
+    (*cspan_at(&passing, INT64_C(11))) = 1.0;
+    for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
+    {
+        sign = -sign;
+        (*cspan_at(&passing, INT64_C(0))) = 0.0;
+        for (i = INT64_C(0); i < q; i += INT64_C(1))
+        {
+            insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), 0.35 * duration / q, 0, work);
+        }
+        if (solve_rotated(problem, axis, work))
+        {
+            if (sequence_duration(passing, nodes) < 0.9 * duration)
+            {
+                (*cspan_at(&passing, INT64_C(11))) = 0.0;
+                keep_sequence(INT64_C(105), work);
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+static bool may_go_on(array_double_2d work)
+{
+    bool result;
+    result = (*cspan_at(&work, INT64_C(128), INT64_C(4))) < 100.0;
+    return result;
+}
+static void loosen(double share, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d loose;
+    int64_t i;
+    int64_t order;
+    double excess;
+    loose = span_row(&work, INT64_C(129));
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
+    }
+    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+    {
+        i = INT64_C(2) + order - INT64_C(1);
+        excess = (*cspan_at(&work, INT64_C(128), INT64_C(0) + order));
+        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
+    }
+}
+static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t node;
+    int64_t count;
+    int64_t place;
+    int64_t beside;
+    double sign;
+    int64_t row;
+    bool result;
+    passing = span_row(&work, INT64_C(48));
+    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    place = node;
+    beside = node;
+    sign = 1.0;
+    if (variant == INT64_C(0))
+    {
+        beside = node - INT64_C(1);
+    }
+    else if (variant == INT64_C(2))
+    {
+        place = node - INT64_C(1);
+        beside = node - INT64_C(1);
+    }
+    else if (variant == INT64_C(3))
+    {
+        place = node + INT64_C(1);
+    }
+    else if (variant == INT64_C(4))
+    {
+        place = INT64_C(0);
+        beside = INT64_C(0);
+        sign = -1.0;
+    }
+    else if (variant == INT64_C(5))
+    {
+        place = count;
+        beside = count - INT64_C(1);
+        sign = -1.0;
+    }
+    if ((place < INT64_C(0)) || (beside < INT64_C(0)) || (beside >= count) || (count > INT64_C(12)))
+    {
+        return 0;
+    }
+    row = INT64_C(49) + beside;
+    if (((*cspan_at(&passing, INT64_C(12))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    sign = sign * (*cspan_at(&work, row, INT64_C(5)));
+    insert_node(place, INT64_C(0), sign, 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
+    add_instant(order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
+    result = solve_rotated(problem, axis, work);
+    return result;
+}
+static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t variant;
+    for (variant = INT64_C(0); variant < INT64_C(6); variant += INT64_C(1))
+    {
+        if (may_go_on(work) && insert_level(variant, order, problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    return 0;
+}
+static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t q;
+    int64_t order;
+    int64_t guesses;
+    int64_t guess;
+    bool result;
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    order = q - INT64_C(1);
+    while((*cspan_at(&work, INT64_C(124) + order, INT64_C(0))) == 0.0)
+    {
+        order = order - INT64_C(1);
+    }
+    keep_sequence(INT64_C(67), work);
+    if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
+    {
+        return 1;
+    }
+    guesses = INT64_C(1);
+    if (order == q - INT64_C(2))
+    {
+        guesses = INT64_C(3);
+    }
+    for (guess = INT64_C(0); guess < guesses; guess += INT64_C(1))
+    {
+        if (may_go_on(work) && insert_plateau(order, 0, guess, axis, work))
+        {
+            if (solve_rotated(problem, axis, work))
+            {
+                return 1;
+            }
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    result = (order == q - INT64_C(2)) && insert_instant(order, problem, axis, work);
+    return result;
+}
+static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t row;
+    int64_t order;
+    double sign;
+    int64_t side;
+    bool result;
+    row = INT64_C(49) + place;
+    order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+    sign = (*cspan_at(&work, row, INT64_C(5)));
+    if (order == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
+    {
+        (*cspan_at(&work, row, INT64_C(7))) = 2.0;
+        (*cspan_at(&work, row, INT64_C(8))) = 0.0;
+        result = solve_sequence(problem, axis, work);
+        return result;
+    }
+    keep_sequence(INT64_C(67), work);
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        remove_node(place, work);
+        remove_node(place - side, work);
+        add_instant(order, sign, place - side, span_row(&work, INT64_C(48)));
+        if (solve_rotated(problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    return 0;
+}
+static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t attempt;
+    int64_t place;
+    for (attempt = INT64_C(0); attempt < INT64_C(10); attempt += INT64_C(1))
+    {
+        place = overlong_plateau(work);
+        if (place >= INT64_C(0))
+        {
+            if (!end_plateau(place, problem, axis, work))
+            {
+                return 0;
+            }
+        }
+        else if (!measure_excess(axis, work))
+        {
+            return 1;
+        }
+        else if (!insert_limit(problem, axis, work))
+        {
+            return 0;
+        }
+    }
+    return 0;
+}
+static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d loose;
+    int64_t order;
+    double reached;
+    double step;
+    double share;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    loose = span_row(&work, INT64_C(129));
+    measure_excess(axis, work);
+    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(128), INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
+    }
+    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = 0.0;
+    reached = 0.0;
+    step = 1.0;
+    while((step > 0.1) && may_go_on(work))
+    {
+        share = span_min(reached + step, 1.0);
+        loosen(share, axis, work);
+        restore_sequence(INT64_C(105), work);
+        if (solve_rotated(problem, loose, work) && meet_all(problem, loose, work))
+        {
+            if (sequence_duration(passing, nodes) >= longest)
+            {
+                return 0;
+            }
+            if (share == 1.0)
+            {
+                return 1;
+            }
+            keep_sequence(INT64_C(105), work);
+            reached = share;
+        }
+        else
+        {
+            step = 0.5 * step;
+        }
+    }
+    return 0;
 }
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -12351,39 +12435,17 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     result = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
     return result;
 }
-static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    int64_t attempt;
-    for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
-    {
-        if (!set_sequence(attempt, count, ramps, problem, axis, work))
-        {
-            return 0;
-        }
-        if (solve_rotated(problem, axis, work))
-        {
-            keep_sequence(INT64_C(105), work);
-            return 1;
-        }
-    }
-    return 0;
-}
-static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
+    int64_t used;
     bool few;
     int64_t ways;
     int64_t way;
     double found;
-    int64_t used;
     used = INT64_C(0);
-    (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 0.0;
-    if (!first_solution(count, ramps, problem, axis, work))
-    {
-        return INT64_C(0);
-    }
     few = ramps_suffice(axis);
     ways = INT64_C(3);
-    if ((*cspan_at(&work, INT64_C(48), INT64_C(1))) > 1.5)
+    if (((*cspan_at(&work, INT64_C(48), INT64_C(1))) > 1.5) && ((*cspan_at(&work, INT64_C(48), INT64_C(10))) < 0.5))
     {
         ways = INT64_C(4);
     }
@@ -12408,6 +12470,36 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
                 break;
             }
         }
+    }
+    (*result_0) = used;
+    (*result_1_0001) = shortest;
+    return 0;
+}
+static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t used;
+    int64_t others;
+    passing = span_row(&work, INT64_C(48));
+    (*cspan_at(&passing, INT64_C(9))) = 0.0;
+    if (!first_solution(count, ramps, problem, axis, work))
+    {
+        return INT64_C(0);
+    }
+    used = INT64_C(0);
+    if (((*cspan_at(&passing, INT64_C(10))) < 0.5) && shorter_solution(problem, axis, work))
+    {
+        shortest_way(&used, &shortest, shortest, longest, phases, problem, axis, work);
+        if ((*cspan_at(&passing, INT64_C(9))) > 0.5)
+        {
+            return used;
+        }
+        first_solution(count, ramps, problem, axis, work);
+    }
+    shortest_way(&others, &shortest, shortest, longest, phases, problem, axis, work);
+    if (others > INT64_C(0))
+    {
+        return others;
     }
     return used;
 }
@@ -12763,6 +12855,7 @@ static void begin_search(array_double_1d problem, array_double_1d axis, array_do
     boundary_problem(problem, axis, span_row(&work, INT64_C(43)));
     (*cspan_at(&work, INT64_C(45), INT64_C(18))) = 0.0;
     (*cspan_at(&work, INT64_C(45), INT64_C(17))) = 1e+300;
+    (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 0.0;
 }
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
@@ -12958,7 +13051,7 @@ static bool misses_little(double free, double duration, array_double_1d asked, a
     result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
     return result;
 }
-int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
     array_double_1d family;
@@ -12969,7 +13062,6 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
-    begin_search(problem, axis, work);
     (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
     if (is_done(asked))
     {
@@ -13013,6 +13105,21 @@ int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, a
     }
     (*cspan_at(&family, INT64_C(18))) = missed;
     return count;
+}
+int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t result;
+    begin_search(problem, axis, work);
+    result = begun_profile(axis, phases, work);
+    return result;
+}
+static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t result;
+    begin_search(problem, axis, work);
+    (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 1.0;
+    result = begun_profile(axis, phases, work);
+    return result;
 }
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
 {
@@ -13847,22 +13954,12 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
     (*cspan_at(&nearest, INT64_C(2))) = count;
 }
-static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work)
+static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    array_double_1d problem;
-    array_double_2d phases;
-    int64_t count;
     bool backwards;
-    if ((*cspan_at(&axis, INT64_C(33))) < 0.5)
-    {
-        return -1.0;
-    }
-    problem = span_row(&work, INT64_C(43));
-    phases = span_rows(&cell, INT64_C(0), INT64_C(33));
-    count = segfmu_shortest_profile(problem, axis, phases, work);
     if ((count <= INT64_C(0)) || ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) < 0.5))
     {
-        return -1.0;
+        return INT64_C(0);
     }
     backwards = (*cspan_at(&work, INT64_C(48), INT64_C(6))) > 0.5;
     if (backwards)
@@ -13874,6 +13971,26 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     {
         reverse_problem(problem);
         reverse_phases(phases, INT64_C(0), count);
+    }
+    return count;
+}
+static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_2d phases;
+    int64_t count;
+    if ((*cspan_at(&axis, INT64_C(33))) < 0.5)
+    {
+        return -1.0;
+    }
+    problem = span_row(&work, INT64_C(43));
+    phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+    count = segfmu_shortest_profile(problem, axis, phases, work);
+    count = slower_form(count, phases, problem, axis, work);
+    if ((count == INT64_C(0)) && (!ramps_suffice(axis)))
+    {
+        count = plain_profile(problem, axis, phases, work);
+        count = slower_form(count, phases, problem, axis, work);
     }
     if (count == INT64_C(0))
     {

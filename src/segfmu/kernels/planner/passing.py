@@ -1,144 +1,25 @@
 """Profiles that pass zero jerk with snap, for limits above the snap: see sequence.py.
 
-A sequence starts from the ramps of an ordinary profile. Newton's method finds its levels; where a
-derivative then exceeds its limit, it gets a plateau there. If that fails, the whole sequence is
-slowed down until it keeps the limits.
+Newton's method finds the levels of a sequence from those in an ordinary profile (starts.py). Where
+a derivative then exceeds its limit, it gets a plateau there (plateaus.py). If that fails, the whole
+sequence is slowed down until it keeps the limits; levels of the snap have another way (tighten.py).
 """
-
-from math import sqrt
 
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.phases import append_hold, total_duration
+from segfmu.kernels.planner.phases import append_hold
 from segfmu.kernels.planner.plateaus import (
-    insert_node,
     keep_sequence,
     meet_limits,
     overlong_plateau,
     restore_sequence,
     solve_rotated,
 )
-from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
 from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem
-from segfmu.kernels.planner.sequence import is_square, sequence_duration
+from segfmu.kernels.planner.sequence import sequence_duration
+from segfmu.kernels.planner.starts import first_solution, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
-
-
-def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
-    """Append a level to a sequence, or enlarge the last one if that has the same sign."""
-    count = int(work[PlanWork.PASSING, Passing.COUNT])
-    if count > 0:
-        row = PlanWork.NODES + count - 1
-        if work[row, Node.KIND] < 0.5 and work[row, Node.SIGN] == sign:
-            last = work[row, Node.TIME]
-            work[row, Node.TIME] = sqrt(last * last + time * time)
-            return
-    insert_node(count, 0, sign, time, False, work)
-
-
-def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
-    """Append the levels of a ramp of the acceleration; nothing for no change."""
-    if change == 0.0:
-        return
-    sign = 1.0
-    if change < 0.0:
-        sign = -1.0
-    duration, slope = ramp_duration(abs(change), axis)
-    rise = inner_rise(duration, 0, axis)
-    hold = max(duration - 2.0 * rise, 0.0)
-    if work[PlanWork.PASSING, Passing.ABOVE] < 1.5:
-        append_level(sign, rise + hold, work)
-        return
-    time = rise - inner_rise(rise, 1, axis)
-    append_level(sign, time, work)
-    if hold > 1e-9 * duration:
-        count = int(work[PlanWork.PASSING, Passing.COUNT])
-        insert_node(count, 3, sign, hold, False, work)
-    append_level(-sign, time, work)
-
-
-def limit_held(a: float, v: float, axis: 'float[:]') -> 'tuple[int, float]':
-    """The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none."""
-    order = 0
-    value = 0.0
-    if abs(a) >= axis[Axis.ACCELERATION] * (1.0 - 1e-9):
-        order = 2
-        value = a
-    elif a == 0.0 and abs(v) >= axis[Axis.VELOCITY] * (1.0 - 1e-9):
-        order = 1
-        value = v
-    if value < 0.0:
-        return order, -1.0
-    return order, 1.0
-
-
-def copy_levels(
-    count: int, phases: 'float[:,:]', v: float, axis: 'float[:]', work: 'float[:,:]'
-) -> None:
-    """Set the sequence of the levels in the ramps of an ordinary profile from the velocity v."""
-    passing = work[PlanWork.PASSING, :]
-    passing[Passing.COUNT] = 0.0
-    pending = 0.0
-    for i in range(count):
-        a = phases[i, Phase.ACCELERATION]
-        change = phases[i, Phase.CHANGE]
-        duration = phases[i, Phase.DURATION]
-        if change * pending < 0.0:
-            append_levels(pending, axis, work)
-            pending = 0.0
-        pending = pending + change
-        if change == 0.0:
-            order, sign = limit_held(a, v, axis)
-            if order > 0:
-                append_levels(pending, axis, work)
-                pending = 0.0
-                insert_node(int(passing[Passing.COUNT]), order, sign, duration, False, work)
-        v = v + (a + 0.5 * change) * duration
-    append_levels(pending, axis, work)
-
-
-def set_sequence(
-    attempt: int, count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
-    work: 'float[:,:]',
-) -> bool:
-    """Set what Newton's method starts from in an attempt; False if it is that of another one."""
-    passing = work[PlanWork.PASSING, :]
-    q = int(axis[Axis.ABOVE]) + 2
-    passing[Passing.ABOVE] = axis[Axis.ABOVE]
-    passing[Passing.PACE] = 1.0
-    passing[Passing.TARGET] = 0.0
-    passing[Passing.INSTANTS] = 0.0
-    passing[Passing.TIME] = total_duration(phases, count)
-    passing[Passing.ACCELERATION] = 0.0
-    for i in range(count):
-        a = abs(phases[i, Phase.ACCELERATION] + phases[i, Phase.CHANGE])
-        passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
-        a = abs(phases[i, Phase.ACCELERATION])
-        passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
-    copy_levels(count, phases, problem[Problem.V], axis, work)
-    if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
-        passing[Passing.COUNT] = 0.0
-        for i in range(q):
-            time = 0.7 * passing[Passing.TIME] / q
-            insert_node(i, 0, 1.0 - 2.0 * (i % 2), time, False, work)
-    # the levels of ordinary profiles are lower, as they meet at zero
-    factor = 1.0
-    if q == 4:
-        factor = 1.25
-    if attempt % 3 == 1:
-        factor = 1.3 * factor
-    elif attempt % 3 == 2:
-        factor = 0.8 * factor
-    for i in range(int(passing[Passing.COUNT])):
-        row = PlanWork.NODES + i
-        if work[row, Node.KIND] < 0.5:
-            work[row, Node.TIME] = factor * work[row, Node.TIME]
-            if attempt >= 3:
-                work[row, Node.SIGN] = -work[row, Node.SIGN]
-        elif attempt >= 3:
-            return False
-    return True
 
 
 def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
@@ -228,37 +109,20 @@ def passing_duration(
     return sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
 
 
-def first_solution(
-    count: int, ramps: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
-    """Keep the first sequence, of several starts, that has a solution; False if none has."""
-    for attempt in range(6):
-        if not set_sequence(attempt, count, ramps, problem, axis, work):
-            return False
-        if solve_rotated(problem, axis, work):
-            keep_sequence(PlanWork.SOLVED, work)
-            return True
-    return False
+def shortest_way(
+    shortest: float, longest: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """Write the profile in which a solved sequence meets the limits soonest, as `passing_form`.
 
-
-def passing_form(
-    shortest: float, longest: float, count: int, ramps: 'float[:,:]', phases: 'float[:,:]',
-    problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
-) -> int:
-    """Write a passing profile that takes less than `longest` [s]; 0: none, else its phases.
-
-    shortest >= longest: duration of the profile of `count` ramps of the acceleration to start from.
-    The sequence is kept in the rows FOUND of `work`; it starts at the level START.
+    Returns its phases, 0 if there is none, and the duration that the next one has to be below.
     """
     used = 0
-    work[PlanWork.PASSING, Passing.SETTLED] = 0.0
-    if not first_solution(count, ramps, problem, axis, work):
-        return 0
     # where levels of the jerk fail at first, other ways hardly help: 0.5 % in one of 2,000 plans
     few = ramps_suffice(axis)
     # and those of crackle limits gain less than 2 % by the last one
     ways = 3
-    if work[PlanWork.PASSING, Passing.ABOVE] > 1.5:
+    if work[PlanWork.PASSING, Passing.ABOVE] > 1.5 and work[PlanWork.PASSING, Passing.PLAIN] < 0.5:
         ways = 4
     for way in range(ways):
         if few and (way > 1 or (way == 1 and used == 0)):
@@ -272,6 +136,31 @@ def passing_form(
             if way == 3 or (way < 2 and not stays_below(work)):
                 work[PlanWork.PASSING, Passing.SETTLED] = 1.0
                 break
+    return used, shortest
+
+
+def passing_form(
+    shortest: float, longest: float, count: int, ramps: 'float[:,:]', phases: 'float[:,:]',
+    problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
+) -> int:
+    """Write a passing profile that takes less than `longest` [s]; 0: none, else its phases.
+
+    shortest >= longest: duration of the profile of `count` ramps of the acceleration to start from.
+    The sequence is kept in the rows FOUND of `work`; it starts at the level START.
+    """
+    passing = work[PlanWork.PASSING, :]
+    passing[Passing.SETTLED] = 0.0
+    if not first_solution(count, ramps, problem, axis, work):
+        return 0
+    used = 0
+    if passing[Passing.PLAIN] < 0.5 and shorter_solution(problem, axis, work):
+        used, shortest = shortest_way(shortest, longest, phases, problem, axis, work)
+        if passing[Passing.SETTLED] > 0.5:
+            return used
+        first_solution(count, ramps, problem, axis, work)
+    others, shortest = shortest_way(shortest, longest, phases, problem, axis, work)
+    if others > 0:
+        return others
     return used
 
 

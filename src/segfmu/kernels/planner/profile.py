@@ -142,6 +142,7 @@ def begin_search(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     boundary_problem(problem, axis, work[PlanWork.PROBLEM, :])
     work[PlanWork.FAMILY, Family.MISSED] = 0.0
     work[PlanWork.FAMILY, Family.FREE] = 1e300
+    work[PlanWork.PASSING, Passing.PLAIN] = 0.0
 
 
 def shortest_ramps(
@@ -167,9 +168,23 @@ def shortest_profile(
     (0 when there is nothing to do), or the status START_BRAKING, END_BRAKING or NO_PROFILE
     (PlanStatus).
     """
+    begin_search(problem, axis, work)
+    return begun_profile(axis, phases, work)
+
+
+def plain_profile(
+    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """`shortest_profile` without the ways that are tried last, where that cannot be slowed down."""
+    begin_search(problem, axis, work)
+    work[PlanWork.PASSING, Passing.PLAIN] = 1.0
+    return begun_profile(axis, phases, work)
+
+
+def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
+    """`shortest_profile` of the problem that is set."""
     asked = work[PlanWork.PROBLEM, :]
     family = work[PlanWork.FAMILY, :]
-    begin_search(problem, axis, work)
     work[PlanWork.PASSING, Passing.SETTLED] = 1.0
     if is_done(asked):
         return 0

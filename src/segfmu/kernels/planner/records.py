@@ -251,6 +251,8 @@ class Passing(Record):
     START = field("level at the start")
     JERK = field("jerk at the start, where the levels are those of the snap", "m/s3")
     SETTLED = field("1: a profile that keeps the limits was found, not one slowed down")
+    PLAIN = field("1: without the ways that are tried last")
+    QUICK = field("1: Newton's method gives up soon")
     INSTANTS = field("number of derivatives that reach their limits for an instant")
     INSTANT_ORDER = field("their orders", size=3)
     INSTANT_SIGN = field("signs of the limits", size=3)

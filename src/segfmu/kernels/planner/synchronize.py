@@ -19,6 +19,7 @@ from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import (
     boundary_problem,
@@ -26,7 +27,7 @@ from segfmu.kernels.planner.phases import (
     reverse_phases,
     reverse_problem,
 )
-from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.profile import plain_profile, shortest_profile
 from segfmu.kernels.planner.records import (
     Axis,
     Braking,
@@ -243,14 +244,33 @@ def timed_profile(
 
 
 def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
-    """The shortest profile, if it passes zero jerk with snap, slowed down; as `timed_profile`."""
+    """The shortest profile, if it passes zero jerk with snap, slowed down; as `timed_profile`.
+
+    Where that fails, another one that is not as short may be slowed down.
+    """
     if axis[Axis.ABOVE] < 0.5:
         return -1.0
     problem = work[PlanWork.PROBLEM, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     count = shortest_profile(problem, axis, phases, work)
-    if count <= 0 or phases[0, Phase.ABOVE] < 0.5:
+    count = slower_form(count, phases, problem, axis, work)
+    if count == 0 and not ramps_suffice(axis):
+        count = plain_profile(problem, axis, phases, work)
+        count = slower_form(count, phases, problem, axis, work)
+    if count == 0:
         return -1.0
+    fit_duration(phases, count, problem[Problem.DURATION])
+    work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
+    work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
+    return 0.0
+
+
+def slower_form(
+    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Slow a profile of `count` phases down; their new number, 0 if that fails."""
+    if count <= 0 or phases[0, Phase.ABOVE] < 0.5:
+        return 0
     backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
     if backwards:
         reverse_problem(problem)
@@ -258,12 +278,7 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     if backwards:
         reverse_problem(problem)
         reverse_phases(phases, 0, count)
-    if count == 0:
-        return -1.0
-    fit_duration(phases, count, problem[Problem.DURATION])
-    work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
-    work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
-    return 0.0
+    return count
 
 
 def surround_nearest(

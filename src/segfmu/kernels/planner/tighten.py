@@ -21,6 +21,11 @@ from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sequence import sequence_duration
 
 
+def may_go_on(work: 'float[:,:]') -> bool:
+    """Whether Newton's method has taken few steps so far; it hardly ever succeeds after more."""
+    return work[PlanWork.TIGHTEN, Tighten.STEPS] < 100.0
+
+
 def loosen(share: float, axis: 'float[:]', work: 'float[:,:]') -> None:
     """Write the axis with limits that lie between those asked for (1) and what is taken (0)."""
     loose = work[PlanWork.LOOSE, :]
@@ -37,13 +42,15 @@ def insert_level(
 ) -> bool:
     """Insert a level near where a derivative exceeds its limit, which it then has for an instant.
 
-    variant: after the node before it, before that node, before the node before, or after it.
+    variant: after the node before it, before that node, before the node before, or after it; or of
+    the other sign, before the first node or after the last one.
     """
     passing = work[PlanWork.PASSING, :]
     node = int(work[PlanWork.EXCESS + order, Excess.NODE])
     count = int(passing[Passing.COUNT])
     place = node
     beside = node
+    sign = 1.0
     if variant == 0:
         beside = node - 1
     elif variant == 2:
@@ -51,12 +58,21 @@ def insert_level(
         beside = node - 1
     elif variant == 3:
         place = node + 1
+    elif variant == 4:
+        place = 0
+        beside = 0
+        sign = -1.0
+    elif variant == 5:
+        place = count
+        beside = count - 1
+        sign = -1.0
     if place < 0 or beside < 0 or beside >= count or count > 12:
         return False
     row = PlanWork.NODES + beside
     if passing[Passing.INSTANTS] > 2.5 or work[row, Node.KIND] > 0.5:
         return False
-    insert_node(place, 0, work[row, Node.SIGN], 0.5 * work[row, Node.TIME], False, work)
+    sign = sign * work[row, Node.SIGN]
+    insert_node(place, 0, sign, 0.5 * work[row, Node.TIME], False, work)
     add_instant(order, work[PlanWork.EXCESS + order, Excess.SIGN], node, passing)
     return solve_rotated(problem, axis, work)
 
@@ -65,8 +81,8 @@ def insert_instant(
     order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Let a derivative that exceeds its limit reach it for an instant; false: nothing changes."""
-    for variant in range(4):
-        if insert_level(variant, order, problem, axis, work):
+    for variant in range(6):
+        if may_go_on(work) and insert_level(variant, order, problem, axis, work):
             return True
         restore_sequence(PlanWork.KEPT, work)
     return False
@@ -85,7 +101,7 @@ def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> b
     if order == q - 2:
         guesses = 3
     for guess in range(guesses):
-        if insert_plateau(order, False, guess, axis, work):
+        if may_go_on(work) and insert_plateau(order, False, guess, axis, work):
             if solve_rotated(problem, axis, work):
                 return True
         restore_sequence(PlanWork.KEPT, work)
@@ -144,7 +160,7 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
     work[PlanWork.TIGHTEN, Tighten.STEPS] = 0.0
     reached = 0.0
     step = 1.0
-    while step > 0.1 and work[PlanWork.TIGHTEN, Tighten.STEPS] < 60.0:
+    while step > 0.1 and may_go_on(work):
         share = min(reached + step, 1.0)
         loosen(share, axis, work)
         restore_sequence(PlanWork.SOLVED, work)
