@@ -12533,6 +12533,10 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     int64_t result;
     restore_sequence(INT64_C(86), work);
     shortest = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
+    if ((*cspan_at(&problem, INT64_C(5))) < shortest)
+    {
+        return INT64_C(0);
+    }
     steps = span_min_int((int64_t)(20.0 * ((*cspan_at(&problem, INT64_C(5))) / shortest - 1.0)) + INT64_C(1), INT64_C(10));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {

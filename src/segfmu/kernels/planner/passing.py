@@ -188,12 +188,14 @@ def timed_passing(
 ) -> int:
     """Slow the passing profile that was found down so that it lasts the problem's duration.
 
-    Returns the number of its phases; 0 if that breaks a limit.
+    Returns the number of its phases; 0 if that breaks a limit, or if it takes longer already.
     """
     restore_sequence(PlanWork.FOUND, work)
     shortest = sequence_duration(
         work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     )
+    if problem[Problem.DURATION] < shortest:
+        return 0
     # by little each time, as plateaus begin and end; but steps can be too small where levels meet
     steps = min(int(20.0 * (problem[Problem.DURATION] / shortest - 1.0)) + 1, 10)
     for i in range(3):
