@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from segfmu.kernels.planner.instant import add_instant
 from segfmu.kernels.planner.newton import newton_step
+from segfmu.kernels.planner.plateaus import insert_node
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import (
     Cell,
@@ -30,8 +32,8 @@ def residuals(problem: np.ndarray, axis: np.ndarray, work: np.ndarray, count: in
 
 
 @pytest.mark.parametrize("timed", [False, True])
-@pytest.mark.parametrize("n", [4, 5, 6])
-def test_derivatives_are_those_of_differences(n: int, timed: bool) -> None:
+@pytest.mark.parametrize(("n", "instant"), [(4, 0), (5, 0), (6, 0), (6, 1), (6, 2)])
+def test_derivatives_are_those_of_differences(n: int, timed: bool, instant: int) -> None:
     axis = packed_axis(n, 1, [0.9, 1.0, 2.0, 6.0, 30.0, 200.0, 0.0][: n + 1])
     problem = np.zeros(Problem.SIZE)
     problem[[Problem.V, Problem.A, Problem.W, Problem.DISTANCE]] = 0.2, -0.3, 0.4, 3.0
@@ -40,6 +42,10 @@ def test_derivatives_are_those_of_differences(n: int, timed: bool) -> None:
     count = shortest_profile(problem, packed_axis(3, 1, [0.9, 1.0, 2.0, 0.0]), phases, work)
     assert count > 0 and set_sequence(0, count, phases, problem, axis, work)
     passing = work[PlanWork.PASSING]
+    if instant:
+        # one level more, and one derivative that reaches its limit near it
+        insert_node(1, 0, -work[PlanWork.NODES, Node.SIGN], 0.3, False, work)
+        add_instant(instant, 1.0, 1, passing)
     assert is_square(passing, work[PlanWork.NODES : PlanWork.KEPT])
     if timed:
         passing[Passing.TARGET], passing[Passing.PACE] = 1.1 * passing[Passing.TIME], 0.95
