@@ -17161,7 +17161,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     }
     problem = span_row(&lead, INT64_C(11));
     set_stage_problem(order, end, state, problem);
-    result = segfmu_shortest_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -17322,6 +17322,7 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     copy_phases(phases, ramps, count);
     longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
     set_stage_problem(seen, end, level, problem);
+    (*cspan_at(&passing, INT64_C(10))) = 1.0;
     (*cspan_at(&passing, INT64_C(7))) = (*cspan_at(&level, level_order(order, lead)));
     third = seen + INT64_C(3);
     (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, third));
@@ -17427,7 +17428,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = segfmu_shortest_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
     if (count < INT64_C(0))
     {
         return -1.0;

@@ -64,6 +64,7 @@ def passing_phases(
     copy_phases(phases, ramps, count)
     longest = min(longest + total_duration(ramps, count), least - level[Chain.TIME])
     set_stage_problem(seen, end, level, problem)
+    passing[Passing.PLAIN] = 1.0
     passing[Passing.START] = level[level_order(order, lead)]
     third = seen + 3
     passing[Passing.JERK] = level[third]

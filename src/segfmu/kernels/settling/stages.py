@@ -10,7 +10,7 @@ q is n - 1, or the end is free, it is a change of velocity.
 from segfmu.kernels.planner.cruise import append_velocity_change
 from segfmu.kernels.planner.nested import ramp_pieces
 from segfmu.kernels.planner.phases import append_change
-from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.profile import plain_profile
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.chain import lift_pieces
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
@@ -33,7 +33,7 @@ def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
         return append_velocity_change(phases, 0, state[order + 1], state[order + 2], 0.0, chain)
     problem = lead[LeadWork.PROBLEM, :]
     set_stage_problem(order, end, state, problem)
-    return shortest_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+    return plain_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
 
 
 def set_stage_problem(order: int, end: float, state: 'float[:]', problem: 'float[:]') -> None:

@@ -1,6 +1,6 @@
 """One lead: settling to given ends, its time, its check, and the best one so far."""
 
-from segfmu.kernels.planner.profile import shortest_profile
+from segfmu.kernels.planner.profile import plain_profile
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.settling.chain import chain_limits, set_chains
 from segfmu.kernels.settling.level import settle_over_level
@@ -50,7 +50,7 @@ def profile_time(lead: 'float[:,:]') -> float:
     problem[Problem.W] = target[Problem.W]
     problem[Problem.B] = target[Problem.B]
     problem[Problem.DISTANCE] = target[Problem.DISTANCE] - state[Chain.DERIVATIVES]
-    count = shortest_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+    count = plain_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
     if count < 0:
         return -1.0
     duration = 0.0
