@@ -338,6 +338,7 @@ static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, do
 static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double largest_excess(array_double_1d axis, array_double_2d work);
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool may_go_on(array_double_2d work);
 static void loosen(double share, array_double_1d axis, array_double_2d work);
@@ -12037,21 +12038,42 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
     }
     return 0;
 }
+static double largest_excess(array_double_1d axis, array_double_2d work)
+{
+    int64_t order;
+    double largest;
+    largest = 0.0;
+    if (measure_excess(axis, work))
+    {
+        for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+        {
+            largest = span_max(largest, (*cspan_at(&work, INT64_C(124) + order, INT64_C(0))));
+        }
+    }
+    return largest;
+}
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     array_double_2d nodes;
     int64_t q;
+    double most;
     double duration;
     double sign;
     int64_t attempt;
     int64_t i;
+    bool shorter;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    if (((int64_t)((*cspan_at(&passing, INT64_C(0)))) != q) || ramps_suffice(axis) || is_resting(problem, axis))
+    if (ramps_suffice(axis) || is_resting(problem, axis))
     {
         return 0;
+    }
+    most = 0.3;
+    if ((int64_t)((*cspan_at(&passing, INT64_C(0)))) == q)
+    {
+        most = 1e+300;
     }
     duration = sequence_duration(passing, nodes);
     sign = (*cspan_at(&work, INT64_C(49), INT64_C(5)));
@@ -12066,7 +12088,8 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
         }
         if (solve_rotated(problem, axis, work))
         {
-            if (sequence_duration(passing, nodes) < 0.9 * duration)
+            shorter = sequence_duration(passing, nodes) < 0.9 * duration;
+            if (shorter && (largest_excess(axis, work) < most))
             {
                 (*cspan_at(&passing, INT64_C(11))) = 0.0;
                 keep_sequence(INT64_C(105), work);

@@ -6,11 +6,12 @@ levels that alternate.
 
 from math import sqrt
 
+from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import is_resting, total_duration
 from segfmu.kernels.planner.plateaus import insert_node, keep_sequence, solve_rotated
 from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
-from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, Phase, PlanWork, Problem
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
 
 
@@ -144,6 +145,15 @@ def first_solution(
     return False
 
 
+def largest_excess(axis: 'float[:]', work: 'float[:,:]') -> float:
+    """By how much the sequence exceeds a limit the most, relative."""
+    largest = 0.0
+    if measure_excess(axis, work):
+        for order in range(1, int(work[PlanWork.PASSING, Passing.ABOVE]) + 2):
+            largest = max(largest, work[PlanWork.EXCESS + order, Excess.SHARE])
+    return largest
+
+
 def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Keep a much shorter sequence of free levels, if there is one, in place of that which is kept.
 
@@ -153,8 +163,12 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     q = int(passing[Passing.ABOVE]) + 2
-    if int(passing[Passing.COUNT]) != q or ramps_suffice(axis) or is_resting(problem, axis):
+    if ramps_suffice(axis) or is_resting(problem, axis):
         return False
+    # beside one with plateaus it has to keep the limits nearly
+    most = 0.3
+    if int(passing[Passing.COUNT]) == q:
+        most = 1e300
     duration = sequence_duration(passing, nodes)
     sign = work[PlanWork.NODES, Node.SIGN]
     passing[Passing.QUICK] = 1.0
@@ -164,7 +178,8 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
         for i in range(q):
             insert_node(i, 0, sign * (1.0 - 2.0 * (i % 2)), 0.35 * duration / q, False, work)
         if solve_rotated(problem, axis, work):
-            if sequence_duration(passing, nodes) < 0.9 * duration:
+            shorter = sequence_duration(passing, nodes) < 0.9 * duration
+            if shorter and largest_excess(axis, work) < most:
                 passing[Passing.QUICK] = 0.0
                 keep_sequence(PlanWork.SOLVED, work)
                 return True
