@@ -13,8 +13,11 @@ def highest_in_piece(
     length: float, value: float, first: float, second: float, third: float, fourth: float,
     fifth: float, sixth: float,
 ) -> float:
-    """Largest value of a polynomial of these derivatives at the end of [0, length] or where it
-    changes from a rise to a fall."""
+    """Largest value of a polynomial on [0, length] at its end, or where a rise becomes a fall.
+
+    It is given by its value and its derivatives at 0. One such place is looked for; whether a
+    sequence keeps its limits is judged by `measure_excess`.
+    """
     end = length
     highest = value + taylor(end, first, second, third, fourth, fifth)
     highest = highest + power_term(end, sixth)
