@@ -134,7 +134,7 @@ def _constructed(count: int) -> Section:
     return Section("Duration over that of a constructed motion", records)
 
 
-def _optimum_problem(
+def random_problem(
     random: np.random.Generator, n: int, kind: str
 ) -> tuple[FloatArray, FloatArray]:
     """Limits and boundary values of a random problem."""
@@ -157,7 +157,7 @@ def _optima(count: int) -> Section:
             random = np.random.default_rng((SEED, n, len(kind)))
             ratios: list[FloatArray] = []
             while len(ratios) < count:
-                limits, state = _optimum_problem(random, n, kind)
+                limits, state = random_problem(random, n, kind)
                 # with the smoothness n - 1 the highest limited derivative may jump
                 found = np.array([planned(n - 1, limits, state), planned(n, limits, state)])
                 if not np.isfinite(found).all() or found.min() == 0.0:
@@ -181,7 +181,7 @@ def _cliffs(count: int) -> Section:
         random = np.random.default_rng((SEED, 4, len(kind)))
         ratios: list[float] = []
         while len(ratios) < count:
-            limits, state = _optimum_problem(random, 4, kind)
+            limits, state = random_problem(random, 4, kind)
             jumping, smooth = (planned(n, limits, state) for n in (3, 4))
             if np.isfinite(jumping) and smooth > 0.0:
                 ratios.append(smooth / jumping)
@@ -241,7 +241,7 @@ def _prolonged(count: int) -> Section:
     pieces: list[int] = []
     none = 0
     while len(ratios) < count:
-        limits, state = _optimum_problem(random, 4, "moving")
+        limits, state = random_problem(random, 4, "moving")
         state[:4] *= 0.5
         found = planned(4, limits, state)
         if not np.isfinite(found):

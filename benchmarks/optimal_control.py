@@ -97,7 +97,7 @@ def linear_program(
     For a given duration everything is linear in the highest derivative that is limited.
     """
     low, high, solved = 0.0, transition.slow, 1
-    while not _feasible(transition, high, intervals):
+    while not feasible(transition, high, intervals):
         low, high, solved = high, 2.0 * high, solved + 1
     high, further = _bisect(transition, low, high, intervals, tolerance)
     return high, solved + further
@@ -107,7 +107,7 @@ def earliest(transition: Transition, known: float, intervals: int, tolerance: fl
     """The shortest feasible duration [s] up to one that is known, also before a gap of them."""
     low = 0.0
     for high in known * np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.01]):
-        if _feasible(transition, float(high), intervals):
+        if feasible(transition, float(high), intervals):
             return _bisect(transition, low, float(high), intervals, tolerance)[0]
         low = float(high)
     return known
@@ -120,7 +120,7 @@ def _bisect(
     while high - low > tolerance * high:
         middle = 0.5 * (low + high)
         solved += 1
-        if _feasible(transition, middle, intervals):
+        if feasible(transition, middle, intervals):
             high = middle
         else:
             low = middle
@@ -136,7 +136,8 @@ def integrators(order: int, h: float) -> tuple[FloatArray, FloatArray]:
     return step, np.array([h ** (order - i) / factorial(order - i) for i in range(order)])
 
 
-def _feasible(transition: Transition, duration: float, intervals: int) -> bool:
+def feasible(transition: Transition, duration: float, intervals: int) -> bool:
+    """Whether a motion lasts `duration` [s]; the highest limited derivative may jump."""
     rows, room, ends, reached = _conditions(transition, duration, intervals)
     found = linprog(
         np.zeros(intervals), A_ub=rows, b_ub=room, A_eq=ends, b_eq=reached, bounds=(-1.0, 1.0),

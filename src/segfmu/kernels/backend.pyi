@@ -370,15 +370,6 @@ def ramp_pieces(
     /,
 ) -> int: ...
 
-def measure_phases(
-    phases: Floats,
-    count: int,
-    v: float,
-    within: float,
-    axis: Floats,
-    /,
-) -> tuple[float, float, float, float, float]: ...
-
 def axis_limits(
     smoothness: int,
     shape: int,
@@ -393,6 +384,15 @@ def ramp_parameters(
     work: Floats,
     /,
 ) -> bool: ...
+
+def measure_phases(
+    phases: Floats,
+    count: int,
+    v: float,
+    within: float,
+    axis: Floats,
+    /,
+) -> tuple[float, float, float, float, float]: ...
 
 def shortest_profile(
     problem: Floats,

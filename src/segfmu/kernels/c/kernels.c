@@ -186,6 +186,90 @@ static int64_t ramp_change(double* result_0, double* result_1, double duration, 
 static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
 static double ramp_variance(double basis, array_double_1d axis);
 static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
+static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
+static double taylor_value(int64_t order, double t, array_double_1d state);
+static double zero_time(int64_t order, double length, array_double_1d state);
+static void advance_piece(double length, array_double_1d state, array_double_1d end);
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
+static bool measure_excess(array_double_1d axis, array_double_2d work);
+static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
+static double invert_curved_part(double value, double upper, array_double_1d axis);
+static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis);
+static double taylor(double t, double first, double second, double third, double fourth, double fifth);
+static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
+static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static double power_term(double t, double sixth);
+static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth);
+static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static void shift_instants(int64_t place, int64_t by, array_double_1d passing);
+static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static double usual_share(void);
+static double steeper_above(void);
+static double moderate_share(void);
+static double steepest_share(void);
+static bool ramps_suffice(array_double_1d axis);
+static bool snap_is_last(array_double_1d axis);
+static double saving(array_double_1d axis);
+static bool plateau_parameters(double share, array_double_1d axis);
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static double power_of(double base, int64_t exponent);
+static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
+static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
+static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static int64_t dropped_condition(int64_t q, array_double_1d node);
+static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis);
+static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static bool stays_at_limit(array_double_1d node);
+static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state);
+static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes);
+static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual);
+static int64_t follow_node(int64_t i, int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static double sequence_duration(array_double_1d passing, array_double_2d nodes);
+static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
+static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes);
+static bool is_square(array_double_1d passing, array_double_2d nodes);
+static bool has_pace(array_double_1d passing);
+static double residual_norm(int64_t count, array_double_1d residual);
+static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double longest_step(array_double_2d work);
+static void take_step(double share, array_double_2d work);
+static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void keep_sequence(int64_t row, array_double_2d work);
+static void restore_sequence(int64_t row, array_double_2d work);
+static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
+static void remove_node(int64_t place, array_double_2d work);
+static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess);
+static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work);
+static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work);
+static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_double_1d axis, array_double_2d work);
+static bool rotate_levels(array_double_2d work);
+static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t overlong_plateau(array_double_2d work);
+static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool release_touch(int64_t kind, array_double_2d work);
+static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
+static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool may_go_on(array_double_2d work);
+static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t vanishing_level(int64_t step, array_double_2d work);
+static bool release_plateau(array_double_2d work);
+static bool flip_level(array_double_2d work);
+static bool follow(double target, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
 static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
 static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
@@ -196,15 +280,6 @@ static int64_t level_from(double* result_0_0001, double* result_1_0001, double* 
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
 static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
-static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
-static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
-static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
-static double invert_curved_part(double value, double upper, array_double_1d axis);
-static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis);
-static double taylor(double t, double first, double second, double third, double fourth, double fifth);
-static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
-static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis);
 static double flush_tiny(double value, double scale);
 static double boundary_value(double value, double limit);
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
@@ -220,18 +295,8 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static double usual_share(void);
-static double steeper_above(void);
-static double moderate_share(void);
-static double steepest_share(void);
-static bool ramps_suffice(array_double_1d axis);
-static bool snap_is_last(array_double_1d axis);
-static double saving(array_double_1d axis);
-static bool plateau_parameters(double share, array_double_1d axis);
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static int64_t fit_duration(array_double_2d phases, int64_t count, double target);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
@@ -280,58 +345,6 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
 static bool nearly_brakes(double v, double a, array_double_1d axis);
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
-static double taylor_value(int64_t order, double t, array_double_1d state);
-static double zero_time(int64_t order, double length, array_double_1d state);
-static void advance_piece(double length, array_double_1d state, array_double_1d end);
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
-static bool measure_excess(array_double_1d axis, array_double_2d work);
-static double power_term(double t, double sixth);
-static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth);
-static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
-static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
-static void shift_instants(int64_t place, int64_t by, array_double_1d passing);
-static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing);
-static double power_of(double base, int64_t exponent);
-static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
-static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
-static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
-static int64_t dropped_condition(int64_t q, array_double_1d node);
-static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis);
-static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
-static bool stays_at_limit(array_double_1d node);
-static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state);
-static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes);
-static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual);
-static int64_t follow_node(int64_t i, int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
-static double sequence_duration(array_double_1d passing, array_double_2d nodes);
-static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
-static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes);
-static bool is_square(array_double_1d passing, array_double_2d nodes);
-static double residual_norm(int64_t count, array_double_1d residual);
-static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static double longest_step(array_double_2d work);
-static void take_step(double share, array_double_2d work);
-static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void keep_sequence(int64_t row, array_double_2d work);
-static void restore_sequence(int64_t row, array_double_2d work);
-static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
-static void remove_node(int64_t place, array_double_2d work);
-static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess);
-static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work);
-static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work);
-static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_double_1d axis, array_double_2d work);
-static bool rotate_levels(array_double_2d work);
-static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t overlong_plateau(array_double_2d work);
-static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool release_touch(int64_t kind, array_double_2d work);
-static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
-static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -340,22 +353,20 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double largest_excess(array_double_1d axis, array_double_2d work);
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool may_go_on(array_double_2d work);
 static void loosen(double share, array_double_1d axis, array_double_2d work);
-static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work);
+static void flush_levels(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t write_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool pace_down(int64_t steps, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool pace_down(double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void set_alternating(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
@@ -391,8 +402,6 @@ static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static void stretch_phases(array_double_2d phases, int64_t count, double factor);
-static void fit_duration(array_double_2d phases, int64_t count, double target);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -401,8 +410,10 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -7073,6 +7084,2455 @@ static SPAN_INLINE double ramp_distance(double v, double a, double b, double dur
     }
     return y + (b - a) * (0.125 * duration * duration + 0.5 * variance);
 }
+int64_t segfmu_ramp_pieces(array_double_1d axis)
+{
+    int64_t i;
+    int64_t count;
+    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    {
+        return INT64_C(1);
+    }
+    count = INT64_C(1);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); i += INT64_C(1))
+    {
+        count = INT64_C(2) * count + INT64_C(1);
+    }
+    return count;
+}
+static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes)
+{
+    int64_t level;
+    int64_t rest;
+    double sign;
+    level = boxes - INT64_C(1);
+    rest = piece;
+    while(span_floor_mod(rest, INT64_C(2)) == INT64_C(0))
+    {
+        level = level - INT64_C(1);
+        rest = span_floor_div(rest, INT64_C(2));
+    }
+    sign = 1.0;
+    rest = span_floor_div(rest, INT64_C(2));
+    while(rest > INT64_C(0))
+    {
+        if (span_floor_mod(rest, INT64_C(2)) == INT64_C(1))
+        {
+            sign = -sign;
+        }
+        rest = span_floor_div(rest, INT64_C(2));
+    }
+    (*result_0) = level;
+    (*result_1) = sign;
+    return 0;
+}
+static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis)
+{
+    int64_t boxes;
+    double stretch;
+    double rise;
+    double peak;
+    int64_t i;
+    double inner;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
+    stretch = duration / basis;
+    rise = basis;
+    peak = change;
+    for (i = INT64_C(0); i < level + INT64_C(1); i += INT64_C(1))
+    {
+        inner = 0.0;
+        if (i < boxes - INT64_C(1))
+        {
+            inner = inner_rise(rise, first + i, axis);
+        }
+        peak = peak / ((rise - inner) * stretch);
+        if (i == level)
+        {
+            (*result_0_0001) = (rise - 2.0 * inner) * stretch;
+            (*result_1) = peak;
+            return 0;
+        }
+        rise = inner;
+    }
+    (*result_0_0001) = 0.0;
+    (*result_1) = 0.0;
+    return 0;
+}
+static double taylor_value(int64_t order, double t, array_double_1d state)
+{
+    int64_t j;
+    int64_t i;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
+    {
+        i = INT64_C(7) - j;
+        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
+    }
+    return value;
+}
+static double zero_time(int64_t order, double length, array_double_1d state)
+{
+    double lower;
+    double upper;
+    int64_t i;
+    double value;
+    double step;
+    double slope;
+    double newton;
+    double t;
+    lower = 0.0;
+    upper = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        value = taylor_value(order, t, state);
+        if (value * (*cspan_at(&state, order)) > 0.0)
+        {
+            lower = t;
+        }
+        else
+        {
+            upper = t;
+        }
+        step = 0.5 * (lower + upper) - t;
+        slope = taylor_value(order + INT64_C(1), t, state);
+        if (slope != 0.0)
+        {
+            newton = (-value) / slope;
+            if ((t + newton > lower) && (t + newton < upper))
+            {
+                step = newton;
+            }
+        }
+        t = t + step;
+        if (fabs(step) <= 1e-09 * length)
+        {
+            break;
+        }
+    }
+    return t;
+}
+static void advance_piece(double length, array_double_1d state, array_double_1d end)
+{
+    int64_t order;
+    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+    {
+        (*cspan_at(&end, order)) = taylor_value(order, length, state);
+    }
+}
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
+{
+    int64_t order;
+    double limit;
+    double share;
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
+            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
+            {
+                (*cspan_at(&excess, order, INT64_C(0))) = share;
+                (*cspan_at(&excess, order, INT64_C(1))) = node;
+                (*cspan_at(&excess, order, INT64_C(2))) = holding;
+                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
+                if ((*cspan_at(&end, order)) < 0.0)
+                {
+                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
+                }
+            }
+        }
+    }
+}
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d state;
+    array_double_1d end;
+    array_double_2d excess;
+    int64_t q;
+    double rest;
+    int64_t i;
+    double step;
+    int64_t j;
+    int64_t order;
+    state = span_row(&work, INT64_C(131));
+    end = span_row(&work, INT64_C(131) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(124), INT64_C(130));
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    rest = length;
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    {
+        step = rest;
+        advance_piece(step, state, end);
+        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+        {
+            order = q - j;
+            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
+            {
+                step = zero_time(order, step, state);
+                advance_piece(step, state, end);
+                (*cspan_at(&end, order)) = 0.0;
+            }
+        }
+        note_excess(q, node, holding, axis, end, excess);
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
+        }
+        rest = rest - step;
+        if (rest <= 0.0)
+        {
+            break;
+        }
+    }
+}
+static bool measure_excess(array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d excess;
+    array_double_1d state;
+    int64_t above;
+    int64_t q;
+    int64_t boxes;
+    double level;
+    int64_t order;
+    int64_t i;
+    int64_t row;
+    double ramp;
+    double change;
+    int64_t piece;
+    int64_t held;
+    double sign;
+    double basis;
+    double length;
+    double peak;
+    passing = span_row(&work, INT64_C(48));
+    excess = span_rows(&work, INT64_C(124), INT64_C(130));
+    state = span_row(&work, INT64_C(131));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    q = above + INT64_C(2);
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
+    level = (*cspan_at(&passing, INT64_C(8)));
+    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
+    {
+        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        row = INT64_C(49) + i;
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = 0.0;
+            if (order < q)
+            {
+                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
+            }
+        }
+        (*cspan_at(&state, q)) = level;
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        change = (*cspan_at(&work, row, INT64_C(9))) - level;
+        if (ramp > 0.0)
+        {
+            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+            {
+                held_level(&held, &sign, piece, boxes);
+                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
+                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
+                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
+                {
+                    (*cspan_at(&state, order)) = 0.0;
+                }
+                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
+                if (length > 0.0)
+                {
+                    piece_excess(length, i, 0, axis, work);
+                }
+            }
+        }
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        {
+            for (order = q; order < INT64_C(8); order += INT64_C(1))
+            {
+                (*cspan_at(&state, order)) = 0.0;
+            }
+            (*cspan_at(&state, q)) = level;
+            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
+        }
+    }
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis)
+{
+    int64_t count;
+    double value;
+    double slope;
+    double integral;
+    int64_t j;
+    int64_t i;
+    count = (int64_t)((*cspan_at(&axis, INT64_C(34))));
+    value = 0.0;
+    slope = 0.0;
+    integral = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        value = value * s + (*cspan_at(&axis, INT64_C(35) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(35) + i)) / (i + 1.0);
+        if (i > INT64_C(0))
+        {
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(35) + i));
+        }
+    }
+    (*result_0) = value;
+    (*result_1) = slope;
+    (*result_2_0001) = integral * s;
+    return 0;
+}
+static double invert_curved_part(double value, double upper, array_double_1d axis)
+{
+    double low;
+    double high;
+    int64_t i;
+    double at;
+    double slope;
+    double integral;
+    double step;
+    double newton;
+    double s;
+    low = 0.0;
+    high = upper;
+    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        curved_part(&at, &slope, &integral, s, axis);
+        if (at > value)
+        {
+            high = s;
+        }
+        else
+        {
+            low = s;
+        }
+        step = 0.5 * (low + high) - s;
+        if (slope > 0.0)
+        {
+            newton = (value - at) / slope;
+            if ((s + newton > low) && (s + newton < high))
+            {
+                step = newton;
+            }
+        }
+        s = s + step;
+        if (fabs(step) <= 1e-09)
+        {
+            return s;
+        }
+    }
+    return s;
+}
+static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis)
+{
+    double smaller;
+    double slowness;
+    smaller = span_min(fabs(a), fabs(b));
+    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    {
+        return 0.5 * smaller * duration;
+    }
+    slowness = (basis - inner_rise(basis, INT64_C(0), axis)) * (duration / basis) / fabs(b - a);
+    return 0.5 * smaller * (duration + (smaller - fabs(b - a)) * slowness);
+}
+static double taylor(double t, double first, double second, double third, double fourth, double fifth)
+{
+    return t * (first + t / 2.0 * (second + t / 3.0 * (third + t / 4.0 * (fourth + t / 5.0 * fifth))));
+}
+static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest)
+{
+    double low;
+    double high;
+    int64_t i;
+    double at;
+    double slope;
+    double step;
+    double newton;
+    double t;
+    low = 0.0;
+    high = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        at = a + taylor(t, jerk, snap, crackle, pop, highest);
+        if (at * a <= 0.0)
+        {
+            high = t;
+        }
+        else
+        {
+            low = t;
+        }
+        slope = jerk + taylor(t, snap, crackle, pop, highest, 0.0);
+        step = 0.5 * (low + high) - t;
+        if (slope * a < 0.0)
+        {
+            newton = (-at) / slope;
+            if ((t + newton > low) && (t + newton < high))
+            {
+                step = newton;
+            }
+        }
+        t = t + step;
+        if (fabs(step) <= 1e-10 * length)
+        {
+            break;
+        }
+    }
+    return t;
+}
+static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis)
+{
+    int64_t boxes;
+    double jerk;
+    double snap;
+    double crackle;
+    double pop;
+    double highest;
+    int64_t piece;
+    int64_t level;
+    double sign;
+    double length;
+    double peak;
+    double end;
+    double gain;
+    bool crossed;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    jerk = 0.0;
+    snap = 0.0;
+    crackle = 0.0;
+    pop = 0.0;
+    highest = 0.0;
+    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+    {
+        held_level(&level, &sign, piece, boxes);
+        piece_peak(&length, &peak, level, INT64_C(0), change, duration, basis, axis);
+        if (level == INT64_C(0))
+        {
+            jerk = sign * peak;
+            snap = 0.0;
+            crackle = 0.0;
+            pop = 0.0;
+            highest = 0.0;
+        }
+        else if (level == INT64_C(1))
+        {
+            snap = sign * peak;
+            crackle = 0.0;
+            pop = 0.0;
+            highest = 0.0;
+        }
+        else if (level == INT64_C(2))
+        {
+            crackle = sign * peak;
+            pop = 0.0;
+            highest = 0.0;
+        }
+        else if (level == INT64_C(3))
+        {
+            pop = sign * peak;
+            highest = 0.0;
+        }
+        else
+        {
+            highest = sign * peak;
+        }
+        end = length;
+        gain = taylor(end, jerk, snap, crackle, pop, highest);
+        crossed = (a + gain) * change >= 0.0;
+        if (crossed)
+        {
+            end = crossing_time(a, length, jerk, snap, crackle, pop, highest);
+        }
+        v = v + end * a;
+        v = v + end * taylor(end, jerk / 2.0, snap / 3.0, crackle / 4.0, pop / 5.0, highest / 6.0);
+        if (crossed)
+        {
+            return v;
+        }
+        a = a + gain;
+        jerk = jerk + taylor(length, snap, crackle, pop, highest, 0.0);
+        snap = snap + taylor(length, crackle, pop, highest, 0.0, 0.0);
+        crackle = crackle + taylor(length, pop, highest, 0.0, 0.0, 0.0);
+        pop = pop + length * highest;
+    }
+    return v;
+}
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis)
+{
+    double start;
+    double first;
+    double change;
+    double s;
+    double value;
+    double slope;
+    double integral;
+    double result;
+    start = v;
+    first = a;
+    change = b - a;
+    if (fabs(a) > fabs(b))
+    {
+        start = v + 0.5 * (a + b) * duration;
+        first = -b;
+    }
+    if ((*cspan_at(&axis, INT64_C(11))) > 0.5)
+    {
+        result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
+        return result;
+    }
+    if ((*cspan_at(&axis, INT64_C(34))) == 2.0)
+    {
+        return start - 0.5 * first * first * duration / change;
+    }
+    s = invert_curved_part((-first) / change, 0.5, axis);
+    curved_part(&value, &slope, &integral, s, axis);
+    return start + duration * (first * s + change * integral);
+}
+static double power_term(double t, double sixth)
+{
+    return t * t * t * t * t * t * sixth / 720.0;
+}
+static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth)
+{
+    double end;
+    double slope;
+    double at;
+    double highest;
+    end = length;
+    highest = value + taylor(end, first, second, third, fourth, fifth);
+    highest = highest + power_term(end, sixth);
+    slope = first + taylor(end, second, third, fourth, fifth, sixth);
+    if ((first > 0.0) && (slope < 0.0))
+    {
+        end = crossing_time(first, length, second, third, fourth, fifth, sixth);
+        at = value + taylor(end, first, second, third, fourth, fifth);
+        highest = span_max(highest, at + power_term(end, sixth));
+    }
+    return highest;
+}
+static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
+{
+    int64_t above;
+    int64_t boxes;
+    double before;
+    int64_t below;
+    double upper;
+    double lower;
+    double lowest;
+    double level;
+    double slope;
+    double curvature;
+    double third;
+    double ramp;
+    double change;
+    int64_t piece;
+    double length;
+    int64_t held;
+    double direction;
+    double basis;
+    double peak;
+    double at;
+    double highest;
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
+    before = (*cspan_at(&passing, INT64_C(8)));
+    if (i > INT64_C(0))
+    {
+        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
+    }
+    below = INT64_C(0) + above + INT64_C(1);
+    upper = sign * (*cspan_at(&nodes, i, below));
+    below = below - INT64_C(1);
+    lower = sign * (*cspan_at(&nodes, i, below));
+    below = below - INT64_C(1);
+    lowest = sign * (*cspan_at(&nodes, i, below));
+    level = sign * before;
+    slope = 0.0;
+    curvature = 0.0;
+    third = 0.0;
+    ramp = (*cspan_at(&nodes, i, INT64_C(11)));
+    change = sign * ((*cspan_at(&nodes, i, INT64_C(9))) - before);
+    highest = lowest;
+    if (order == above)
+    {
+        highest = lower;
+    }
+    else if (order == above + INT64_C(1))
+    {
+        highest = upper;
+    }
+    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)) + INT64_C(1); piece += INT64_C(1))
+    {
+        length = (*cspan_at(&nodes, i, INT64_C(10)));
+        if (piece < pow(2.0, (double)(boxes)))
+        {
+            length = 0.0;
+            if (ramp > 0.0)
+            {
+                held_level(&held, &direction, piece, boxes);
+                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
+                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
+                if (held == INT64_C(0))
+                {
+                    slope = direction * peak;
+                    curvature = 0.0;
+                    third = 0.0;
+                }
+                else if (held == INT64_C(1))
+                {
+                    curvature = direction * peak;
+                    third = 0.0;
+                }
+                else
+                {
+                    third = direction * peak;
+                }
+            }
+        }
+        else
+        {
+            level = sign * (*cspan_at(&nodes, i, INT64_C(9)));
+            slope = 0.0;
+            curvature = 0.0;
+            third = 0.0;
+        }
+        if (length > 0.0)
+        {
+            at = highest_in_piece(length, lowest, lower, upper, level, slope, curvature, third);
+            if (order == above)
+            {
+                at = highest_in_piece(length, lower, upper, level, slope, curvature, third, 0.0);
+            }
+            else if (order == above + INT64_C(1))
+            {
+                at = highest_in_piece(length, upper, level, slope, curvature, third, 0.0, 0.0);
+            }
+            highest = span_max(highest, at);
+            lowest = lowest + taylor(length, lower, upper, level, slope, curvature);
+            lowest = lowest + power_term(length, third);
+            lower = lower + taylor(length, upper, level, slope, curvature, third);
+            upper = upper + taylor(length, level, slope, curvature, third, 0.0);
+            level = level + taylor(length, slope, curvature, third, 0.0, 0.0);
+            slope = slope + taylor(length, curvature, third, 0.0, 0.0, 0.0);
+            curvature = curvature + length * third;
+        }
+    }
+    return highest;
+}
+static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
+{
+    int64_t order;
+    int64_t first;
+    int64_t last;
+    double highest;
+    int64_t i;
+    double sign;
+    double result;
+    order = (int64_t)((*cspan_at(&passing, INT64_C(14) + peak)));
+    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(20) + peak))), INT64_C(0));
+    last = (int64_t)((*cspan_at(&passing, INT64_C(23) + peak)));
+    highest = -1e+300;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        if ((i >= first) && (i <= last))
+        {
+            sign = (*cspan_at(&passing, INT64_C(17) + peak));
+            highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
+        }
+    }
+    result = highest - (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+    return result;
+}
+static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
+{
+    int64_t peak;
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
+    {
+        if ((*cspan_at(&passing, INT64_C(20) + peak)) >= place)
+        {
+            (*cspan_at(&passing, INT64_C(20) + peak)) = (*cspan_at(&passing, INT64_C(20) + peak)) + by;
+        }
+        if ((*cspan_at(&passing, INT64_C(23) + peak)) >= place)
+        {
+            (*cspan_at(&passing, INT64_C(23) + peak)) = (*cspan_at(&passing, INT64_C(23) + peak)) + by;
+        }
+    }
+}
+static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
+{
+    int64_t peak;
+    peak = (int64_t)((*cspan_at(&passing, INT64_C(13))));
+    (*cspan_at(&passing, INT64_C(14) + peak)) = order;
+    (*cspan_at(&passing, INT64_C(17) + peak)) = sign;
+    (*cspan_at(&passing, INT64_C(20) + peak)) = node - INT64_C(1);
+    (*cspan_at(&passing, INT64_C(23) + peak)) = node + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(13))) = peak + INT64_C(1);
+}
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(0))) = smoothness;
+    (*cspan_at(&axis, INT64_C(1))) = shape;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+    }
+}
+static double usual_share(void)
+{
+    return 0.1;
+}
+static double steeper_above(void)
+{
+    return 0.2;
+}
+static double moderate_share(void)
+{
+    return 0.02;
+}
+static double steepest_share(void)
+{
+    return 0.004;
+}
+static bool ramps_suffice(array_double_1d axis)
+{
+    bool result;
+    result = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
+    return result;
+}
+static bool snap_is_last(array_double_1d axis)
+{
+    bool result;
+    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ramps_suffice(axis);
+    return result;
+}
+static double saving(array_double_1d axis)
+{
+    double result;
+    result = 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)));
+    return result;
+}
+static bool plateau_parameters(double share, array_double_1d axis)
+{
+    int64_t boxes;
+    int64_t last;
+    int64_t level;
+    int64_t i;
+    double limit;
+    double rise;
+    double slope;
+    double time;
+    double variance;
+    double fourth;
+    double jerk;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    (*cspan_at(&axis, INT64_C(11))) = 1.0;
+    last = -INT64_C(1);
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
+        {
+            last = level;
+        }
+    }
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
+    {
+        if ((level > INT64_C(0)) || (last == INT64_C(0)))
+        {
+            (*cspan_at(&axis, INT64_C(21) + level)) = share;
+            if (level > last)
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
+            }
+            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
+            {
+                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
+            }
+        }
+    }
+    for (i = INT64_C(0); i < last; i += INT64_C(1))
+    {
+        level = last - INT64_C(1) - i;
+        limit = (*cspan_at(&axis, INT64_C(4) + level));
+        rise = 1e+60;
+        if (limit > 0.0)
+        {
+            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
+        }
+        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
+    }
+    if (last == INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
+    }
+    if (last <= INT64_C(1))
+    {
+        time = 1.0;
+        if (last == INT64_C(1))
+        {
+            time = (*cspan_at(&axis, INT64_C(16)));
+        }
+        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
+        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
+    }
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    if (jerk > 0.0)
+    {
+        rise = (*cspan_at(&axis, INT64_C(16)));
+        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
+        (*cspan_at(&axis, INT64_C(14))) = rise;
+        if (rise > 0.0)
+        {
+            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
+        }
+    }
+    return 1;
+}
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+    int64_t k;
+    int64_t j;
+    double limit;
+    double slope;
+    int64_t e;
+    double change;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    bounded = 0;
+    transition_peaks(k, psi, peaks);
+    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
+    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
+    }
+    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
+        if (limit > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            bounded = 1;
+        }
+    }
+    slope = (*cspan_at(&axis, INT64_C(26)));
+    if (slope > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(12))) = 0.0;
+        (*cspan_at(&axis, INT64_C(13))) = slope;
+        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+        {
+            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
+        }
+    }
+    return bounded;
+}
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+{
+    int64_t i;
+    double duration;
+    double slope;
+    bool bounded;
+    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
+    bounded = 0;
+    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
+    {
+        bounded = plateau_parameters(share, axis);
+    }
+    else
+    {
+        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    if (bounded)
+    {
+        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
+        (*cspan_at(&axis, INT64_C(10))) = duration;
+    }
+    return bounded;
+}
+static double power_of(double base, int64_t exponent)
+{
+    int64_t i;
+    double power;
+    power = 1.0;
+    for (i = INT64_C(0); i < exponent; i += INT64_C(1))
+    {
+        power = power * base;
+    }
+    return power;
+}
+static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis)
+{
+    int64_t above;
+    int64_t kind;
+    double pace;
+    double time;
+    double sign;
+    double rise;
+    double most;
+    double change;
+    double slope;
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
+    pace = (*cspan_at(&passing, INT64_C(2)));
+    time = (*cspan_at(&node, INT64_C(6)));
+    (*cspan_at(&node, INT64_C(9))) = 0.0;
+    (*cspan_at(&node, INT64_C(10))) = time;
+    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
+    {
+        return;
+    }
+    if ((kind > INT64_C(0)) && ((kind != above) || (time >= 0.0)))
+    {
+        return;
+    }
+    sign = (*cspan_at(&node, INT64_C(5))) * power_of(pace, above + INT64_C(2));
+    if (time < 0.0)
+    {
+        sign = -sign;
+    }
+    rise = fabs(time);
+    (*cspan_at(&node, INT64_C(10))) = 0.0;
+    most = (*cspan_at(&axis, INT64_C(16) + above - INT64_C(1)));
+    if (rise >= most)
+    {
+        (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
+        (*cspan_at(&node, INT64_C(10))) = (rise - most) / pace;
+    }
+    else if (rise > 0.0)
+    {
+        plateau_change(&change, &slope, rise, above, axis);
+        (*cspan_at(&node, INT64_C(9))) = sign * change;
+    }
+}
+static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state)
+{
+    double half;
+    double moment;
+    int64_t k;
+    int64_t order;
+    double total;
+    double power;
+    int64_t i;
+    double square;
+    half = 0.5 * time;
+    moment = half;
+    for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
+    {
+        order = above + INT64_C(2) - k;
+        total = (*cspan_at(&state, k));
+        power = 1.0;
+        for (i = INT64_C(1); i < order; i += INT64_C(1))
+        {
+            power = power * time / i;
+            total = total + power * (*cspan_at(&state, k + i));
+        }
+        total = total + power * time / order * level;
+        if (change != 0.0)
+        {
+            square = half * half;
+            if (order == INT64_C(1))
+            {
+                moment = half;
+            }
+            else if (order == INT64_C(2))
+            {
+                moment = 0.5 * (square + variance);
+            }
+            else if (order == INT64_C(3))
+            {
+                moment = half * (square + 3.0 * variance) / 6.0;
+            }
+            else
+            {
+                moment = square * (square + 6.0 * variance) + 3.0 * variance * variance;
+                moment = (moment + fourth) / 24.0;
+            }
+            total = total + change * moment;
+        }
+        (*cspan_at(&state, k)) = total;
+    }
+}
+static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
+{
+    int64_t above;
+    double pace;
+    double before;
+    double change;
+    int64_t k;
+    double basis;
+    double slope;
+    double variance;
+    double fourth;
+    double square;
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    pace = (*cspan_at(&passing, INT64_C(2)));
+    before = (*cspan_at(&passing, INT64_C(8)));
+    if (i > INT64_C(0))
+    {
+        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
+    }
+    change = (*cspan_at(&nodes, i, INT64_C(9))) - before;
+    for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
+    {
+        (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k)) = (*cspan_at(&nodes, i, INT64_C(0) + k));
+    }
+    (*cspan_at(&nodes, i, INT64_C(11))) = 0.0;
+    if (change != 0.0)
+    {
+        plateau_duration(&basis, &slope, fabs(change) / power_of(pace, above + INT64_C(2)), above, axis);
+        rise_moments(&variance, &fourth, basis, above, axis);
+        square = 1.0 / (pace * pace);
+        (*cspan_at(&nodes, i, INT64_C(11))) = basis / pace;
+        advance(basis / pace, before, change, variance * square, fourth * square * square, above, span_row(&nodes, i + INT64_C(1)));
+    }
+}
+static int64_t dropped_condition(int64_t q, array_double_1d node)
+{
+    int64_t result;
+    if ((*cspan_at(&node, INT64_C(7))) > 1.5)
+    {
+        result = (int64_t)((*cspan_at(&node, INT64_C(4))));
+        return result;
+    }
+    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
+    {
+        return q - INT64_C(1);
+    }
+    return -INT64_C(1);
+}
+static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis)
+{
+    double acceleration;
+    double time;
+    double speed;
+    acceleration = (*cspan_at(&passing, INT64_C(4)));
+    time = (*cspan_at(&passing, INT64_C(3)));
+    if (order > INT64_C(1))
+    {
+        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(10)))), order - INT64_C(2));
+        return speed;
+    }
+    speed = span_min((*cspan_at(&axis, INT64_C(2))), acceleration * time);
+    if (order == INT64_C(1))
+    {
+        return speed;
+    }
+    return speed * time;
+}
+static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+{
+    int64_t q;
+    int64_t kind;
+    int64_t dropped;
+    int64_t k;
+    double error;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+    dropped = dropped_condition(q, span_row(&nodes, i));
+    if (kind == INT64_C(0))
+    {
+        return row;
+    }
+    for (k = kind; k < q; k += INT64_C(1))
+    {
+        error = (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k));
+        if (k == kind)
+        {
+            error = error - (*cspan_at(&nodes, i, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+        }
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / residual_scale(k, passing, axis);
+        if (k == dropped)
+        {
+            error = (*cspan_at(&nodes, i, INT64_C(6))) - (*cspan_at(&nodes, i, INT64_C(8)));
+            (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
+        }
+        row = row + INT64_C(1);
+    }
+    return row;
+}
+static bool stays_at_limit(array_double_1d node)
+{
+    bool result;
+    result = ((*cspan_at(&node, INT64_C(4))) > 0.5) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(9))) == 0.0);
+    return result;
+}
+static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state)
+{
+    int64_t kind;
+    int64_t k;
+    if (stays_at_limit(node))
+    {
+        kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
+        (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+        for (k = kind + INT64_C(1); k < q; k += INT64_C(1))
+        {
+            (*cspan_at(&state, INT64_C(0) + k)) = 0.0;
+        }
+    }
+}
+static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes)
+{
+    int64_t q;
+    int64_t i;
+    int64_t row;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    row = INT64_C(0);
+    for (i = INT64_C(0); i < node; i += INT64_C(1))
+    {
+        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
+        {
+            row = row + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+        }
+    }
+    return row;
+}
+static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual)
+{
+    int64_t k;
+    double target;
+    double error;
+    for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
+    {
+        target = 0.0;
+        if (k == INT64_C(0))
+        {
+            target = (*cspan_at(&problem, INT64_C(4)));
+        }
+        else if (k == INT64_C(1))
+        {
+            target = (*cspan_at(&problem, INT64_C(2)));
+        }
+        else if (k == INT64_C(2))
+        {
+            target = (*cspan_at(&problem, INT64_C(3)));
+        }
+        error = (*cspan_at(&end, INT64_C(0) + k)) - target;
+        (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing, axis);
+    }
+}
+static int64_t follow_node(int64_t i, int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+{
+    int64_t q;
+    double hold;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    if (i == (int64_t)((*cspan_at(&passing, INT64_C(0)))))
+    {
+        (*cspan_at(&nodes, i, INT64_C(4))) = 0.0;
+        (*cspan_at(&nodes, i, INT64_C(9))) = 0.0;
+        (*cspan_at(&nodes, i, INT64_C(10))) = 0.0;
+        pass_node(i, passing, axis, nodes);
+        end_residuals(row, problem, passing, axis, span_row(&nodes, i + INT64_C(1)), residual);
+        return row + q;
+    }
+    set_level(span_row(&nodes, i), passing, axis);
+    pass_node(i, passing, axis, nodes);
+    row = node_residuals(i, row, passing, axis, nodes, residual);
+    hold = (*cspan_at(&nodes, i, INT64_C(10)));
+    hold_limit(q, span_row(&nodes, i), axis, span_row(&nodes, i + INT64_C(1)));
+    if (hold != 0.0)
+    {
+        advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
+    }
+    return row;
+}
+static double sequence_duration(array_double_1d passing, array_double_2d nodes)
+{
+    int64_t i;
+    double total;
+    total = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&nodes, i, INT64_C(11))) + (*cspan_at(&nodes, i, INT64_C(10)));
+    }
+    return total;
+}
+static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
+{
+    int64_t k;
+    int64_t jerk;
+    int64_t row;
+    int64_t i;
+    int64_t peak;
+    double scale;
+    double error;
+    for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
+    {
+        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + k)) = 0.0;
+    }
+    (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
+    (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
+    jerk = INT64_C(0) + INT64_C(3);
+    if ((*cspan_at(&passing, INT64_C(1))) > 1.5)
+    {
+        (*cspan_at(&nodes, INT64_C(0), jerk)) = (*cspan_at(&passing, INT64_C(9)));
+    }
+    row = INT64_C(0);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        row = follow_node(i, row, problem, passing, axis, nodes, residual);
+    }
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
+    {
+        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))), passing, axis);
+        error = instant_error(peak, passing, axis, nodes);
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / scale;
+        row = row + INT64_C(1);
+    }
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        error = sequence_duration(passing, nodes) - (*cspan_at(&passing, INT64_C(5)));
+        if ((*cspan_at(&passing, INT64_C(6))) > 0.5)
+        {
+            row = first_row((int64_t)((*cspan_at(&passing, INT64_C(0)))), passing, nodes);
+        }
+        (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
+    }
+}
+static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes)
+{
+    int64_t q;
+    int64_t count;
+    int64_t i;
+    int64_t kind;
+    int64_t dropped;
+    int64_t k;
+    double slope;
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (i = first; i < count + INT64_C(1); i += INT64_C(1))
+    {
+        advance((*cspan_at(&nodes, i, INT64_C(11))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
+        kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
+        dropped = -INT64_C(1);
+        if (i < count)
+        {
+            dropped = dropped_condition(q, span_row(&nodes, i));
+        }
+        if ((kind > INT64_C(0)) || (i == count))
+        {
+            for (k = kind; k < q; k += INT64_C(1))
+            {
+                slope = (*cspan_at(&change, INT64_C(0) + k)) / residual_scale(k, passing, axis);
+                if (k == dropped)
+                {
+                    slope = 0.0;
+                }
+                (*cspan_at(&slopes, INT64_C(0) + row)) = slope;
+                row = row + INT64_C(1);
+            }
+        }
+        if (stays_at_limit(span_row(&nodes, i)))
+        {
+            for (k = kind; k < q; k += INT64_C(1))
+            {
+                (*cspan_at(&change, INT64_C(0) + k)) = 0.0;
+            }
+        }
+        if ((*cspan_at(&nodes, i, INT64_C(10))) != 0.0)
+        {
+            advance((*cspan_at(&nodes, i, INT64_C(10))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
+        }
+    }
+}
+static bool is_square(array_double_1d passing, array_double_2d nodes)
+{
+    int64_t count;
+    int64_t conditions;
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(13))));
+    return (conditions == count) && (count <= INT64_C(16));
+}
+static bool has_pace(array_double_1d passing)
+{
+    bool result;
+    result = ((*cspan_at(&passing, INT64_C(5))) > 0.0) && ((*cspan_at(&passing, INT64_C(6))) < 0.5);
+    return result;
+}
+static double residual_norm(int64_t count, array_double_1d residual)
+{
+    double total;
+    int64_t i;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&residual, INT64_C(0) + i)) * (*cspan_at(&residual, INT64_C(0) + i));
+    }
+    return sqrt(total);
+}
+static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    double change;
+    int64_t i;
+    double slope;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(130));
+    change = 1e-07;
+    (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
+    run_sequence(problem, passing, axis, nodes, residual);
+    (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(131) + i, count - INT64_C(1))) = slope;
+    }
+    run_sequence(problem, passing, axis, nodes, residual);
+}
+static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    array_double_1d slopes;
+    array_double_2d before;
+    array_double_1d moved;
+    int64_t q;
+    int64_t following;
+    array_double_1d base;
+    double spent;
+    int64_t j;
+    int64_t i;
+    double change;
+    int64_t row;
+    int64_t begin;
+    double slope;
+    int64_t k;
+    double difference;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(130));
+    slopes = span_row(&work, INT64_C(163));
+    before = span_rows(&work, INT64_C(164), INT64_C(167));
+    moved = span_row(&work, INT64_C(167));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    following = column + INT64_C(2);
+    base = span_row(&work, INT64_C(164) + INT64_C(2));
+    spent = 0.0;
+    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&before, j, i)) = (*cspan_at(&nodes, column + j, i));
+        }
+    }
+    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+    {
+        spent = spent - (*cspan_at(&nodes, column + j, INT64_C(11))) - (*cspan_at(&nodes, column + j, INT64_C(10)));
+    }
+    change = 1e-07 * (fabs((*cspan_at(&nodes, column, INT64_C(6)))) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+    (*cspan_at(&nodes, column, INT64_C(6))) = (*cspan_at(&nodes, column, INT64_C(6))) + change;
+    row = first_row(column, passing, nodes);
+    begin = row;
+    row = follow_node(column, row, problem, passing, axis, nodes, residual);
+    row = follow_node(column + INT64_C(1), row, problem, passing, axis, nodes, residual);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&slopes, INT64_C(0) + i)) = 0.0;
+    }
+    for (i = begin; i < row; i += INT64_C(1))
+    {
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
+        (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
+    }
+    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+    {
+        spent = spent + (*cspan_at(&nodes, column + j, INT64_C(11))) + (*cspan_at(&nodes, column + j, INT64_C(10)));
+    }
+    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
+    {
+        (*cspan_at(&slopes, INT64_C(0) + count - INT64_C(1))) = spent / (change * (*cspan_at(&passing, INT64_C(3))));
+    }
+    if (following <= (int64_t)((*cspan_at(&passing, INT64_C(0)))))
+    {
+        for (k = INT64_C(0); k < q; k += INT64_C(1))
+        {
+            difference = (*cspan_at(&nodes, following, INT64_C(0) + k)) - (*cspan_at(&base, INT64_C(0) + k));
+            (*cspan_at(&moved, INT64_C(0) + k)) = difference / change;
+        }
+        follow_change(following, row, passing, axis, nodes, moved, slopes);
+    }
+    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&nodes, column + j, i)) = (*cspan_at(&before, j, i));
+        }
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(131) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+    }
+}
+static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    double time;
+    double change;
+    int64_t i;
+    double slope;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(130));
+    time = (*cspan_at(&nodes, column, INT64_C(6)));
+    change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+    (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
+    run_sequence(problem, passing, axis, nodes, residual);
+    (*cspan_at(&nodes, column, INT64_C(6))) = time;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(131) + i, column)) = slope;
+    }
+}
+static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_1d residual;
+    int64_t i;
+    int64_t j;
+    double largest;
+    double added;
+    double diagonal;
+    array_double_2d matrix;
+    passing = span_row(&work, INT64_C(48));
+    residual = span_row(&work, INT64_C(130));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(147) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+    }
+    if (has_pace(passing))
+    {
+        pace_column(count, problem, axis, work);
+    }
+    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = (*cspan_at(&work, INT64_C(128), INT64_C(4))) + 1.0;
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
+    {
+        if (((*cspan_at(&passing, INT64_C(13))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) > 0.5))
+        {
+            whole_column(j, count, problem, axis, work);
+        }
+        else
+        {
+            time_column(j, count, problem, axis, work);
+        }
+    }
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        largest = 0.0;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(131) + i, j))));
+        }
+        added = 1e-12 * largest;
+        if (largest == 0.0)
+        {
+            added = 1.0;
+        }
+        diagonal = (*cspan_at(&work, INT64_C(131) + j, j));
+        if (diagonal < 0.0)
+        {
+            added = -added;
+        }
+        (*cspan_at(&work, INT64_C(131) + j, j)) = diagonal + added;
+    }
+    matrix = span_rows(&work, INT64_C(131), INT64_C(147));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(147), INT64_C(163)));
+}
+static double longest_step(array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t count;
+    int64_t i;
+    double change;
+    double time;
+    double most;
+    double share;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    share = 1.0;
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        change = (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
+        time = (*cspan_at(&nodes, i, INT64_C(6)));
+        if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
+        {
+            return 0.0;
+        }
+        most = 0.5 * (*cspan_at(&passing, INT64_C(3)));
+        if ((*cspan_at(&nodes, i, INT64_C(4))) < 0.5)
+        {
+            most = 0.7 * fabs(time);
+            if (change * time >= 0.0)
+            {
+                most = 1.5 * fabs(time);
+            }
+            most = most + 0.01 * (*cspan_at(&passing, INT64_C(3)));
+        }
+        if (fabs(change) * share > most)
+        {
+            share = most / fabs(change);
+        }
+    }
+    if (has_pace(passing))
+    {
+        change = fabs((*cspan_at(&work, INT64_C(147) + count, INT64_C(0))));
+        if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
+        {
+            share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
+        }
+    }
+    return share;
+}
+static void take_step(double share, array_double_2d work)
+{
+    int64_t count;
+    int64_t i;
+    int64_t row;
+    double pace;
+    count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        row = INT64_C(49) + i;
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
+    }
+    if (has_pace(span_row(&work, INT64_C(48))))
+    {
+        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(147) + count, INT64_C(0)));
+        (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
+    }
+}
+static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    array_double_1d residual;
+    int64_t count;
+    double error;
+    bool quick;
+    double earlier;
+    int64_t i;
+    double share;
+    double reached;
+    int64_t j;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    residual = span_row(&work, INT64_C(130));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    if (has_pace(passing))
+    {
+        count = count + INT64_C(1);
+    }
+    run_sequence(problem, passing, axis, nodes, residual);
+    error = residual_norm(count, residual);
+    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(12))) > 0.5);
+    earlier = error;
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (error <= 2e-15)
+        {
+            break;
+        }
+        if (quick && (i > INT64_C(0)) && (span_floor_mod(i, INT64_C(4)) == INT64_C(0)))
+        {
+            if (error > 0.7 * earlier)
+            {
+                break;
+            }
+            earlier = error;
+        }
+        newton_step(count, problem, axis, work);
+        share = longest_step(work);
+        reached = error;
+        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
+        {
+            if ((share == 0.0) || ((j > INT64_C(0)) && (error <= 1e-11)))
+            {
+                break;
+            }
+            take_step(share, work);
+            run_sequence(problem, passing, axis, nodes, residual);
+            reached = residual_norm(count, residual);
+            if (reached < error * (1.0 - 0.0001 * share))
+            {
+                break;
+            }
+            take_step(-share, work);
+            share = 0.5 * share;
+        }
+        if (!(reached < error * (1.0 - 0.0001 * share)))
+        {
+            run_sequence(problem, passing, axis, nodes, residual);
+            break;
+        }
+        error = reached;
+    }
+    return error <= 1e-12;
+}
+static void keep_sequence(int64_t row, array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
+    }
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(49) + j, i));
+        }
+    }
+}
+static void restore_sequence(int64_t row, array_double_2d work)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
+    }
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(49) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
+        }
+    }
+}
+static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t j;
+    int64_t row;
+    int64_t i;
+    passing = span_row(&work, INT64_C(48));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    shift_instants(place, INT64_C(1), passing);
+    for (j = INT64_C(0); j < count - place; j += INT64_C(1))
+    {
+        row = INT64_C(49) + count - j;
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
+        }
+    }
+    row = INT64_C(49) + place;
+    (*cspan_at(&work, row, INT64_C(4))) = kind;
+    (*cspan_at(&work, row, INT64_C(5))) = sign;
+    (*cspan_at(&work, row, INT64_C(6))) = time;
+    (*cspan_at(&work, row, INT64_C(7))) = touch;
+    (*cspan_at(&work, row, INT64_C(8))) = 0.0;
+    (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
+}
+static void remove_node(int64_t place, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t row;
+    int64_t i;
+    passing = span_row(&work, INT64_C(48));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    for (row = INT64_C(49) + place; row < INT64_C(49) + count - INT64_C(1); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
+        {
+            (*cspan_at(&work, row, i)) = (*cspan_at(&work, row + INT64_C(1), i));
+        }
+    }
+    (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
+    shift_instants(place + INT64_C(1), -INT64_C(1), passing);
+}
+static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess)
+{
+    if (guess == INT64_C(1))
+    {
+        (*result_0_0001) = 0.9;
+        (*result_1_0001) = 0.7;
+        (*result_2_0001) = 0.6;
+        return 0;
+    }
+    if (guess == INT64_C(2))
+    {
+        (*result_0_0001) = 0.6;
+        (*result_1_0001) = 0.7;
+        (*result_2_0001) = 0.9;
+        return 0;
+    }
+    (*result_0_0001) = 0.8;
+    (*result_1_0001) = 0.5;
+    (*result_2_0001) = 0.8;
+    return 0;
+}
+static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work)
+{
+    int64_t row;
+    double time;
+    double level_sign;
+    double dip;
+    double before;
+    double depth;
+    double after;
+    row = INT64_C(49) + place;
+    if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
+    {
+        return 0;
+    }
+    time = (*cspan_at(&work, row, INT64_C(6)));
+    level_sign = (*cspan_at(&work, row, INT64_C(5)));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(16) + kind - INT64_C(1))));
+    split_guess(&before, &depth, &after, guess);
+    (*cspan_at(&work, row, INT64_C(6))) = before * time;
+    insert_node(place + INT64_C(1), kind, sign, (-depth) * dip, 0, work);
+    insert_node(place + INT64_C(2), INT64_C(0), level_sign, after * time, 0, work);
+    return 1;
+}
+static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work)
+{
+    int64_t first;
+    int64_t last;
+    int64_t plateau;
+    double share;
+    double time;
+    double before;
+    double after;
+    double hold;
+    first = INT64_C(49) + place - INT64_C(1);
+    last = INT64_C(49) + place;
+    plateau = kind + INT64_C(2);
+    if (holding)
+    {
+        last = last + INT64_C(1);
+        if ((*cspan_at(&work, last - INT64_C(1), INT64_C(4))) != plateau)
+        {
+            return 0;
+        }
+    }
+    if (((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    share = 0.7;
+    if (touch)
+    {
+        share = 0.5;
+    }
+    time = share * 0.5 * ((*cspan_at(&work, first, INT64_C(6))) + (*cspan_at(&work, last, INT64_C(6))));
+    before = (*cspan_at(&work, first, INT64_C(5)));
+    after = (*cspan_at(&work, last, INT64_C(5)));
+    if (holding)
+    {
+        hold = (*cspan_at(&work, last - INT64_C(1), INT64_C(6)));
+        insert_node(place + INT64_C(1), plateau, (*cspan_at(&work, last - INT64_C(1), INT64_C(5))), hold, 0, work);
+        place = place + INT64_C(1);
+    }
+    insert_node(place, INT64_C(0), before, time, 0, work);
+    insert_node(place, kind, sign, 0.0, touch, work);
+    insert_node(place, INT64_C(0), after, time, 0, work);
+    return 1;
+}
+static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_1d excess;
+    int64_t q;
+    int64_t count;
+    int64_t place;
+    double sign;
+    bool holding;
+    int64_t row;
+    bool here;
+    bool inside;
+    bool result;
+    passing = span_row(&work, INT64_C(48));
+    excess = span_row(&work, INT64_C(124) + kind);
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
+    sign = (*cspan_at(&excess, INT64_C(3)));
+    holding = (*cspan_at(&excess, INT64_C(2))) > 0.5;
+    if (count > INT64_C(12))
+    {
+        return 0;
+    }
+    if (kind == q - INT64_C(2))
+    {
+        if (!holding)
+        {
+            row = INT64_C(49) + place;
+            here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
+            if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
+            {
+                place = place - INT64_C(1);
+            }
+        }
+        inside = (place >= INT64_C(0)) && (place < count);
+        result = inside && split_level(place, kind, sign, guess, axis, work);
+        return result;
+    }
+    if ((place == INT64_C(0)) || (place >= count))
+    {
+        return 0;
+    }
+    if (kind == q - INT64_C(3))
+    {
+        result = split_ramp(place, kind, sign, touching, holding, work);
+        return result;
+    }
+    row = INT64_C(49) + place;
+    if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    insert_node(place, kind, sign, 0.0, 0, work);
+    return 1;
+}
+static bool rotate_levels(array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t first;
+    int64_t last;
+    double tiny;
+    double at_first;
+    double at_last;
+    passing = span_row(&work, INT64_C(48));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    first = INT64_C(49);
+    last = INT64_C(49) + count - INT64_C(1);
+    tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
+    if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    if ((*cspan_at(&passing, INT64_C(6))) > 0.5)
+    {
+        return 0;
+    }
+    at_first = fabs((*cspan_at(&work, first, INT64_C(6))));
+    at_last = fabs((*cspan_at(&work, last, INT64_C(6))));
+    if (span_min(at_first, at_last) >= tiny)
+    {
+        return 0;
+    }
+    if (at_first <= at_last)
+    {
+        remove_node(INT64_C(0), work);
+        insert_node(count - INT64_C(1), INT64_C(0), -(*cspan_at(&work, last - INT64_C(1), INT64_C(5))), tiny, 0, work);
+    }
+    else
+    {
+        remove_node(count - INT64_C(1), work);
+        insert_node(INT64_C(0), INT64_C(0), -(*cspan_at(&work, first, INT64_C(5))), tiny, 0, work);
+    }
+    return 1;
+}
+static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    bool result;
+    if (solve_sequence(problem, axis, work))
+    {
+        return 1;
+    }
+    result = rotate_levels(work) && solve_sequence(problem, axis, work);
+    return result;
+}
+static int64_t overlong_plateau(array_double_2d work)
+{
+    array_double_1d passing;
+    double least;
+    int64_t i;
+    int64_t row;
+    int64_t kind;
+    bool held;
+    int64_t found;
+    passing = span_row(&work, INT64_C(48));
+    found = -INT64_C(1);
+    least = (-1e-12) * (*cspan_at(&passing, INT64_C(3)));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
+    {
+        row = INT64_C(49) + i;
+        kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+        held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
+        if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
+        {
+            found = i;
+            least = (*cspan_at(&work, row, INT64_C(6)));
+        }
+    }
+    return found;
+}
+static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    double hold;
+    int64_t i;
+    hold = (*cspan_at(&work, row, INT64_C(6)));
+    (*cspan_at(&work, row, INT64_C(7))) = touch;
+    for (i = INT64_C(0); i < steps; i += INT64_C(1))
+    {
+        (*cspan_at(&work, row, INT64_C(8))) = hold * (steps - INT64_C(1) - i) / steps;
+        if (!solve_sequence(problem, axis, work))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t kind;
+    bool result;
+    keep_sequence(INT64_C(67), work);
+    kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+    if (kind == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
+    {
+        if (shorten_hold(row, INT64_C(2), INT64_C(1), problem, axis, work))
+        {
+            return 1;
+        }
+    }
+    else if (shorten_hold(row, INT64_C(1), INT64_C(4), problem, axis, work))
+    {
+        return 1;
+    }
+    restore_sequence(INT64_C(67), work);
+    result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
+    return result;
+}
+static bool release_touch(int64_t kind, array_double_2d work)
+{
+    int64_t i;
+    int64_t row;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))); i += INT64_C(1))
+    {
+        row = INT64_C(49) + i;
+        if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
+        {
+            (*cspan_at(&work, row, INT64_C(7))) = 0.0;
+            return 1;
+        }
+    }
+    return 0;
+}
+static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work)
+{
+    int64_t q;
+    int64_t j;
+    int64_t kind;
+    int64_t lowest;
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+    {
+        kind = q - INT64_C(1) - j;
+        if (upward)
+        {
+            kind = j + INT64_C(1);
+        }
+        if ((*cspan_at(&work, INT64_C(124) + kind, INT64_C(0))) > 0.0)
+        {
+            if (insert_plateau(kind, 0, INT64_C(0), axis, work))
+            {
+                return kind;
+            }
+        }
+    }
+    lowest = q - INT64_C(3);
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(124) + lowest, INT64_C(0))) > 0.0))
+    {
+        if (release_touch(lowest, work))
+        {
+            return q;
+        }
+    }
+    return INT64_C(0);
+}
+static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t q;
+    int64_t added;
+    int64_t attempt;
+    int64_t place;
+    int64_t row;
+    passing = span_row(&work, INT64_C(48));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    added = INT64_C(0);
+    for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
+    {
+        if ((attempt > INT64_C(0)) && (!solve_sequence(problem, axis, work)))
+        {
+            if ((added == INT64_C(0)) || (added != q - INT64_C(3)))
+            {
+                return 0;
+            }
+            restore_sequence(INT64_C(67), work);
+            added = INT64_C(0);
+            if (!insert_plateau(q - INT64_C(3), 1, INT64_C(0), axis, work))
+            {
+                return 0;
+            }
+            if (!solve_sequence(problem, axis, work))
+            {
+                return 0;
+            }
+        }
+        if (sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67))) >= longest)
+        {
+            return 0;
+        }
+        added = INT64_C(0);
+        place = overlong_plateau(work);
+        if (place >= INT64_C(0))
+        {
+            row = INT64_C(49) + place;
+            if (!touch_limit(row, problem, axis, work))
+            {
+                return 0;
+            }
+        }
+        else if (!measure_excess(axis, work))
+        {
+            return 1;
+        }
+        else
+        {
+            keep_sequence(INT64_C(67), work);
+            added = add_plateau(upward, axis, work);
+            if (added == INT64_C(0))
+            {
+                return 0;
+            }
+        }
+    }
+    return 0;
+}
+static bool may_go_on(array_double_2d work)
+{
+    bool result;
+    result = (*cspan_at(&work, INT64_C(128), INT64_C(4))) < (*cspan_at(&work, INT64_C(128), INT64_C(5)));
+    return result;
+}
+static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t node;
+    int64_t count;
+    int64_t place;
+    int64_t beside;
+    double sign;
+    int64_t row;
+    bool result;
+    passing = span_row(&work, INT64_C(48));
+    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    place = node;
+    beside = node;
+    sign = 1.0;
+    if (variant == INT64_C(0))
+    {
+        beside = node - INT64_C(1);
+    }
+    else if (variant == INT64_C(2))
+    {
+        place = node - INT64_C(1);
+        beside = node - INT64_C(1);
+    }
+    else if (variant == INT64_C(3))
+    {
+        place = node + INT64_C(1);
+    }
+    else if (variant == INT64_C(4))
+    {
+        place = INT64_C(0);
+        beside = INT64_C(0);
+        sign = -1.0;
+    }
+    else if (variant == INT64_C(5))
+    {
+        place = count;
+        beside = count - INT64_C(1);
+        sign = -1.0;
+    }
+    if ((place < INT64_C(0)) || (beside < INT64_C(0)) || (beside >= count) || (count > INT64_C(12)))
+    {
+        return 0;
+    }
+    row = INT64_C(49) + beside;
+    if (((*cspan_at(&passing, INT64_C(13))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
+    {
+        return 0;
+    }
+    sign = sign * (*cspan_at(&work, row, INT64_C(5)));
+    insert_node(place, INT64_C(0), sign, 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
+    add_instant(order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
+    result = solve_rotated(problem, axis, work);
+    return result;
+}
+static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t variant;
+    for (variant = INT64_C(0); variant < INT64_C(6); variant += INT64_C(1))
+    {
+        if (may_go_on(work) && insert_level(variant, order, problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    return 0;
+}
+static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t q;
+    int64_t order;
+    int64_t j;
+    int64_t lower;
+    double excess;
+    int64_t guesses;
+    int64_t guess;
+    bool result;
+    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    order = q - INT64_C(1);
+    for (j = INT64_C(1); j < q - INT64_C(1); j += INT64_C(1))
+    {
+        lower = q - INT64_C(1) - j;
+        excess = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
+        if ((*cspan_at(&work, INT64_C(124) + lower, INT64_C(0))) > excess)
+        {
+            order = lower;
+        }
+    }
+    keep_sequence(INT64_C(67), work);
+    if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
+    {
+        return 1;
+    }
+    guesses = INT64_C(1);
+    if (order == q - INT64_C(2))
+    {
+        guesses = INT64_C(3);
+    }
+    for (guess = INT64_C(0); guess < guesses; guess += INT64_C(1))
+    {
+        if (may_go_on(work) && insert_plateau(order, 0, guess, axis, work))
+        {
+            if (solve_rotated(problem, axis, work))
+            {
+                return 1;
+            }
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    result = (order >= q - INT64_C(2)) && insert_instant(order, problem, axis, work);
+    return result;
+}
+static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t row;
+    int64_t order;
+    double sign;
+    int64_t side;
+    bool result;
+    row = INT64_C(49) + place;
+    order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+    sign = (*cspan_at(&work, row, INT64_C(5)));
+    keep_sequence(INT64_C(67), work);
+    if (order == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
+    {
+        (*cspan_at(&work, row, INT64_C(7))) = 2.0;
+        (*cspan_at(&work, row, INT64_C(8))) = 0.0;
+        if (solve_rotated(problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+        remove_node(place, work);
+        (*cspan_at(&work, INT64_C(124) + order, INT64_C(1))) = place;
+        (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))) = sign;
+        keep_sequence(INT64_C(67), work);
+        result = insert_instant(order, problem, axis, work);
+        return result;
+    }
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        remove_node(place, work);
+        remove_node(place - side, work);
+        add_instant(order, sign, place - side, span_row(&work, INT64_C(48)));
+        if (solve_rotated(problem, axis, work))
+        {
+            return 1;
+        }
+        restore_sequence(INT64_C(67), work);
+    }
+    return 0;
+}
+static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t attempt;
+    int64_t place;
+    for (attempt = INT64_C(0); attempt < INT64_C(10); attempt += INT64_C(1))
+    {
+        place = overlong_plateau(work);
+        if (place >= INT64_C(0))
+        {
+            if (!end_plateau(place, problem, axis, work))
+            {
+                return 0;
+            }
+        }
+        else if (!measure_excess(axis, work))
+        {
+            return 1;
+        }
+        else if (!insert_limit(problem, axis, work))
+        {
+            return 0;
+        }
+    }
+    return 0;
+}
+static int64_t vanishing_level(int64_t step, array_double_2d work)
+{
+    array_double_1d passing;
+    double least;
+    int64_t i;
+    int64_t row;
+    int64_t found;
+    passing = span_row(&work, INT64_C(48));
+    found = -INT64_C(1);
+    least = 0.1 * (*cspan_at(&passing, INT64_C(3)));
+    for (i = INT64_C(0); (step > 0) ? (i < (int64_t)((*cspan_at(&passing, INT64_C(0))))) : (i > (int64_t)((*cspan_at(&passing, INT64_C(0))))); i += step)
+    {
+        row = INT64_C(49) + i;
+        if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
+        {
+            found = i;
+            least = fabs((*cspan_at(&work, row, INT64_C(6))));
+        }
+    }
+    return found;
+}
+static bool release_plateau(array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t count;
+    int64_t kind;
+    int64_t end;
+    int64_t i;
+    int64_t row;
+    bool touches;
+    passing = span_row(&work, INT64_C(48));
+    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
+    kind = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    end = vanishing_level(span_max_int(count - INT64_C(1), INT64_C(1)), work);
+    if ((end < INT64_C(0)) || ((*cspan_at(&passing, INT64_C(13))) > 2.5))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        row = INT64_C(49) + i;
+        touches = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && ((*cspan_at(&work, row, INT64_C(6))) < 0.0);
+        if (touches && ((int64_t)((*cspan_at(&work, row, INT64_C(4)))) == kind))
+        {
+            (*cspan_at(&work, row, INT64_C(4))) = 0.0;
+            add_instant(kind, (*cspan_at(&work, row, INT64_C(5))), i, passing);
+            remove_node(end, work);
+            return 1;
+        }
+    }
+    return 0;
+}
+static bool flip_level(array_double_2d work)
+{
+    int64_t found;
+    int64_t row;
+    double time;
+    found = vanishing_level(INT64_C(1), work);
+    if (found < INT64_C(0))
+    {
+        return 0;
+    }
+    row = INT64_C(49) + found;
+    time = span_max(fabs((*cspan_at(&work, row, INT64_C(6)))), 0.03 * (*cspan_at(&work, INT64_C(48), INT64_C(3))));
+    if ((*cspan_at(&work, row, INT64_C(6))) > 0.0)
+    {
+        time = -time;
+    }
+    (*cspan_at(&work, row, INT64_C(6))) = time;
+    return 1;
+}
+static bool follow(double target, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t change;
+    bool changed;
+    for (change = INT64_C(0); change < INT64_C(3); change += INT64_C(1))
+    {
+        restore_sequence(INT64_C(105), work);
+        (*cspan_at(&work, INT64_C(48), INT64_C(12))) = 1.0;
+        (*cspan_at(&work, INT64_C(48), INT64_C(5))) = target;
+        changed = 1;
+        if (change == INT64_C(1))
+        {
+            changed = release_plateau(work);
+        }
+        else if (change == INT64_C(2))
+        {
+            changed = flip_level(work);
+        }
+        if (changed && may_go_on(work) && solve_rotated(problem, axis, work))
+        {
+            if (meet_all(problem, axis, work))
+            {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
 static double linear_level(double gain, double a, double b, array_double_1d axis)
 {
     double slope;
@@ -7542,314 +10002,6 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     (*cspan_at(&family, INT64_C(29))) = stretch;
     return stretch >= 1.0;
 }
-int64_t segfmu_ramp_pieces(array_double_1d axis)
-{
-    int64_t i;
-    int64_t count;
-    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
-    {
-        return INT64_C(1);
-    }
-    count = INT64_C(1);
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); i += INT64_C(1))
-    {
-        count = INT64_C(2) * count + INT64_C(1);
-    }
-    return count;
-}
-static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes)
-{
-    int64_t level;
-    int64_t rest;
-    double sign;
-    level = boxes - INT64_C(1);
-    rest = piece;
-    while(span_floor_mod(rest, INT64_C(2)) == INT64_C(0))
-    {
-        level = level - INT64_C(1);
-        rest = span_floor_div(rest, INT64_C(2));
-    }
-    sign = 1.0;
-    rest = span_floor_div(rest, INT64_C(2));
-    while(rest > INT64_C(0))
-    {
-        if (span_floor_mod(rest, INT64_C(2)) == INT64_C(1))
-        {
-            sign = -sign;
-        }
-        rest = span_floor_div(rest, INT64_C(2));
-    }
-    (*result_0) = level;
-    (*result_1) = sign;
-    return 0;
-}
-static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis)
-{
-    int64_t boxes;
-    double stretch;
-    double rise;
-    double peak;
-    int64_t i;
-    double inner;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
-    stretch = duration / basis;
-    rise = basis;
-    peak = change;
-    for (i = INT64_C(0); i < level + INT64_C(1); i += INT64_C(1))
-    {
-        inner = 0.0;
-        if (i < boxes - INT64_C(1))
-        {
-            inner = inner_rise(rise, first + i, axis);
-        }
-        peak = peak / ((rise - inner) * stretch);
-        if (i == level)
-        {
-            (*result_0_0001) = (rise - 2.0 * inner) * stretch;
-            (*result_1) = peak;
-            return 0;
-        }
-        rise = inner;
-    }
-    (*result_0_0001) = 0.0;
-    (*result_1) = 0.0;
-    return 0;
-}
-static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis)
-{
-    int64_t count;
-    double value;
-    double slope;
-    double integral;
-    int64_t j;
-    int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(34))));
-    value = 0.0;
-    slope = 0.0;
-    integral = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(35) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(35) + i)) / (i + 1.0);
-        if (i > INT64_C(0))
-        {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(35) + i));
-        }
-    }
-    (*result_0) = value;
-    (*result_1) = slope;
-    (*result_2_0001) = integral * s;
-    return 0;
-}
-static double invert_curved_part(double value, double upper, array_double_1d axis)
-{
-    double low;
-    double high;
-    int64_t i;
-    double at;
-    double slope;
-    double integral;
-    double step;
-    double newton;
-    double s;
-    low = 0.0;
-    high = upper;
-    s = upper * sqrt(span_min(span_max(2.0 * value, 0.0), 1.0));
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        curved_part(&at, &slope, &integral, s, axis);
-        if (at > value)
-        {
-            high = s;
-        }
-        else
-        {
-            low = s;
-        }
-        step = 0.5 * (low + high) - s;
-        if (slope > 0.0)
-        {
-            newton = (value - at) / slope;
-            if ((s + newton > low) && (s + newton < high))
-            {
-                step = newton;
-            }
-        }
-        s = s + step;
-        if (fabs(step) <= 1e-09)
-        {
-            return s;
-        }
-    }
-    return s;
-}
-static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis)
-{
-    double smaller;
-    double slowness;
-    smaller = span_min(fabs(a), fabs(b));
-    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
-    {
-        return 0.5 * smaller * duration;
-    }
-    slowness = (basis - inner_rise(basis, INT64_C(0), axis)) * (duration / basis) / fabs(b - a);
-    return 0.5 * smaller * (duration + (smaller - fabs(b - a)) * slowness);
-}
-static double taylor(double t, double first, double second, double third, double fourth, double fifth)
-{
-    return t * (first + t / 2.0 * (second + t / 3.0 * (third + t / 4.0 * (fourth + t / 5.0 * fifth))));
-}
-static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest)
-{
-    double low;
-    double high;
-    int64_t i;
-    double at;
-    double slope;
-    double step;
-    double newton;
-    double t;
-    low = 0.0;
-    high = length;
-    t = 0.5 * length;
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        at = a + taylor(t, jerk, snap, crackle, pop, highest);
-        if (at * a <= 0.0)
-        {
-            high = t;
-        }
-        else
-        {
-            low = t;
-        }
-        slope = jerk + taylor(t, snap, crackle, pop, highest, 0.0);
-        step = 0.5 * (low + high) - t;
-        if (slope * a < 0.0)
-        {
-            newton = (-at) / slope;
-            if ((t + newton > low) && (t + newton < high))
-            {
-                step = newton;
-            }
-        }
-        t = t + step;
-        if (fabs(step) <= 1e-10 * length)
-        {
-            break;
-        }
-    }
-    return t;
-}
-static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis)
-{
-    int64_t boxes;
-    double jerk;
-    double snap;
-    double crackle;
-    double pop;
-    double highest;
-    int64_t piece;
-    int64_t level;
-    double sign;
-    double length;
-    double peak;
-    double end;
-    double gain;
-    bool crossed;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    jerk = 0.0;
-    snap = 0.0;
-    crackle = 0.0;
-    pop = 0.0;
-    highest = 0.0;
-    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
-    {
-        held_level(&level, &sign, piece, boxes);
-        piece_peak(&length, &peak, level, INT64_C(0), change, duration, basis, axis);
-        if (level == INT64_C(0))
-        {
-            jerk = sign * peak;
-            snap = 0.0;
-            crackle = 0.0;
-            pop = 0.0;
-            highest = 0.0;
-        }
-        else if (level == INT64_C(1))
-        {
-            snap = sign * peak;
-            crackle = 0.0;
-            pop = 0.0;
-            highest = 0.0;
-        }
-        else if (level == INT64_C(2))
-        {
-            crackle = sign * peak;
-            pop = 0.0;
-            highest = 0.0;
-        }
-        else if (level == INT64_C(3))
-        {
-            pop = sign * peak;
-            highest = 0.0;
-        }
-        else
-        {
-            highest = sign * peak;
-        }
-        end = length;
-        gain = taylor(end, jerk, snap, crackle, pop, highest);
-        crossed = (a + gain) * change >= 0.0;
-        if (crossed)
-        {
-            end = crossing_time(a, length, jerk, snap, crackle, pop, highest);
-        }
-        v = v + end * a;
-        v = v + end * taylor(end, jerk / 2.0, snap / 3.0, crackle / 4.0, pop / 5.0, highest / 6.0);
-        if (crossed)
-        {
-            return v;
-        }
-        a = a + gain;
-        jerk = jerk + taylor(length, snap, crackle, pop, highest, 0.0);
-        snap = snap + taylor(length, crackle, pop, highest, 0.0, 0.0);
-        crackle = crackle + taylor(length, pop, highest, 0.0, 0.0, 0.0);
-        pop = pop + length * highest;
-    }
-    return v;
-}
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis)
-{
-    double start;
-    double first;
-    double change;
-    double s;
-    double value;
-    double slope;
-    double integral;
-    double result;
-    start = v;
-    first = a;
-    change = b - a;
-    if (fabs(a) > fabs(b))
-    {
-        start = v + 0.5 * (a + b) * duration;
-        first = -b;
-    }
-    if ((*cspan_at(&axis, INT64_C(11))) > 0.5)
-    {
-        result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
-        return result;
-    }
-    if ((*cspan_at(&axis, INT64_C(34))) == 2.0)
-    {
-        return start - 0.5 * first * first * duration / change;
-    }
-    s = invert_curved_part((-first) / change, 0.5, axis);
-    curved_part(&value, &slope, &integral, s, axis);
-    return start + duration * (first * s + change * integral);
-}
 static double flush_tiny(double value, double scale)
 {
     if (fabs(value) <= 1e-30 * scale)
@@ -8121,303 +10273,50 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     }
     return duration;
 }
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
+static void stretch_phases(array_double_2d phases, int64_t count, double factor)
 {
     int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, i)) = 0.0;
-    }
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
-}
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
-{
+    double power;
     int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
+        power = factor * factor;
+        for (j = INT64_C(0); j < (int64_t)((*cspan_at(&phases, i, INT64_C(4)))); j += INT64_C(1))
         {
-            factor = factor * (i - m);
+            power = power * factor;
         }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
-    }
-    return value;
-}
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
-{
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
-    double lower;
-    double upper;
-    double left;
-    double middle;
-    double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
-    {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-        {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
-            {
-                best = value;
-                at = i;
-            }
-        }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
-        {
-            lower = 0.0;
-        }
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / power;
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / power;
     }
 }
-void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+static int64_t fit_duration(array_double_2d phases, int64_t count, double target)
 {
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(0))) = smoothness;
-    (*cspan_at(&axis, INT64_C(1))) = shape;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
-    }
-}
-static double usual_share(void)
-{
-    return 0.1;
-}
-static double steeper_above(void)
-{
-    return 0.2;
-}
-static double moderate_share(void)
-{
-    return 0.02;
-}
-static double steepest_share(void)
-{
-    return 0.004;
-}
-static bool ramps_suffice(array_double_1d axis)
-{
-    bool result;
-    result = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
-    return result;
-}
-static bool snap_is_last(array_double_1d axis)
-{
-    bool result;
-    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ramps_suffice(axis);
-    return result;
-}
-static double saving(array_double_1d axis)
-{
-    double result;
-    result = 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)));
-    return result;
-}
-static bool plateau_parameters(double share, array_double_1d axis)
-{
-    int64_t boxes;
-    int64_t last;
-    int64_t level;
-    int64_t i;
-    double limit;
-    double rise;
-    double slope;
-    double time;
-    double variance;
-    double fourth;
-    double jerk;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(11))) = 1.0;
-    last = -INT64_C(1);
-    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
-    {
-        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
-        {
-            last = level;
-        }
-    }
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
-    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
-    {
-        if ((level > INT64_C(0)) || (last == INT64_C(0)))
-        {
-            (*cspan_at(&axis, INT64_C(21) + level)) = share;
-            if (level > last)
-            {
-                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
-            }
-            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
-            {
-                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
-            }
-        }
-    }
-    for (i = INT64_C(0); i < last; i += INT64_C(1))
-    {
-        level = last - INT64_C(1) - i;
-        limit = (*cspan_at(&axis, INT64_C(4) + level));
-        rise = 1e+60;
-        if (limit > 0.0)
-        {
-            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
-        }
-        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
-    }
-    if (last == INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
-    }
-    if (last <= INT64_C(1))
-    {
-        time = 1.0;
-        if (last == INT64_C(1))
-        {
-            time = (*cspan_at(&axis, INT64_C(16)));
-        }
-        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
-    }
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    if (jerk > 0.0)
-    {
-        rise = (*cspan_at(&axis, INT64_C(16)));
-        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
-        (*cspan_at(&axis, INT64_C(14))) = rise;
-        if (rise > 0.0)
-        {
-            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
-        }
-    }
-    return 1;
-}
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    int64_t j;
-    double limit;
-    double slope;
-    int64_t e;
-    double change;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    bounded = 0;
-    transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
-    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
-    }
-    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
-            bounded = 1;
-        }
-    }
-    slope = (*cspan_at(&axis, INT64_C(26)));
-    if (slope > 0.0)
-    {
-        (*cspan_at(&axis, INT64_C(12))) = 0.0;
-        (*cspan_at(&axis, INT64_C(13))) = slope;
-        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-        {
-            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
-        }
-    }
-    return bounded;
-}
-bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
-{
+    double total;
     int64_t i;
     double duration;
-    double slope;
-    bool bounded;
-    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
+    int64_t j;
+    int64_t kept;
+    total = 0.0;
+    kept = INT64_C(0);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&axis, i)) = 0.0;
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        if (duration > 1e-13 * target)
+        {
+            for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+            {
+                (*cspan_at(&phases, kept, j)) = (*cspan_at(&phases, i, j));
+            }
+            total = total + duration;
+            kept = kept + INT64_C(1);
+        }
     }
-    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
-    bounded = 0;
-    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
+    for (i = INT64_C(0); i < kept; i += INT64_C(1))
     {
-        bounded = plateau_parameters(share, axis);
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
     }
-    else
-    {
-        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
-    }
-    if (bounded)
-    {
-        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(10))) = duration;
-    }
-    return bounded;
+    return kept;
 }
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
 {
@@ -10314,1530 +12213,6 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     }
     return count;
 }
-static double taylor_value(int64_t order, double t, array_double_1d state)
-{
-    int64_t j;
-    int64_t i;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
-    {
-        i = INT64_C(7) - j;
-        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
-    }
-    return value;
-}
-static double zero_time(int64_t order, double length, array_double_1d state)
-{
-    double lower;
-    double upper;
-    int64_t i;
-    double value;
-    double step;
-    double slope;
-    double newton;
-    double t;
-    lower = 0.0;
-    upper = length;
-    t = 0.5 * length;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        value = taylor_value(order, t, state);
-        if (value * (*cspan_at(&state, order)) > 0.0)
-        {
-            lower = t;
-        }
-        else
-        {
-            upper = t;
-        }
-        step = 0.5 * (lower + upper) - t;
-        slope = taylor_value(order + INT64_C(1), t, state);
-        if (slope != 0.0)
-        {
-            newton = (-value) / slope;
-            if ((t + newton > lower) && (t + newton < upper))
-            {
-                step = newton;
-            }
-        }
-        t = t + step;
-        if (fabs(step) <= 1e-09 * length)
-        {
-            break;
-        }
-    }
-    return t;
-}
-static void advance_piece(double length, array_double_1d state, array_double_1d end)
-{
-    int64_t order;
-    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-    {
-        (*cspan_at(&end, order)) = taylor_value(order, length, state);
-    }
-}
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
-{
-    int64_t order;
-    double limit;
-    double share;
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
-            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
-            {
-                (*cspan_at(&excess, order, INT64_C(0))) = share;
-                (*cspan_at(&excess, order, INT64_C(1))) = node;
-                (*cspan_at(&excess, order, INT64_C(2))) = holding;
-                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
-                if ((*cspan_at(&end, order)) < 0.0)
-                {
-                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
-                }
-            }
-        }
-    }
-}
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d state;
-    array_double_1d end;
-    array_double_2d excess;
-    int64_t q;
-    double rest;
-    int64_t i;
-    double step;
-    int64_t j;
-    int64_t order;
-    state = span_row(&work, INT64_C(131));
-    end = span_row(&work, INT64_C(131) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(124), INT64_C(130));
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
-    rest = length;
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
-    {
-        step = rest;
-        advance_piece(step, state, end);
-        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
-        {
-            order = q - j;
-            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
-            {
-                step = zero_time(order, step, state);
-                advance_piece(step, state, end);
-                (*cspan_at(&end, order)) = 0.0;
-            }
-        }
-        note_excess(q, node, holding, axis, end, excess);
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
-        }
-        rest = rest - step;
-        if (rest <= 0.0)
-        {
-            break;
-        }
-    }
-}
-static bool measure_excess(array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d excess;
-    array_double_1d state;
-    int64_t above;
-    int64_t q;
-    int64_t boxes;
-    double level;
-    int64_t order;
-    int64_t i;
-    int64_t row;
-    double ramp;
-    double change;
-    int64_t piece;
-    int64_t held;
-    double sign;
-    double basis;
-    double length;
-    double peak;
-    passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(124), INT64_C(130));
-    state = span_row(&work, INT64_C(131));
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    q = above + INT64_C(2);
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    level = (*cspan_at(&passing, INT64_C(7)));
-    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
-    {
-        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
-    }
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        row = INT64_C(49) + i;
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = 0.0;
-            if (order < q)
-            {
-                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
-            }
-        }
-        (*cspan_at(&state, q)) = level;
-        ramp = (*cspan_at(&work, row, INT64_C(11)));
-        change = (*cspan_at(&work, row, INT64_C(9))) - level;
-        if (ramp > 0.0)
-        {
-            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
-            {
-                held_level(&held, &sign, piece, boxes);
-                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
-                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
-                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
-                {
-                    (*cspan_at(&state, order)) = 0.0;
-                }
-                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
-                if (length > 0.0)
-                {
-                    piece_excess(length, i, 0, axis, work);
-                }
-            }
-        }
-        level = (*cspan_at(&work, row, INT64_C(9)));
-        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
-        {
-            for (order = q; order < INT64_C(8); order += INT64_C(1))
-            {
-                (*cspan_at(&state, order)) = 0.0;
-            }
-            (*cspan_at(&state, q)) = level;
-            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
-        }
-    }
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
-static double power_term(double t, double sixth)
-{
-    return t * t * t * t * t * t * sixth / 720.0;
-}
-static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth)
-{
-    double end;
-    double slope;
-    double at;
-    double highest;
-    end = length;
-    highest = value + taylor(end, first, second, third, fourth, fifth);
-    highest = highest + power_term(end, sixth);
-    slope = first + taylor(end, second, third, fourth, fifth, sixth);
-    if ((first > 0.0) && (slope < 0.0))
-    {
-        end = crossing_time(first, length, second, third, fourth, fifth, sixth);
-        at = value + taylor(end, first, second, third, fourth, fifth);
-        highest = span_max(highest, at + power_term(end, sixth));
-    }
-    return highest;
-}
-static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
-{
-    int64_t boxes;
-    double before;
-    int64_t jerk_at;
-    double v;
-    double a;
-    double jerk;
-    double snap;
-    double crackle;
-    double pop;
-    double seventh;
-    double ramp;
-    double change;
-    int64_t piece;
-    double length;
-    int64_t held;
-    double direction;
-    double peak;
-    double at;
-    double highest;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(3);
-    before = (*cspan_at(&passing, INT64_C(7)));
-    if (i > INT64_C(0))
-    {
-        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
-    }
-    jerk_at = INT64_C(0) + INT64_C(3);
-    v = sign * (*cspan_at(&nodes, i, INT64_C(0) + INT64_C(1)));
-    a = sign * (*cspan_at(&nodes, i, INT64_C(0) + INT64_C(2)));
-    jerk = sign * (*cspan_at(&nodes, i, jerk_at));
-    snap = sign * before;
-    crackle = 0.0;
-    pop = 0.0;
-    seventh = 0.0;
-    ramp = (*cspan_at(&nodes, i, INT64_C(11)));
-    change = sign * ((*cspan_at(&nodes, i, INT64_C(9))) - before);
-    highest = v;
-    if (order == INT64_C(2))
-    {
-        highest = a;
-    }
-    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)) + INT64_C(1); piece += INT64_C(1))
-    {
-        length = (*cspan_at(&nodes, i, INT64_C(10)));
-        if (piece < pow(2.0, (double)(boxes)))
-        {
-            length = 0.0;
-            if (ramp > 0.0)
-            {
-                held_level(&held, &direction, piece, boxes);
-                piece_peak(&length, &peak, held, INT64_C(2), change, ramp, ramp * (*cspan_at(&passing, INT64_C(2))), axis);
-                if (held == INT64_C(0))
-                {
-                    crackle = direction * peak;
-                    pop = 0.0;
-                    seventh = 0.0;
-                }
-                else if (held == INT64_C(1))
-                {
-                    pop = direction * peak;
-                    seventh = 0.0;
-                }
-                else
-                {
-                    seventh = direction * peak;
-                }
-            }
-        }
-        else
-        {
-            snap = sign * (*cspan_at(&nodes, i, INT64_C(9)));
-            crackle = 0.0;
-            pop = 0.0;
-            seventh = 0.0;
-        }
-        if (length > 0.0)
-        {
-            at = highest_in_piece(length, v, a, jerk, snap, crackle, pop, seventh);
-            if (order == INT64_C(2))
-            {
-                at = highest_in_piece(length, a, jerk, snap, crackle, pop, seventh, 0.0);
-            }
-            highest = span_max(highest, at);
-            v = v + taylor(length, a, jerk, snap, crackle, pop) + power_term(length, seventh);
-            a = a + taylor(length, jerk, snap, crackle, pop, seventh);
-            jerk = jerk + taylor(length, snap, crackle, pop, seventh, 0.0);
-            snap = snap + taylor(length, crackle, pop, seventh, 0.0, 0.0);
-            crackle = crackle + taylor(length, pop, seventh, 0.0, 0.0, 0.0);
-            pop = pop + length * seventh;
-        }
-    }
-    return highest;
-}
-static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
-{
-    int64_t order;
-    int64_t first;
-    int64_t last;
-    double highest;
-    int64_t i;
-    double sign;
-    double result;
-    order = (int64_t)((*cspan_at(&passing, INT64_C(13) + peak)));
-    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(19) + peak))), INT64_C(0));
-    last = (int64_t)((*cspan_at(&passing, INT64_C(22) + peak)));
-    highest = -1e+300;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        if ((i >= first) && (i <= last))
-        {
-            sign = (*cspan_at(&passing, INT64_C(16) + peak));
-            highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
-        }
-    }
-    result = highest - (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
-    return result;
-}
-static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
-{
-    int64_t peak;
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(12)))); peak += INT64_C(1))
-    {
-        if ((*cspan_at(&passing, INT64_C(19) + peak)) >= place)
-        {
-            (*cspan_at(&passing, INT64_C(19) + peak)) = (*cspan_at(&passing, INT64_C(19) + peak)) + by;
-        }
-        if ((*cspan_at(&passing, INT64_C(22) + peak)) >= place)
-        {
-            (*cspan_at(&passing, INT64_C(22) + peak)) = (*cspan_at(&passing, INT64_C(22) + peak)) + by;
-        }
-    }
-}
-static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
-{
-    int64_t peak;
-    peak = (int64_t)((*cspan_at(&passing, INT64_C(12))));
-    (*cspan_at(&passing, INT64_C(13) + peak)) = order;
-    (*cspan_at(&passing, INT64_C(16) + peak)) = sign;
-    (*cspan_at(&passing, INT64_C(19) + peak)) = node - INT64_C(1);
-    (*cspan_at(&passing, INT64_C(22) + peak)) = node + INT64_C(1);
-    (*cspan_at(&passing, INT64_C(12))) = peak + INT64_C(1);
-}
-static double power_of(double base, int64_t exponent)
-{
-    int64_t i;
-    double power;
-    power = 1.0;
-    for (i = INT64_C(0); i < exponent; i += INT64_C(1))
-    {
-        power = power * base;
-    }
-    return power;
-}
-static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis)
-{
-    int64_t above;
-    int64_t kind;
-    double pace;
-    double time;
-    double sign;
-    double rise;
-    double most;
-    double change;
-    double slope;
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
-    pace = (*cspan_at(&passing, INT64_C(2)));
-    time = (*cspan_at(&node, INT64_C(6)));
-    (*cspan_at(&node, INT64_C(9))) = 0.0;
-    (*cspan_at(&node, INT64_C(10))) = time;
-    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
-    {
-        return;
-    }
-    if ((kind > INT64_C(0)) && ((kind != above) || (time >= 0.0)))
-    {
-        return;
-    }
-    sign = (*cspan_at(&node, INT64_C(5))) * power_of(pace, above + INT64_C(2));
-    if (time < 0.0)
-    {
-        sign = -sign;
-    }
-    rise = fabs(time);
-    (*cspan_at(&node, INT64_C(10))) = 0.0;
-    most = (*cspan_at(&axis, INT64_C(16) + above - INT64_C(1)));
-    if (rise >= most)
-    {
-        (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
-        (*cspan_at(&node, INT64_C(10))) = (rise - most) / pace;
-    }
-    else if (rise > 0.0)
-    {
-        plateau_change(&change, &slope, rise, above, axis);
-        (*cspan_at(&node, INT64_C(9))) = sign * change;
-    }
-}
-static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state)
-{
-    double half;
-    double moment;
-    int64_t k;
-    int64_t order;
-    double total;
-    double power;
-    int64_t i;
-    double square;
-    half = 0.5 * time;
-    moment = half;
-    for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
-    {
-        order = above + INT64_C(2) - k;
-        total = (*cspan_at(&state, k));
-        power = 1.0;
-        for (i = INT64_C(1); i < order; i += INT64_C(1))
-        {
-            power = power * time / i;
-            total = total + power * (*cspan_at(&state, k + i));
-        }
-        total = total + power * time / order * level;
-        if (change != 0.0)
-        {
-            square = half * half;
-            if (order == INT64_C(1))
-            {
-                moment = half;
-            }
-            else if (order == INT64_C(2))
-            {
-                moment = 0.5 * (square + variance);
-            }
-            else if (order == INT64_C(3))
-            {
-                moment = half * (square + 3.0 * variance) / 6.0;
-            }
-            else
-            {
-                moment = square * (square + 6.0 * variance) + 3.0 * variance * variance;
-                moment = (moment + fourth) / 24.0;
-            }
-            total = total + change * moment;
-        }
-        (*cspan_at(&state, k)) = total;
-    }
-}
-static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes)
-{
-    int64_t above;
-    double pace;
-    double before;
-    double change;
-    int64_t k;
-    double basis;
-    double slope;
-    double variance;
-    double fourth;
-    double square;
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    pace = (*cspan_at(&passing, INT64_C(2)));
-    before = (*cspan_at(&passing, INT64_C(7)));
-    if (i > INT64_C(0))
-    {
-        before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
-    }
-    change = (*cspan_at(&nodes, i, INT64_C(9))) - before;
-    for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
-    {
-        (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k)) = (*cspan_at(&nodes, i, INT64_C(0) + k));
-    }
-    (*cspan_at(&nodes, i, INT64_C(11))) = 0.0;
-    if (change != 0.0)
-    {
-        plateau_duration(&basis, &slope, fabs(change) / power_of(pace, above + INT64_C(2)), above, axis);
-        rise_moments(&variance, &fourth, basis, above, axis);
-        square = 1.0 / (pace * pace);
-        (*cspan_at(&nodes, i, INT64_C(11))) = basis / pace;
-        advance(basis / pace, before, change, variance * square, fourth * square * square, above, span_row(&nodes, i + INT64_C(1)));
-    }
-}
-static int64_t dropped_condition(int64_t q, array_double_1d node)
-{
-    int64_t result;
-    if ((*cspan_at(&node, INT64_C(7))) > 1.5)
-    {
-        result = (int64_t)((*cspan_at(&node, INT64_C(4))));
-        return result;
-    }
-    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
-    {
-        return q - INT64_C(1);
-    }
-    return -INT64_C(1);
-}
-static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis)
-{
-    double acceleration;
-    double time;
-    double speed;
-    acceleration = (*cspan_at(&passing, INT64_C(4)));
-    time = (*cspan_at(&passing, INT64_C(3)));
-    if (order > INT64_C(1))
-    {
-        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(10)))), order - INT64_C(2));
-        return speed;
-    }
-    speed = span_min((*cspan_at(&axis, INT64_C(2))), acceleration * time);
-    if (order == INT64_C(1))
-    {
-        return speed;
-    }
-    return speed * time;
-}
-static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
-{
-    int64_t q;
-    int64_t kind;
-    int64_t dropped;
-    int64_t k;
-    double error;
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-    dropped = dropped_condition(q, span_row(&nodes, i));
-    if (kind == INT64_C(0))
-    {
-        return row;
-    }
-    for (k = kind; k < q; k += INT64_C(1))
-    {
-        error = (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k));
-        if (k == kind)
-        {
-            error = error - (*cspan_at(&nodes, i, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
-        }
-        (*cspan_at(&residual, INT64_C(0) + row)) = error / residual_scale(k, passing, axis);
-        if (k == dropped)
-        {
-            error = (*cspan_at(&nodes, i, INT64_C(6))) - (*cspan_at(&nodes, i, INT64_C(8)));
-            (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
-        }
-        row = row + INT64_C(1);
-    }
-    return row;
-}
-static bool stays_at_limit(array_double_1d node)
-{
-    bool result;
-    result = ((*cspan_at(&node, INT64_C(4))) > 0.5) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(9))) == 0.0);
-    return result;
-}
-static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state)
-{
-    int64_t kind;
-    int64_t k;
-    if (stays_at_limit(node))
-    {
-        kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
-        (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
-        for (k = kind + INT64_C(1); k < q; k += INT64_C(1))
-        {
-            (*cspan_at(&state, INT64_C(0) + k)) = 0.0;
-        }
-    }
-}
-static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d nodes)
-{
-    int64_t q;
-    int64_t i;
-    int64_t row;
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    row = INT64_C(0);
-    for (i = INT64_C(0); i < node; i += INT64_C(1))
-    {
-        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
-        {
-            row = row + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-        }
-    }
-    return row;
-}
-static void end_residuals(int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_1d end, array_double_1d residual)
-{
-    int64_t k;
-    double target;
-    double error;
-    for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
-    {
-        target = 0.0;
-        if (k == INT64_C(0))
-        {
-            target = (*cspan_at(&problem, INT64_C(4)));
-        }
-        else if (k == INT64_C(1))
-        {
-            target = (*cspan_at(&problem, INT64_C(2)));
-        }
-        else if (k == INT64_C(2))
-        {
-            target = (*cspan_at(&problem, INT64_C(3)));
-        }
-        error = (*cspan_at(&end, INT64_C(0) + k)) - target;
-        (*cspan_at(&residual, INT64_C(0) + row + k)) = error / residual_scale(k, passing, axis);
-    }
-}
-static int64_t follow_node(int64_t i, int64_t row, array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
-{
-    int64_t q;
-    double hold;
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    if (i == (int64_t)((*cspan_at(&passing, INT64_C(0)))))
-    {
-        (*cspan_at(&nodes, i, INT64_C(4))) = 0.0;
-        (*cspan_at(&nodes, i, INT64_C(9))) = 0.0;
-        (*cspan_at(&nodes, i, INT64_C(10))) = 0.0;
-        pass_node(i, passing, axis, nodes);
-        end_residuals(row, problem, passing, axis, span_row(&nodes, i + INT64_C(1)), residual);
-        return row + q;
-    }
-    set_level(span_row(&nodes, i), passing, axis);
-    pass_node(i, passing, axis, nodes);
-    row = node_residuals(i, row, passing, axis, nodes, residual);
-    hold = (*cspan_at(&nodes, i, INT64_C(10)));
-    hold_limit(q, span_row(&nodes, i), axis, span_row(&nodes, i + INT64_C(1)));
-    if (hold != 0.0)
-    {
-        advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, q - INT64_C(2), span_row(&nodes, i + INT64_C(1)));
-    }
-    return row;
-}
-static double sequence_duration(array_double_1d passing, array_double_2d nodes)
-{
-    int64_t i;
-    double total;
-    total = 0.0;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&nodes, i, INT64_C(11))) + (*cspan_at(&nodes, i, INT64_C(10)));
-    }
-    return total;
-}
-static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual)
-{
-    int64_t k;
-    int64_t jerk;
-    int64_t row;
-    int64_t i;
-    int64_t peak;
-    double scale;
-    double error;
-    for (k = INT64_C(0); k < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); k += INT64_C(1))
-    {
-        (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + k)) = 0.0;
-    }
-    (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
-    (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
-    jerk = INT64_C(0) + INT64_C(3);
-    if ((*cspan_at(&passing, INT64_C(1))) > 1.5)
-    {
-        (*cspan_at(&nodes, INT64_C(0), jerk)) = (*cspan_at(&passing, INT64_C(8)));
-    }
-    row = INT64_C(0);
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        row = follow_node(i, row, problem, passing, axis, nodes, residual);
-    }
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(12)))); peak += INT64_C(1))
-    {
-        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(13) + peak))), passing, axis);
-        error = instant_error(peak, passing, axis, nodes);
-        (*cspan_at(&residual, INT64_C(0) + row)) = error / scale;
-        row = row + INT64_C(1);
-    }
-    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
-    {
-        error = sequence_duration(passing, nodes) - (*cspan_at(&passing, INT64_C(5)));
-        (*cspan_at(&residual, INT64_C(0) + row)) = error / (*cspan_at(&passing, INT64_C(3)));
-    }
-}
-static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes)
-{
-    int64_t q;
-    int64_t count;
-    int64_t i;
-    int64_t kind;
-    int64_t dropped;
-    int64_t k;
-    double slope;
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    for (i = first; i < count + INT64_C(1); i += INT64_C(1))
-    {
-        advance((*cspan_at(&nodes, i, INT64_C(11))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
-        kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
-        dropped = -INT64_C(1);
-        if (i < count)
-        {
-            dropped = dropped_condition(q, span_row(&nodes, i));
-        }
-        if ((kind > INT64_C(0)) || (i == count))
-        {
-            for (k = kind; k < q; k += INT64_C(1))
-            {
-                slope = (*cspan_at(&change, INT64_C(0) + k)) / residual_scale(k, passing, axis);
-                if (k == dropped)
-                {
-                    slope = 0.0;
-                }
-                (*cspan_at(&slopes, INT64_C(0) + row)) = slope;
-                row = row + INT64_C(1);
-            }
-        }
-        if (stays_at_limit(span_row(&nodes, i)))
-        {
-            for (k = kind; k < q; k += INT64_C(1))
-            {
-                (*cspan_at(&change, INT64_C(0) + k)) = 0.0;
-            }
-        }
-        if ((*cspan_at(&nodes, i, INT64_C(10))) != 0.0)
-        {
-            advance((*cspan_at(&nodes, i, INT64_C(10))), 0.0, 0.0, 0.0, 0.0, q - INT64_C(2), change);
-        }
-    }
-}
-static bool is_square(array_double_1d passing, array_double_2d nodes)
-{
-    int64_t count;
-    int64_t conditions;
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(12))));
-    return (conditions == count) && (count <= INT64_C(16));
-}
-static double residual_norm(int64_t count, array_double_1d residual)
-{
-    double total;
-    int64_t i;
-    total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&residual, INT64_C(0) + i)) * (*cspan_at(&residual, INT64_C(0) + i));
-    }
-    return sqrt(total);
-}
-static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    array_double_1d residual;
-    double change;
-    int64_t i;
-    double slope;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
-    change = 1e-07;
-    (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
-    run_sequence(problem, passing, axis, nodes, residual);
-    (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(131) + i, count - INT64_C(1))) = slope;
-    }
-    run_sequence(problem, passing, axis, nodes, residual);
-}
-static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    array_double_1d residual;
-    array_double_1d slopes;
-    array_double_2d before;
-    array_double_1d moved;
-    int64_t q;
-    int64_t following;
-    array_double_1d base;
-    double spent;
-    int64_t j;
-    int64_t i;
-    double change;
-    int64_t row;
-    int64_t begin;
-    double slope;
-    int64_t k;
-    double difference;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
-    slopes = span_row(&work, INT64_C(163));
-    before = span_rows(&work, INT64_C(164), INT64_C(167));
-    moved = span_row(&work, INT64_C(167));
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    following = column + INT64_C(2);
-    base = span_row(&work, INT64_C(164) + INT64_C(2));
-    spent = 0.0;
-    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-        {
-            (*cspan_at(&before, j, i)) = (*cspan_at(&nodes, column + j, i));
-        }
-    }
-    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
-    {
-        spent = spent - (*cspan_at(&nodes, column + j, INT64_C(11))) - (*cspan_at(&nodes, column + j, INT64_C(10)));
-    }
-    change = 1e-07 * (fabs((*cspan_at(&nodes, column, INT64_C(6)))) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
-    (*cspan_at(&nodes, column, INT64_C(6))) = (*cspan_at(&nodes, column, INT64_C(6))) + change;
-    row = first_row(column, passing, nodes);
-    begin = row;
-    row = follow_node(column, row, problem, passing, axis, nodes, residual);
-    row = follow_node(column + INT64_C(1), row, problem, passing, axis, nodes, residual);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&slopes, INT64_C(0) + i)) = 0.0;
-    }
-    for (i = begin; i < row; i += INT64_C(1))
-    {
-        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
-        (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
-    }
-    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
-    {
-        spent = spent + (*cspan_at(&nodes, column + j, INT64_C(11))) + (*cspan_at(&nodes, column + j, INT64_C(10)));
-    }
-    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
-    {
-        (*cspan_at(&slopes, INT64_C(0) + count - INT64_C(1))) = spent / (change * (*cspan_at(&passing, INT64_C(3))));
-    }
-    if (following <= (int64_t)((*cspan_at(&passing, INT64_C(0)))))
-    {
-        for (k = INT64_C(0); k < q; k += INT64_C(1))
-        {
-            difference = (*cspan_at(&nodes, following, INT64_C(0) + k)) - (*cspan_at(&base, INT64_C(0) + k));
-            (*cspan_at(&moved, INT64_C(0) + k)) = difference / change;
-        }
-        follow_change(following, row, passing, axis, nodes, moved, slopes);
-    }
-    for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-        {
-            (*cspan_at(&nodes, column + j, i)) = (*cspan_at(&before, j, i));
-        }
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(131) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
-    }
-}
-static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    array_double_1d residual;
-    double time;
-    double change;
-    int64_t i;
-    double slope;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
-    time = (*cspan_at(&nodes, column, INT64_C(6)));
-    change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
-    (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
-    run_sequence(problem, passing, axis, nodes, residual);
-    (*cspan_at(&nodes, column, INT64_C(6))) = time;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(131) + i, column)) = slope;
-    }
-}
-static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_1d residual;
-    int64_t i;
-    int64_t j;
-    double largest;
-    double added;
-    double diagonal;
-    array_double_2d matrix;
-    passing = span_row(&work, INT64_C(48));
-    residual = span_row(&work, INT64_C(130));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(147) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
-    }
-    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
-    {
-        pace_column(count, problem, axis, work);
-    }
-    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = (*cspan_at(&work, INT64_C(128), INT64_C(4))) + 1.0;
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
-    {
-        if ((*cspan_at(&passing, INT64_C(12))) > 0.5)
-        {
-            whole_column(j, count, problem, axis, work);
-        }
-        else
-        {
-            time_column(j, count, problem, axis, work);
-        }
-    }
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        largest = 0.0;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(131) + i, j))));
-        }
-        added = 1e-12 * largest;
-        if (largest == 0.0)
-        {
-            added = 1.0;
-        }
-        diagonal = (*cspan_at(&work, INT64_C(131) + j, j));
-        if (diagonal < 0.0)
-        {
-            added = -added;
-        }
-        (*cspan_at(&work, INT64_C(131) + j, j)) = diagonal + added;
-    }
-    matrix = span_rows(&work, INT64_C(131), INT64_C(147));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(147), INT64_C(163)));
-}
-static double longest_step(array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    int64_t count;
-    int64_t i;
-    double change;
-    double time;
-    double most;
-    double share;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    share = 1.0;
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        change = (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
-        time = (*cspan_at(&nodes, i, INT64_C(6)));
-        if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
-        {
-            return 0.0;
-        }
-        most = 0.5 * (*cspan_at(&passing, INT64_C(3)));
-        if ((*cspan_at(&nodes, i, INT64_C(4))) < 0.5)
-        {
-            most = 0.7 * fabs(time);
-            if (change * time >= 0.0)
-            {
-                most = 1.5 * fabs(time);
-            }
-            most = most + 0.01 * (*cspan_at(&passing, INT64_C(3)));
-        }
-        if (fabs(change) * share > most)
-        {
-            share = most / fabs(change);
-        }
-    }
-    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
-    {
-        change = fabs((*cspan_at(&work, INT64_C(147) + count, INT64_C(0))));
-        if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
-        {
-            share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
-        }
-    }
-    return share;
-}
-static void take_step(double share, array_double_2d work)
-{
-    int64_t count;
-    int64_t i;
-    int64_t row;
-    double pace;
-    count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        row = INT64_C(49) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
-    }
-    if ((*cspan_at(&work, INT64_C(48), INT64_C(5))) > 0.0)
-    {
-        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(147) + count, INT64_C(0)));
-        (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
-    }
-}
-static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    array_double_1d residual;
-    int64_t count;
-    double error;
-    bool quick;
-    double earlier;
-    int64_t i;
-    double share;
-    double reached;
-    int64_t j;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
-    {
-        count = count + INT64_C(1);
-    }
-    run_sequence(problem, passing, axis, nodes, residual);
-    error = residual_norm(count, residual);
-    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(11))) > 0.5);
-    earlier = error;
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        if (error <= 2e-15)
-        {
-            break;
-        }
-        if (quick && (i > INT64_C(0)) && (span_floor_mod(i, INT64_C(4)) == INT64_C(0)))
-        {
-            if (error > 0.7 * earlier)
-            {
-                break;
-            }
-            earlier = error;
-        }
-        newton_step(count, problem, axis, work);
-        share = longest_step(work);
-        reached = error;
-        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
-        {
-            if ((share == 0.0) || ((j > INT64_C(0)) && (error <= 1e-11)))
-            {
-                break;
-            }
-            take_step(share, work);
-            run_sequence(problem, passing, axis, nodes, residual);
-            reached = residual_norm(count, residual);
-            if (reached < error * (1.0 - 0.0001 * share))
-            {
-                break;
-            }
-            take_step(-share, work);
-            share = 0.5 * share;
-        }
-        if (!(reached < error * (1.0 - 0.0001 * share)))
-        {
-            run_sequence(problem, passing, axis, nodes, residual);
-            break;
-        }
-        error = reached;
-    }
-    return error <= 1e-12;
-}
-static void keep_sequence(int64_t row, array_double_2d work)
-{
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < INT64_C(25); i += INT64_C(1))
-    {
-        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
-    }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-        {
-            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(49) + j, i));
-        }
-    }
-}
-static void restore_sequence(int64_t row, array_double_2d work)
-{
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < INT64_C(25); i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
-    }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(49) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
-        }
-    }
-}
-static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t count;
-    int64_t j;
-    int64_t row;
-    int64_t i;
-    passing = span_row(&work, INT64_C(48));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    shift_instants(place, INT64_C(1), passing);
-    for (j = INT64_C(0); j < count - place; j += INT64_C(1))
-    {
-        row = INT64_C(49) + count - j;
-        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-        {
-            (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
-        }
-    }
-    row = INT64_C(49) + place;
-    (*cspan_at(&work, row, INT64_C(4))) = kind;
-    (*cspan_at(&work, row, INT64_C(5))) = sign;
-    (*cspan_at(&work, row, INT64_C(6))) = time;
-    (*cspan_at(&work, row, INT64_C(7))) = touch;
-    (*cspan_at(&work, row, INT64_C(8))) = 0.0;
-    (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
-}
-static void remove_node(int64_t place, array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t count;
-    int64_t row;
-    int64_t i;
-    passing = span_row(&work, INT64_C(48));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    for (row = INT64_C(49) + place; row < INT64_C(49) + count - INT64_C(1); row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
-        {
-            (*cspan_at(&work, row, i)) = (*cspan_at(&work, row + INT64_C(1), i));
-        }
-    }
-    (*cspan_at(&passing, INT64_C(0))) = count - INT64_C(1);
-    shift_instants(place + INT64_C(1), -INT64_C(1), passing);
-}
-static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess)
-{
-    if (guess == INT64_C(1))
-    {
-        (*result_0_0001) = 0.9;
-        (*result_1_0001) = 0.7;
-        (*result_2_0001) = 0.6;
-        return 0;
-    }
-    if (guess == INT64_C(2))
-    {
-        (*result_0_0001) = 0.6;
-        (*result_1_0001) = 0.7;
-        (*result_2_0001) = 0.9;
-        return 0;
-    }
-    (*result_0_0001) = 0.8;
-    (*result_1_0001) = 0.5;
-    (*result_2_0001) = 0.8;
-    return 0;
-}
-static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work)
-{
-    int64_t row;
-    double time;
-    double level_sign;
-    double dip;
-    double before;
-    double depth;
-    double after;
-    row = INT64_C(49) + place;
-    if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
-    {
-        return 0;
-    }
-    time = (*cspan_at(&work, row, INT64_C(6)));
-    level_sign = (*cspan_at(&work, row, INT64_C(5)));
-    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(16) + kind - INT64_C(1))));
-    split_guess(&before, &depth, &after, guess);
-    (*cspan_at(&work, row, INT64_C(6))) = before * time;
-    insert_node(place + INT64_C(1), kind, sign, (-depth) * dip, 0, work);
-    insert_node(place + INT64_C(2), INT64_C(0), level_sign, after * time, 0, work);
-    return 1;
-}
-static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, bool holding, array_double_2d work)
-{
-    int64_t first;
-    int64_t last;
-    int64_t plateau;
-    double share;
-    double time;
-    double before;
-    double after;
-    double hold;
-    first = INT64_C(49) + place - INT64_C(1);
-    last = INT64_C(49) + place;
-    plateau = kind + INT64_C(2);
-    if (holding)
-    {
-        last = last + INT64_C(1);
-        if ((*cspan_at(&work, last - INT64_C(1), INT64_C(4))) != plateau)
-        {
-            return 0;
-        }
-    }
-    if (((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
-    {
-        return 0;
-    }
-    share = 0.7;
-    if (touch)
-    {
-        share = 0.5;
-    }
-    time = share * 0.5 * ((*cspan_at(&work, first, INT64_C(6))) + (*cspan_at(&work, last, INT64_C(6))));
-    before = (*cspan_at(&work, first, INT64_C(5)));
-    after = (*cspan_at(&work, last, INT64_C(5)));
-    if (holding)
-    {
-        hold = (*cspan_at(&work, last - INT64_C(1), INT64_C(6)));
-        insert_node(place + INT64_C(1), plateau, (*cspan_at(&work, last - INT64_C(1), INT64_C(5))), hold, 0, work);
-        place = place + INT64_C(1);
-    }
-    insert_node(place, INT64_C(0), before, time, 0, work);
-    insert_node(place, kind, sign, 0.0, touch, work);
-    insert_node(place, INT64_C(0), after, time, 0, work);
-    return 1;
-}
-static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_1d excess;
-    int64_t q;
-    int64_t count;
-    int64_t place;
-    double sign;
-    bool holding;
-    int64_t row;
-    bool here;
-    bool inside;
-    bool result;
-    passing = span_row(&work, INT64_C(48));
-    excess = span_row(&work, INT64_C(124) + kind);
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
-    sign = (*cspan_at(&excess, INT64_C(3)));
-    holding = (*cspan_at(&excess, INT64_C(2))) > 0.5;
-    if (count > INT64_C(12))
-    {
-        return 0;
-    }
-    if (kind == q - INT64_C(2))
-    {
-        if (!holding)
-        {
-            row = INT64_C(49) + place;
-            here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
-            if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
-            {
-                place = place - INT64_C(1);
-            }
-        }
-        inside = (place >= INT64_C(0)) && (place < count);
-        result = inside && split_level(place, kind, sign, guess, axis, work);
-        return result;
-    }
-    if ((place == INT64_C(0)) || (place >= count))
-    {
-        return 0;
-    }
-    if (kind == q - INT64_C(3))
-    {
-        result = split_ramp(place, kind, sign, touching, holding, work);
-        return result;
-    }
-    row = INT64_C(49) + place;
-    if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
-    {
-        return 0;
-    }
-    insert_node(place, kind, sign, 0.0, 0, work);
-    return 1;
-}
-static bool rotate_levels(array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t count;
-    int64_t first;
-    int64_t last;
-    double tiny;
-    passing = span_row(&work, INT64_C(48));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    first = INT64_C(49);
-    last = INT64_C(49) + count - INT64_C(1);
-    tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
-    if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
-    {
-        return 0;
-    }
-    if (fabs((*cspan_at(&work, first, INT64_C(6)))) < tiny)
-    {
-        remove_node(INT64_C(0), work);
-        insert_node(count - INT64_C(1), INT64_C(0), -(*cspan_at(&work, last - INT64_C(1), INT64_C(5))), tiny, 0, work);
-        return 1;
-    }
-    if (fabs((*cspan_at(&work, last, INT64_C(6)))) < tiny)
-    {
-        remove_node(count - INT64_C(1), work);
-        insert_node(INT64_C(0), INT64_C(0), -(*cspan_at(&work, first, INT64_C(5))), tiny, 0, work);
-        return 1;
-    }
-    return 0;
-}
-static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    bool result;
-    if (solve_sequence(problem, axis, work))
-    {
-        return 1;
-    }
-    result = rotate_levels(work) && solve_sequence(problem, axis, work);
-    return result;
-}
-static int64_t overlong_plateau(array_double_2d work)
-{
-    array_double_1d passing;
-    double least;
-    int64_t i;
-    int64_t row;
-    int64_t kind;
-    bool held;
-    int64_t found;
-    passing = span_row(&work, INT64_C(48));
-    found = -INT64_C(1);
-    least = (-1e-12) * (*cspan_at(&passing, INT64_C(3)));
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
-    {
-        row = INT64_C(49) + i;
-        kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-        held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
-        if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
-        {
-            found = i;
-            least = (*cspan_at(&work, row, INT64_C(6)));
-        }
-    }
-    return found;
-}
-static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    double hold;
-    int64_t i;
-    hold = (*cspan_at(&work, row, INT64_C(6)));
-    (*cspan_at(&work, row, INT64_C(7))) = touch;
-    for (i = INT64_C(0); i < steps; i += INT64_C(1))
-    {
-        (*cspan_at(&work, row, INT64_C(8))) = hold * (steps - INT64_C(1) - i) / steps;
-        if (!solve_sequence(problem, axis, work))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t kind;
-    bool result;
-    keep_sequence(INT64_C(67), work);
-    kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-    if (kind == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
-    {
-        if (shorten_hold(row, INT64_C(2), INT64_C(1), problem, axis, work))
-        {
-            return 1;
-        }
-    }
-    else if (shorten_hold(row, INT64_C(1), INT64_C(4), problem, axis, work))
-    {
-        return 1;
-    }
-    restore_sequence(INT64_C(67), work);
-    result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
-    return result;
-}
-static bool release_touch(int64_t kind, array_double_2d work)
-{
-    int64_t i;
-    int64_t row;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))); i += INT64_C(1))
-    {
-        row = INT64_C(49) + i;
-        if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
-        {
-            (*cspan_at(&work, row, INT64_C(7))) = 0.0;
-            return 1;
-        }
-    }
-    return 0;
-}
-static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work)
-{
-    int64_t q;
-    int64_t j;
-    int64_t kind;
-    int64_t lowest;
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
-    for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
-    {
-        kind = q - INT64_C(1) - j;
-        if (upward)
-        {
-            kind = j + INT64_C(1);
-        }
-        if ((*cspan_at(&work, INT64_C(124) + kind, INT64_C(0))) > 0.0)
-        {
-            if (insert_plateau(kind, 0, INT64_C(0), axis, work))
-            {
-                return kind;
-            }
-        }
-    }
-    lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(124) + lowest, INT64_C(0))) > 0.0))
-    {
-        if (release_touch(lowest, work))
-        {
-            return q;
-        }
-    }
-    return INT64_C(0);
-}
-static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t q;
-    int64_t added;
-    int64_t attempt;
-    int64_t place;
-    int64_t row;
-    passing = span_row(&work, INT64_C(48));
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    added = INT64_C(0);
-    for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
-    {
-        if ((attempt > INT64_C(0)) && (!solve_sequence(problem, axis, work)))
-        {
-            if ((added == INT64_C(0)) || (added != q - INT64_C(3)))
-            {
-                return 0;
-            }
-            restore_sequence(INT64_C(67), work);
-            added = INT64_C(0);
-            if (!insert_plateau(q - INT64_C(3), 1, INT64_C(0), axis, work))
-            {
-                return 0;
-            }
-            if (!solve_sequence(problem, axis, work))
-            {
-                return 0;
-            }
-        }
-        if (sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67))) >= longest)
-        {
-            return 0;
-        }
-        added = INT64_C(0);
-        place = overlong_plateau(work);
-        if (place >= INT64_C(0))
-        {
-            row = INT64_C(49) + place;
-            if (!touch_limit(row, problem, axis, work))
-            {
-                return 0;
-            }
-        }
-        else if (!measure_excess(axis, work))
-        {
-            return 1;
-        }
-        else
-        {
-            keep_sequence(INT64_C(67), work);
-            added = add_plateau(upward, axis, work);
-            if (added == INT64_C(0))
-            {
-                return 0;
-            }
-        }
-    }
-    return 0;
-}
 static void append_level(double sign, double time, array_double_2d work)
 {
     int64_t count;
@@ -11969,8 +12344,9 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
+    (*cspan_at(&passing, INT64_C(6))) = 0.0;
+    (*cspan_at(&passing, INT64_C(13))) = 0.0;
     (*cspan_at(&passing, INT64_C(12))) = 0.0;
-    (*cspan_at(&passing, INT64_C(11))) = 0.0;
     (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
     (*cspan_at(&passing, INT64_C(4))) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -12077,7 +12453,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     }
     duration = sequence_duration(passing, nodes);
     sign = (*cspan_at(&work, INT64_C(49), INT64_C(5)));
-    (*cspan_at(&passing, INT64_C(11))) = 1.0;
+    (*cspan_at(&passing, INT64_C(12))) = 1.0;
     for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
     {
         sign = -sign;
@@ -12091,19 +12467,13 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
             shorter = sequence_duration(passing, nodes) < 0.9 * duration;
             if (shorter && (largest_excess(axis, work) < most))
             {
-                (*cspan_at(&passing, INT64_C(11))) = 0.0;
+                (*cspan_at(&passing, INT64_C(12))) = 0.0;
                 keep_sequence(INT64_C(105), work);
                 return 1;
             }
         }
     }
     return 0;
-}
-static bool may_go_on(array_double_2d work)
-{
-    bool result;
-    result = (*cspan_at(&work, INT64_C(128), INT64_C(4))) < 100.0;
-    return result;
 }
 static void loosen(double share, array_double_1d axis, array_double_2d work)
 {
@@ -12123,194 +12493,45 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
     }
 }
-static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t node;
-    int64_t count;
-    int64_t place;
-    int64_t beside;
-    double sign;
-    int64_t row;
-    bool result;
-    passing = span_row(&work, INT64_C(48));
-    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    place = node;
-    beside = node;
-    sign = 1.0;
-    if (variant == INT64_C(0))
-    {
-        beside = node - INT64_C(1);
-    }
-    else if (variant == INT64_C(2))
-    {
-        place = node - INT64_C(1);
-        beside = node - INT64_C(1);
-    }
-    else if (variant == INT64_C(3))
-    {
-        place = node + INT64_C(1);
-    }
-    else if (variant == INT64_C(4))
-    {
-        place = INT64_C(0);
-        beside = INT64_C(0);
-        sign = -1.0;
-    }
-    else if (variant == INT64_C(5))
-    {
-        place = count;
-        beside = count - INT64_C(1);
-        sign = -1.0;
-    }
-    if ((place < INT64_C(0)) || (beside < INT64_C(0)) || (beside >= count) || (count > INT64_C(12)))
-    {
-        return 0;
-    }
-    row = INT64_C(49) + beside;
-    if (((*cspan_at(&passing, INT64_C(12))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
-    {
-        return 0;
-    }
-    sign = sign * (*cspan_at(&work, row, INT64_C(5)));
-    insert_node(place, INT64_C(0), sign, 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
-    add_instant(order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
-    result = solve_rotated(problem, axis, work);
-    return result;
-}
-static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t variant;
-    for (variant = INT64_C(0); variant < INT64_C(6); variant += INT64_C(1))
-    {
-        if (may_go_on(work) && insert_level(variant, order, problem, axis, work))
-        {
-            return 1;
-        }
-        restore_sequence(INT64_C(67), work);
-    }
-    return 0;
-}
-static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t q;
-    int64_t order;
-    int64_t guesses;
-    int64_t guess;
-    bool result;
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
-    order = q - INT64_C(1);
-    while((*cspan_at(&work, INT64_C(124) + order, INT64_C(0))) == 0.0)
-    {
-        order = order - INT64_C(1);
-    }
-    keep_sequence(INT64_C(67), work);
-    if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
-    {
-        return 1;
-    }
-    guesses = INT64_C(1);
-    if (order == q - INT64_C(2))
-    {
-        guesses = INT64_C(3);
-    }
-    for (guess = INT64_C(0); guess < guesses; guess += INT64_C(1))
-    {
-        if (may_go_on(work) && insert_plateau(order, 0, guess, axis, work))
-        {
-            if (solve_rotated(problem, axis, work))
-            {
-                return 1;
-            }
-        }
-        restore_sequence(INT64_C(67), work);
-    }
-    result = (order == q - INT64_C(2)) && insert_instant(order, problem, axis, work);
-    return result;
-}
-static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t row;
-    int64_t order;
-    double sign;
-    int64_t side;
-    bool result;
-    row = INT64_C(49) + place;
-    order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-    sign = (*cspan_at(&work, row, INT64_C(5)));
-    if (order == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
-    {
-        (*cspan_at(&work, row, INT64_C(7))) = 2.0;
-        (*cspan_at(&work, row, INT64_C(8))) = 0.0;
-        result = solve_sequence(problem, axis, work);
-        return result;
-    }
-    keep_sequence(INT64_C(67), work);
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-    {
-        remove_node(place, work);
-        remove_node(place - side, work);
-        add_instant(order, sign, place - side, span_row(&work, INT64_C(48)));
-        if (solve_rotated(problem, axis, work))
-        {
-            return 1;
-        }
-        restore_sequence(INT64_C(67), work);
-    }
-    return 0;
-}
-static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t attempt;
-    int64_t place;
-    for (attempt = INT64_C(0); attempt < INT64_C(10); attempt += INT64_C(1))
-    {
-        place = overlong_plateau(work);
-        if (place >= INT64_C(0))
-        {
-            if (!end_plateau(place, problem, axis, work))
-            {
-                return 0;
-            }
-        }
-        else if (!measure_excess(axis, work))
-        {
-            return 1;
-        }
-        else if (!insert_limit(problem, axis, work))
-        {
-            return 0;
-        }
-    }
-    return 0;
-}
 static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     array_double_2d nodes;
-    array_double_1d loose;
+    array_double_1d steps;
     int64_t order;
+    double most;
+    double least;
+    double target;
     double reached;
     double step;
     double share;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    loose = span_row(&work, INT64_C(129));
+    steps = span_row(&work, INT64_C(128));
     measure_excess(axis, work);
     for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(128), INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
+        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
     }
-    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = 0.0;
+    (*cspan_at(&passing, INT64_C(3))) = sequence_duration(passing, nodes);
+    keep_sequence(INT64_C(105), work);
+    most = 150.0;
+    least = 0.1;
+    if (longest > 1.4 * (*cspan_at(&passing, INT64_C(3))))
+    {
+        most = 400.0;
+        least = 0.02;
+    }
+    (*cspan_at(&steps, INT64_C(4))) = 0.0;
+    target = (*cspan_at(&passing, INT64_C(5)));
     reached = 0.0;
     step = 1.0;
-    while((step > 0.1) && may_go_on(work))
+    while((step > least) && ((*cspan_at(&steps, INT64_C(4))) < most))
     {
+        (*cspan_at(&steps, INT64_C(5))) = span_min((*cspan_at(&steps, INT64_C(4))) + 40.0, most);
         share = span_min(reached + step, 1.0);
         loosen(share, axis, work);
-        restore_sequence(INT64_C(105), work);
-        if (solve_rotated(problem, loose, work) && meet_all(problem, loose, work))
+        if (follow(target, problem, span_row(&work, INT64_C(129)), work))
         {
             if (sequence_duration(passing, nodes) >= longest)
             {
@@ -12376,7 +12597,23 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     }
     return slow > 0.0;
 }
-static int64_t write_sequence(array_double_2d phases, array_double_1d axis, array_double_2d work)
+static void flush_levels(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t i;
+    passing = span_row(&work, INT64_C(48));
+    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
+    {
+        if (((*cspan_at(&nodes, i, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&nodes, i, INT64_C(6)))) < 1e-13 * (*cspan_at(&passing, INT64_C(3)))))
+        {
+            (*cspan_at(&nodes, i, INT64_C(6))) = 0.0;
+        }
+    }
+    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(130)));
+}
+static int64_t write_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double above;
     double level;
@@ -12386,8 +12623,9 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d axis, arra
     double order;
     int64_t kind;
     int64_t used;
+    flush_levels(problem, axis, work);
     above = (*cspan_at(&work, INT64_C(48), INT64_C(1)));
-    level = (*cspan_at(&work, INT64_C(48), INT64_C(7)));
+    level = (*cspan_at(&work, INT64_C(48), INT64_C(8)));
     used = INT64_C(0);
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
@@ -12468,7 +12706,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
     used = INT64_C(0);
     few = ramps_suffice(axis);
     ways = INT64_C(3);
-    if (((*cspan_at(&work, INT64_C(48), INT64_C(1))) > 1.5) && ((*cspan_at(&work, INT64_C(48), INT64_C(10))) < 0.5))
+    if ((*cspan_at(&work, INT64_C(48), INT64_C(11))) < 0.5)
     {
         ways = INT64_C(4);
     }
@@ -12484,12 +12722,12 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
             shortest = found;
             if (found < longest)
             {
-                used = write_sequence(phases, axis, work);
+                used = write_sequence(phases, problem, axis, work);
                 keep_sequence(INT64_C(86), work);
             }
             if ((way == INT64_C(3)) || ((way < INT64_C(2)) && (!stays_below(work))))
             {
-                (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
+                (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 1.0;
                 break;
             }
         }
@@ -12504,16 +12742,16 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     int64_t used;
     int64_t others;
     passing = span_row(&work, INT64_C(48));
-    (*cspan_at(&passing, INT64_C(9))) = 0.0;
+    (*cspan_at(&passing, INT64_C(10))) = 0.0;
     if (!first_solution(count, ramps, problem, axis, work))
     {
         return INT64_C(0);
     }
     used = INT64_C(0);
-    if (((*cspan_at(&passing, INT64_C(10))) < 0.5) && shorter_solution(problem, axis, work))
+    if (((*cspan_at(&passing, INT64_C(11))) < 0.5) && shorter_solution(problem, axis, work))
     {
         shortest_way(&used, &shortest, shortest, longest, phases, problem, axis, work);
-        if ((*cspan_at(&passing, INT64_C(9))) > 0.5)
+        if ((*cspan_at(&passing, INT64_C(10))) > 0.5)
         {
             return used;
         }
@@ -12526,22 +12764,37 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     }
     return used;
 }
-static bool pace_down(int64_t steps, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool pace_down(double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
-    double longer;
-    int64_t i;
-    restore_sequence(INT64_C(86), work);
+    array_double_1d taken;
+    double target;
+    double reached;
+    double step;
+    double least;
+    double duration;
     passing = span_row(&work, INT64_C(48));
-    longer = (*cspan_at(&problem, INT64_C(5))) / shortest - 1.0;
-    for (i = INT64_C(0); i < steps; i += INT64_C(1))
+    taken = span_row(&work, INT64_C(128));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    keep_sequence(INT64_C(105), work);
+    (*cspan_at(&taken, INT64_C(4))) = 0.0;
+    reached = shortest;
+    step = target - shortest;
+    least = 0.01 * step;
+    while(reached < target)
     {
-        (*cspan_at(&passing, INT64_C(5))) = shortest * (1.0 + longer * (i + INT64_C(1)) / steps);
-        if (!solve_rotated(problem, axis, work))
+        (*cspan_at(&taken, INT64_C(5))) = (*cspan_at(&taken, INT64_C(4))) + 40.0;
+        duration = span_min(reached + step, target);
+        if (follow(duration, problem, axis, work) && ((*cspan_at(&passing, INT64_C(2))) <= 1.0))
         {
-            return 0;
+            keep_sequence(INT64_C(105), work);
+            reached = duration;
         }
-        if ((!meet_limits(0, 1e+300, problem, axis, work)) || ((*cspan_at(&passing, INT64_C(2))) > 1.0))
+        else
+        {
+            step = 0.5 * step;
+        }
+        if ((step < least) || ((*cspan_at(&taken, INT64_C(4))) > 300.0))
         {
             return 0;
         }
@@ -12551,8 +12804,6 @@ static bool pace_down(int64_t steps, double shortest, array_double_1d problem, a
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double shortest;
-    int64_t steps;
-    int64_t i;
     int64_t result;
     restore_sequence(INT64_C(86), work);
     shortest = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
@@ -12560,17 +12811,108 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     {
         return INT64_C(0);
     }
-    steps = span_min_int((int64_t)(20.0 * ((*cspan_at(&problem, INT64_C(5))) / shortest - 1.0)) + INT64_C(1), INT64_C(10));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    if (!pace_down(shortest, problem, axis, work))
     {
-        if (pace_down(steps, shortest, problem, axis, work))
-        {
-            result = write_sequence(phases, axis, work);
-            return result;
-        }
-        steps = INT64_C(4) * steps;
+        return INT64_C(0);
     }
-    return INT64_C(0);
+    result = write_sequence(phases, problem, axis, work);
+    return result;
+}
+static void set_alternating(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    double duration;
+    int64_t i;
+    double acceleration;
+    int64_t q;
+    passing = span_row(&work, INT64_C(48));
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&passing, i)) = 0.0;
+    }
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
+    (*cspan_at(&passing, INT64_C(2))) = pace;
+    (*cspan_at(&passing, INT64_C(3))) = duration;
+    acceleration = (*cspan_at(&axis, INT64_C(3)));
+    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(10))));
+    (*cspan_at(&passing, INT64_C(4))) = acceleration;
+    (*cspan_at(&passing, INT64_C(5))) = duration;
+    (*cspan_at(&passing, INT64_C(6))) = 1.0;
+    q = (int64_t)((*cspan_at(&axis, INT64_C(33)))) + INT64_C(2);
+    for (i = INT64_C(0); i < q; i += INT64_C(1))
+    {
+        insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), 0.6 * duration / q, 0, work);
+    }
+}
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t count;
+    int64_t end;
+    set_alternating(sign, pace, problem, axis, work);
+    if (!solve_sequence(problem, axis, work))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    keep_sequence(INT64_C(105), work);
+    if (!tighten(1e+300, problem, axis, work))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    count = write_sequence(phases, problem, axis, work);
+    end = INT64_C(49) + (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1);
+    (*result_0) = count;
+    (*result_1_0001) = (*cspan_at(&work, end, INT64_C(0)));
+    return 0;
+}
+static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_1d nearest;
+    double distance;
+    int64_t side;
+    double sign;
+    int64_t found;
+    array_double_2d phases;
+    int64_t attempt;
+    double pace;
+    int64_t count;
+    double reached;
+    problem = span_row(&work, INT64_C(43));
+    nearest = span_row(&work, INT64_C(42));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        sign = 2.0 * side - 1.0;
+        found = INT64_C(0);
+        phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+        if (side == INT64_C(1))
+        {
+            found = INT64_C(2);
+            phases = span_rows(&cell, INT64_C(33), INT64_C(66));
+        }
+        (*cspan_at(&nearest, found)) = 0.0;
+        for (attempt = INT64_C(0); attempt < INT64_C(3); attempt += INT64_C(1))
+        {
+            pace = 1.0 - 0.2 * attempt;
+            extreme_form(&count, &reached, sign, pace, phases, problem, axis, work);
+            if ((count > INT64_C(0)) && (sign * reached >= sign * distance))
+            {
+                (*cspan_at(&nearest, found)) = count;
+                (*cspan_at(&nearest, found + INT64_C(1))) = reached;
+                break;
+            }
+            if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(33))) < 1.5))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
 }
 static double least_lever(double c, double gain, array_double_1d axis)
 {
@@ -12882,7 +13224,7 @@ static void begin_search(array_double_1d problem, array_double_1d axis, array_do
     boundary_problem(problem, axis, span_row(&work, INT64_C(43)));
     (*cspan_at(&work, INT64_C(45), INT64_C(18))) = 0.0;
     (*cspan_at(&work, INT64_C(45), INT64_C(17))) = 1e+300;
-    (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 0.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(11))) = 0.0;
 }
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
@@ -12967,14 +13309,14 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     int64_t backwards;
     ramps = span_rows(&work, INT64_C(0), INT64_C(13));
     passing = span_row(&work, INT64_C(48));
-    (*cspan_at(&passing, INT64_C(7))) = 0.0;
     (*cspan_at(&passing, INT64_C(8))) = 0.0;
+    (*cspan_at(&passing, INT64_C(9))) = 0.0;
     copy_phases(phases, ramps, count);
     longest = total_duration(ramps, count) * (1.0 - 1e-09);
     whole = longest;
     forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
-    settled = (*cspan_at(&passing, INT64_C(9)));
-    (*cspan_at(&passing, INT64_C(6))) = 0.0;
+    settled = (*cspan_at(&passing, INT64_C(10)));
+    (*cspan_at(&passing, INT64_C(7))) = 0.0;
     result = count;
     if (forwards > INT64_C(0))
     {
@@ -12992,12 +13334,12 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     if (backwards > INT64_C(0))
     {
         reverse_phases(phases, INT64_C(0), backwards);
-        (*cspan_at(&passing, INT64_C(6))) = 1.0;
+        (*cspan_at(&passing, INT64_C(7))) = 1.0;
         return backwards;
     }
     if (forwards > INT64_C(0))
     {
-        (*cspan_at(&passing, INT64_C(9))) = settled;
+        (*cspan_at(&passing, INT64_C(10))) = settled;
     }
     return result;
 }
@@ -13021,7 +13363,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         if ((*cspan_at(&axis, INT64_C(33))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(9))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(10))) > 0.5) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
         if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
@@ -13089,7 +13431,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
-    (*cspan_at(&work, INT64_C(48), INT64_C(9))) = 1.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -13100,7 +13442,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     {
         free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(48), INT64_C(9))) < 0.5)
+        if ((*cspan_at(&work, INT64_C(48), INT64_C(10))) < 0.5)
         {
             missed = span_max(missed, 1.0);
         }
@@ -13144,7 +13486,7 @@ static int64_t plain_profile(array_double_1d problem, array_double_1d axis, arra
 {
     int64_t result;
     begin_search(problem, axis, work);
-    (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 1.0;
+    (*cspan_at(&work, INT64_C(48), INT64_C(11))) = 1.0;
     result = begun_profile(axis, phases, work);
     return result;
 }
@@ -13744,37 +14086,6 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
     }
     return count;
 }
-static void stretch_phases(array_double_2d phases, int64_t count, double factor)
-{
-    int64_t i;
-    double power;
-    int64_t j;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        power = factor * factor;
-        for (j = INT64_C(0); j < (int64_t)((*cspan_at(&phases, i, INT64_C(4)))); j += INT64_C(1))
-        {
-            power = power * factor;
-        }
-        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / power;
-        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / power;
-    }
-}
-static void fit_duration(array_double_2d phases, int64_t count, double target)
-{
-    double total;
-    int64_t i;
-    total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
-    }
-}
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -13877,7 +14188,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
             return 0;
         }
         count = write_gentle(phases, problem, axis, gentle);
-        fit_duration(phases, count, target);
+        count = fit_duration(phases, count, target);
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
         if ((lowest < -most) || (highest > most) || (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * velocity))
         {
@@ -13974,12 +14285,52 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     above = span_rows(&cell, INT64_C(33), INT64_C(66));
     count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
     count = surround(below, count, variant, problem, axis, trial);
-    fit_duration(below, count, (*cspan_at(&problem, INT64_C(5))));
-    (*cspan_at(&nearest, INT64_C(0))) = count;
+    (*cspan_at(&nearest, INT64_C(0))) = fit_duration(below, count, (*cspan_at(&problem, INT64_C(5))));
     count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
     count = surround(above, count, variant, problem, axis, trial);
-    fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
-    (*cspan_at(&nearest, INT64_C(2))) = count;
+    (*cspan_at(&nearest, INT64_C(2))) = fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
+}
+static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d problem;
+    array_double_1d rest;
+    int64_t variant;
+    int64_t taken;
+    double spent;
+    double weight;
+    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    problem = span_row(&work, INT64_C(43));
+    rest = span_row(&work, INT64_C(44));
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        braked(&taken, &spent, variant, problem, axis, trial, rest);
+        if (taken == -INT64_C(3))
+        {
+            continue;
+        }
+        if (taken < INT64_C(0))
+        {
+            return -2.0;
+        }
+        if ((*cspan_at(&rest, INT64_C(5))) <= 0.0)
+        {
+            continue;
+        }
+        clear_nearest(work);
+        timed_between(rest, axis, cell, work);
+        if ((variant == INT64_C(0)) && (!is_enclosed(work)))
+        {
+            timed_loop(rest, axis, cell, work);
+        }
+        if (is_enclosed(work))
+        {
+            weight = nearest_weight(rest, axis, span_row(&work, INT64_C(42)));
+            surround_nearest(variant, axis, cell, work);
+            return weight;
+        }
+    }
+    return -1.0;
 }
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -13988,7 +14339,7 @@ static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1
     {
         return INT64_C(0);
     }
-    backwards = (*cspan_at(&work, INT64_C(48), INT64_C(6))) > 0.5;
+    backwards = (*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5;
     if (backwards)
     {
         reverse_problem(problem);
@@ -14023,25 +14374,40 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     {
         return -1.0;
     }
-    fit_duration(phases, count, (*cspan_at(&problem, INT64_C(5))));
+    count = fit_duration(phases, count, (*cspan_at(&problem, INT64_C(5))));
     (*cspan_at(&work, INT64_C(42), INT64_C(0))) = count;
     (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
     return 0.0;
 }
+static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    double result;
+    problem = span_row(&work, INT64_C(43));
+    if (!timed_extremes(axis, cell, work))
+    {
+        return -1.0;
+    }
+    if (!is_enclosed(work))
+    {
+        timed_between(problem, axis, cell, work);
+        timed_loop(problem, axis, cell, work);
+    }
+    if (!is_enclosed(work))
+    {
+        return -1.0;
+    }
+    surround_nearest(INT64_C(0), axis, cell, work);
+    result = nearest_weight(problem, axis, span_row(&work, INT64_C(42)));
+    return result;
+}
 double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
-    array_double_2d trial;
     array_double_1d problem;
-    array_double_1d rest;
     array_double_1d nearest;
     double shortest;
-    int64_t variant;
-    int64_t taken;
-    double spent;
     double weight;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
     problem = span_row(&work, INT64_C(43));
-    rest = span_row(&work, INT64_C(44));
     nearest = span_row(&work, INT64_C(42));
     boundary_problem(span_row(&cell, INT64_C(66)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
@@ -14056,35 +14422,19 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
         surround_nearest(INT64_C(0), axis, cell, work);
         return weight;
     }
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    weight = timed_braked(axis, cell, work);
+    if (weight < -1.5)
     {
-        braked(&taken, &spent, variant, problem, axis, trial, rest);
-        if (taken == -INT64_C(3))
+        return -1.0;
+    }
+    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(33))) > 0.5))
+    {
+        weight = slower_passing(axis, cell, work);
+        if (weight < 0.0)
         {
-            continue;
-        }
-        if (taken < INT64_C(0))
-        {
-            return -1.0;
-        }
-        if ((*cspan_at(&rest, INT64_C(5))) <= 0.0)
-        {
-            continue;
-        }
-        clear_nearest(work);
-        timed_between(rest, axis, cell, work);
-        if ((variant == INT64_C(0)) && (!is_enclosed(work)))
-        {
-            timed_loop(rest, axis, cell, work);
-        }
-        if (is_enclosed(work))
-        {
-            weight = nearest_weight(rest, axis, nearest);
-            surround_nearest(variant, axis, cell, work);
-            return weight;
+            weight = between_extremes(axis, cell, work);
         }
     }
-    weight = slower_passing(axis, cell, work);
     return weight;
 }
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work)
@@ -17345,10 +17695,10 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     copy_phases(phases, ramps, count);
     longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
     set_stage_problem(seen, end, level, problem);
-    (*cspan_at(&passing, INT64_C(10))) = 1.0;
-    (*cspan_at(&passing, INT64_C(7))) = (*cspan_at(&level, level_order(order, lead)));
+    (*cspan_at(&passing, INT64_C(11))) = 1.0;
+    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, level_order(order, lead)));
     third = seen + INT64_C(3);
-    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, third));
+    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, third));
     result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
     return result;
 }

@@ -51,9 +51,9 @@ SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coe
 SEGFMU_API int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault);
 SEGFMU_API int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis);
 SEGFMU_API int64_t segfmu_ramp_pieces(array_double_1d axis);
-SEGFMU_API int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
 SEGFMU_API void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis);
 SEGFMU_API bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work);
+SEGFMU_API int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
 SEGFMU_API int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 SEGFMU_API double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work);
 SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);

@@ -1,4 +1,4 @@
-"""Derivatives that reach their limits for an instant only, in a sequence of levels of the snap.
+"""Derivatives that reach their limits for an instant only, in a sequence (sequence.py).
 
 An optimum that the velocity, or the acceleration, touches without staying there has one level more
 than the conditions at the end need, and its peak at the limit as the condition for it.
@@ -37,24 +37,33 @@ def power_term(t: float, sixth: float) -> float:
 def highest_at_node(
     order: int, sign: float, i: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]'
 ) -> float:
-    """Largest value of the derivative `order`, 1 or 2, times `sign` in ramp and hold of a node."""
-    boxes = int(axis[Axis.SMOOTHNESS]) - 3
+    """Largest value of a derivative times `sign` in ramp and hold of a node.
+
+    order: one, two or three below that of the levels.
+    """
+    above = int(passing[Passing.ABOVE])
+    boxes = int(axis[Axis.SMOOTHNESS]) - 1 - above
     before = passing[Passing.START]
     if i > 0:
         before = nodes[i - 1, Node.LEVEL]
-    jerk_at = Node.STATE + 3
-    v = sign * nodes[i, Node.STATE + 1]
-    a = sign * nodes[i, Node.STATE + 2]
-    jerk = sign * nodes[i, jerk_at]
-    snap = sign * before
-    crackle = 0.0
-    pop = 0.0
-    seventh = 0.0
+    # the derivatives below the level, three, two and one lower, and those above it
+    below = Node.STATE + above + 1
+    upper = sign * nodes[i, below]
+    below = below - 1
+    lower = sign * nodes[i, below]
+    below = below - 1
+    lowest = sign * nodes[i, below]
+    level = sign * before
+    slope = 0.0
+    curvature = 0.0
+    third = 0.0
     ramp = nodes[i, Node.RAMP]
     change = sign * (nodes[i, Node.LEVEL] - before)
-    highest = v
-    if order == 2:
-        highest = a
+    highest = lowest
+    if order == above:
+        highest = lower
+    elif order == above + 1:
+        highest = upper
     for piece in range(1, 2**boxes + 1):
         # the last piece is the hold
         length = nodes[i, Node.HOLD]
@@ -62,26 +71,30 @@ def highest_at_node(
             length = 0.0
             if ramp > 0.0:
                 held, direction = held_level(piece, boxes)
-                length, peak = piece_peak(held, 2, change, ramp, ramp * passing[Passing.PACE], axis)
+                basis = ramp * passing[Passing.PACE]
+                length, peak = piece_peak(held, above, change, ramp, basis, axis)
                 if held == 0:
-                    crackle, pop, seventh = direction * peak, 0.0, 0.0
+                    slope, curvature, third = direction * peak, 0.0, 0.0
                 elif held == 1:
-                    pop, seventh = direction * peak, 0.0
+                    curvature, third = direction * peak, 0.0
                 else:
-                    seventh = direction * peak
+                    third = direction * peak
         else:
-            snap, crackle, pop, seventh = sign * nodes[i, Node.LEVEL], 0.0, 0.0, 0.0
+            level, slope, curvature, third = sign * nodes[i, Node.LEVEL], 0.0, 0.0, 0.0
         if length > 0.0:
-            at = highest_in_piece(length, v, a, jerk, snap, crackle, pop, seventh)
-            if order == 2:
-                at = highest_in_piece(length, a, jerk, snap, crackle, pop, seventh, 0.0)
+            at = highest_in_piece(length, lowest, lower, upper, level, slope, curvature, third)
+            if order == above:
+                at = highest_in_piece(length, lower, upper, level, slope, curvature, third, 0.0)
+            elif order == above + 1:
+                at = highest_in_piece(length, upper, level, slope, curvature, third, 0.0, 0.0)
             highest = max(highest, at)
-            v = v + taylor(length, a, jerk, snap, crackle, pop) + power_term(length, seventh)
-            a = a + taylor(length, jerk, snap, crackle, pop, seventh)
-            jerk = jerk + taylor(length, snap, crackle, pop, seventh, 0.0)
-            snap = snap + taylor(length, crackle, pop, seventh, 0.0, 0.0)
-            crackle = crackle + taylor(length, pop, seventh, 0.0, 0.0, 0.0)
-            pop = pop + length * seventh
+            lowest = lowest + taylor(length, lower, upper, level, slope, curvature)
+            lowest = lowest + power_term(length, third)
+            lower = lower + taylor(length, upper, level, slope, curvature, third)
+            upper = upper + taylor(length, level, slope, curvature, third, 0.0)
+            level = level + taylor(length, slope, curvature, third, 0.0, 0.0)
+            slope = slope + taylor(length, curvature, third, 0.0, 0.0, 0.0)
+            curvature = curvature + length * third
     return highest
 
 

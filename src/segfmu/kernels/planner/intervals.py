@@ -8,10 +8,15 @@ the share of the second one.
 from math import ceil
 
 from segfmu.kernels.planner.gaps import gap_ends
-from segfmu.kernels.planner.phases import append_hold, is_resting, total_duration
+from segfmu.kernels.planner.phases import (
+    append_hold,
+    is_resting,
+    stretch_phases,
+    total_duration,
+)
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
-from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
+from segfmu.kernels.planner.synchronize import timed_profile
 
 
 def set_shortest(

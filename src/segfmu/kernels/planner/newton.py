@@ -13,6 +13,11 @@ from segfmu.kernels.planner.sequence import (
 )
 
 
+def has_pace(passing: 'float[:]') -> bool:
+    """Whether the pace of a sequence is an unknown."""
+    return passing[Passing.TARGET] > 0.0 and passing[Passing.FREE] < 0.5
+
+
 def residual_norm(count: int, residual: 'float[:]') -> float:
     """Root of the sum of squares."""
     total = 0.0
@@ -113,11 +118,11 @@ def newton_step(
     residual = work[PlanWork.RESIDUAL, :]
     for i in range(count):
         work[PlanWork.STEP + i, 0] = -residual[Equations.VALUES + i]
-    if passing[Passing.TARGET] > 0.0:
+    if has_pace(passing):
         pace_column(count, problem, axis, work)
     work[PlanWork.TIGHTEN, Tighten.STEPS] = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for j in range(int(passing[Passing.COUNT])):
-        if passing[Passing.INSTANTS] > 0.5:
+        if passing[Passing.INSTANTS] > 0.5 or passing[Passing.FREE] > 0.5:
             whole_column(j, count, problem, axis, work)
         else:
             time_column(j, count, problem, axis, work)
@@ -157,7 +162,7 @@ def longest_step(work: 'float[:,:]') -> float:
             most = most + 0.01 * passing[Passing.TIME]
         if abs(change) * share > most:
             share = most / abs(change)
-    if passing[Passing.TARGET] > 0.0:
+    if has_pace(passing):
         change = abs(work[PlanWork.STEP + count, 0])
         if change * share > 0.3 * passing[Passing.PACE]:
             share = 0.3 * passing[Passing.PACE] / change
@@ -170,7 +175,7 @@ def take_step(share: float, work: 'float[:,:]') -> None:
     for i in range(count):
         row = PlanWork.NODES + i
         work[row, Node.TIME] = work[row, Node.TIME] + share * work[PlanWork.STEP + i, 0]
-    if work[PlanWork.PASSING, Passing.TARGET] > 0.0:
+    if has_pace(work[PlanWork.PASSING, :]):
         pace = work[PlanWork.PASSING, Passing.PACE] + share * work[PlanWork.STEP + count, 0]
         work[PlanWork.PASSING, Passing.PACE] = pace
 
@@ -184,7 +189,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     count = int(passing[Passing.COUNT])
-    if passing[Passing.TARGET] > 0.0:
+    if has_pace(passing):
         count = count + 1
     run_sequence(problem, passing, axis, nodes, residual)
     error = residual_norm(count, residual)

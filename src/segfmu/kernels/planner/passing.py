@@ -5,6 +5,7 @@ a derivative then exceeds its limit, it gets a plateau there (plateaus.py). If t
 sequence is slowed down until it keeps the limits; levels of the snap have another way (tighten.py).
 """
 
+from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -14,10 +15,9 @@ from segfmu.kernels.planner.plateaus import (
     meet_limits,
     overlong_plateau,
     restore_sequence,
-    solve_rotated,
 )
-from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem
-from segfmu.kernels.planner.sequence import sequence_duration
+from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem, Tighten
+from segfmu.kernels.planner.sequence import run_sequence, sequence_duration
 from segfmu.kernels.planner.starts import first_solution, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
@@ -51,8 +51,21 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
     return slow > 0.0
 
 
-def write_sequence(phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -> int:
-    """Write a sequence as phases; their number."""
+def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
+    """Set levels to zero whose ramps are too short for any clock; the states do not feel it."""
+    passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    for i in range(int(passing[Passing.COUNT])):
+        if nodes[i, Node.KIND] < 0.5 and abs(nodes[i, Node.TIME]) < 1e-13 * passing[Passing.TIME]:
+            nodes[i, Node.TIME] = 0.0
+    run_sequence(problem, passing, axis, nodes, work[PlanWork.RESIDUAL, :])
+
+
+def write_sequence(
+    phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Write a solved sequence as phases; their number."""
+    flush_levels(problem, axis, work)
     above = work[PlanWork.PASSING, Passing.ABOVE]
     level = work[PlanWork.PASSING, Passing.START]
     used = 0
@@ -120,9 +133,8 @@ def shortest_way(
     used = 0
     # where levels of the jerk fail at first, other ways hardly help: 0.5 % in one of 2,000 plans
     few = ramps_suffice(axis)
-    # and those of crackle limits gain less than 2 % by the last one
     ways = 3
-    if work[PlanWork.PASSING, Passing.ABOVE] > 1.5 and work[PlanWork.PASSING, Passing.PLAIN] < 0.5:
+    if work[PlanWork.PASSING, Passing.PLAIN] < 0.5:
         ways = 4
     for way in range(ways):
         if few and (way > 1 or (way == 1 and used == 0)):
@@ -131,7 +143,7 @@ def shortest_way(
         if found > 0.0 and found < shortest:
             shortest = found
             if found < longest:
-                used = write_sequence(phases, axis, work)
+                used = write_sequence(phases, problem, axis, work)
                 keep_sequence(PlanWork.FOUND, work)
             if way == 3 or (way < 2 and not stays_below(work)):
                 work[PlanWork.PASSING, Passing.SETTLED] = 1.0
@@ -165,20 +177,29 @@ def passing_form(
 
 
 def pace_down(
-    steps: int, shortest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    shortest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
-    """Slow the sequence that was found down in steps from `shortest` to the problem's duration [s].
+    """Slow the sequence that was found down from `shortest` to the problem's duration [s].
 
-    False if that breaks a limit or fails.
+    In steps, as few as possible. False if that breaks a limit or fails.
     """
-    restore_sequence(PlanWork.FOUND, work)
     passing = work[PlanWork.PASSING, :]
-    longer = problem[Problem.DURATION] / shortest - 1.0
-    for i in range(steps):
-        passing[Passing.TARGET] = shortest * (1.0 + longer * (i + 1) / steps)
-        if not solve_rotated(problem, axis, work):
-            return False
-        if not meet_limits(False, 1e300, problem, axis, work) or passing[Passing.PACE] > 1.0:
+    taken = work[PlanWork.TIGHTEN, :]
+    target = problem[Problem.DURATION]
+    keep_sequence(PlanWork.SOLVED, work)
+    taken[Tighten.STEPS] = 0.0
+    reached = shortest
+    step = target - shortest
+    least = 0.01 * step
+    while reached < target:
+        taken[Tighten.MOST] = taken[Tighten.STEPS] + 40.0
+        duration = min(reached + step, target)
+        if follow(duration, problem, axis, work) and passing[Passing.PACE] <= 1.0:
+            keep_sequence(PlanWork.SOLVED, work)
+            reached = duration
+        else:
+            step = 0.5 * step
+        if step < least or taken[Tighten.STEPS] > 300.0:
             return False
     return True
 
@@ -196,10 +217,6 @@ def timed_passing(
     )
     if problem[Problem.DURATION] < shortest:
         return 0
-    # by little each time, as plateaus begin and end; but steps can be too small where levels meet
-    steps = min(int(20.0 * (problem[Problem.DURATION] / shortest - 1.0)) + 1, 10)
-    for i in range(3):
-        if pace_down(steps, shortest, problem, axis, work):
-            return write_sequence(phases, axis, work)
-        steps = 4 * steps
-    return 0
+    if not pace_down(shortest, problem, axis, work):
+        return 0
+    return write_sequence(phases, problem, axis, work)

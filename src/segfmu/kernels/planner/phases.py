@@ -216,3 +216,34 @@ def valid_duration(
     if abs(y - distance) > 1e-12 * (abs(distance) + fastest * duration):
         return -1.0
     return duration
+
+
+def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
+    """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
+    for i in range(count):
+        phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * factor
+        power = factor * factor
+        for j in range(int(phases[i, Phase.ABOVE])):
+            power = power * factor
+        phases[i, Phase.ACCELERATION] = phases[i, Phase.ACCELERATION] / power
+        phases[i, Phase.CHANGE] = phases[i, Phase.CHANGE] / power
+
+
+def fit_duration(phases: 'float[:,:]', count: int, target: float) -> int:
+    """Remove the rounding error of the total duration: two averaged profiles need the same.
+
+    So go phases that are nothing else, whose pieces are too short for the clock. Returns the number
+    of phases.
+    """
+    total = 0.0
+    kept = 0
+    for i in range(count):
+        duration = phases[i, Phase.DURATION]
+        if duration > 1e-13 * target:
+            for j in range(Phase.SIZE):
+                phases[kept, j] = phases[i, j]
+            total = total + duration
+            kept = kept + 1
+    for i in range(kept):
+        phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * (target / total)
+    return kept

@@ -160,15 +160,20 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     tiny = 0.03 * passing[Passing.TIME]
     if count < 2 or work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
         return False
-    if abs(work[first, Node.TIME]) < tiny:
+    # the largest distance would become the least one
+    if passing[Passing.FREE] > 0.5:
+        return False
+    at_first = abs(work[first, Node.TIME])
+    at_last = abs(work[last, Node.TIME])
+    if min(at_first, at_last) >= tiny:
+        return False
+    if at_first <= at_last:
         remove_node(0, work)
         insert_node(count - 1, 0, -work[last - 1, Node.SIGN], tiny, False, work)
-        return True
-    if abs(work[last, Node.TIME]) < tiny:
+    else:
         remove_node(count - 1, work)
         insert_node(0, 0, -work[first, Node.SIGN], tiny, False, work)
-        return True
-    return False
+    return True
 
 
 def solve_rotated(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:

@@ -247,6 +247,7 @@ class Passing(Record):
     TIME = field("scale of durations", "s")
     ACCELERATION = field("scale of accelerations", "m/s2")
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
+    FREE = field("1: over any distance that takes the duration TARGET, at the given pace")
     REVERSED = field("1: of the motion with the time reversed")
     START = field("level at the start")
     JERK = field("jerk at the start, where the levels are those of the snap", "m/s3")
@@ -274,6 +275,7 @@ class Tighten(Record):
 
     SHARE = field("by which the derivatives exceed them at first", size=4)
     STEPS = field("steps of Newton's method so far")
+    MOST = field("steps after which no other sequence is tried")
 
 
 class Equations(Record):

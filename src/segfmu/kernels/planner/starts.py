@@ -98,6 +98,7 @@ def set_sequence(
     passing[Passing.ABOVE] = axis[Axis.ABOVE]
     passing[Passing.PACE] = 1.0
     passing[Passing.TARGET] = 0.0
+    passing[Passing.FREE] = 0.0
     passing[Passing.INSTANTS] = 0.0
     passing[Passing.QUICK] = 0.0
     passing[Passing.TIME] = total_duration(phases, count)

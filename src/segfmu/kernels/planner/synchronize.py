@@ -12,20 +12,24 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
   faster time, stretched;
 * that form with full ramps;
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it;
-* the shortest profile at a slower pace, if it passes zero jerk with snap.
+* the shortest profile at a slower pace, if it passes zero jerk with snap;
+* the mean of the motions over about the least and the largest distance (extremes.py).
 """
 
 from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
+from segfmu.kernels.planner.extremes import timed_extremes
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
 from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import (
     boundary_problem,
+    fit_duration,
     measure_phases,
     reverse_phases,
     reverse_problem,
+    stretch_phases,
 )
 from segfmu.kernels.planner.profile import plain_profile, shortest_profile
 from segfmu.kernels.planner.records import (
@@ -49,26 +53,6 @@ from segfmu.kernels.planner.timed_cruise import (
     scan_cruises,
     timed_cruise,
 )
-
-
-def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
-    """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
-    for i in range(count):
-        phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * factor
-        power = factor * factor
-        for j in range(int(phases[i, Phase.ABOVE])):
-            power = power * factor
-        phases[i, Phase.ACCELERATION] = phases[i, Phase.ACCELERATION] / power
-        phases[i, Phase.CHANGE] = phases[i, Phase.CHANGE] / power
-
-
-def fit_duration(phases: 'float[:,:]', count: int, target: float) -> None:
-    """Remove the rounding error of the total duration: two averaged profiles need the same."""
-    total = 0.0
-    for i in range(count):
-        total = total + phases[i, Phase.DURATION]
-    for i in range(count):
-        phases[i, Phase.DURATION] = phases[i, Phase.DURATION] * (target / total)
 
 
 def timed_merged(
@@ -138,7 +122,7 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
         if gentle[Gentle.STRETCH] < 1.0:
             return False
         count = write_gentle(phases, problem, axis, gentle)
-        fit_duration(phases, count, target)
+        count = fit_duration(phases, count, target)
         duration, y, end, lowest, highest = measure_phases(
             phases, count, problem[Problem.V], most, axis
         )
@@ -211,9 +195,7 @@ def timed_profile(
     Returns the weight of the second one, or -1 if that duration is not feasible. The motion is
     (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.
     """
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     problem = work[PlanWork.PROBLEM, :]
-    rest = work[PlanWork.REST, :]
     nearest = work[PlanWork.NEAREST, :]
     boundary_problem(cell[Cell.PROBLEM, :], axis, problem)
     problem[Problem.DURATION] = target
@@ -224,12 +206,27 @@ def timed_profile(
         weight = nearest_weight(problem, axis, nearest)
         surround_nearest(0, axis, cell, work)
         return weight
+    weight = timed_braked(axis, cell, work)
+    if weight < -1.5:
+        return -1.0
+    if weight < 0.0 and axis[Axis.ABOVE] > 0.5:
+        weight = slower_passing(axis, cell, work)
+        if weight < 0.0:
+            weight = between_extremes(axis, cell, work)
+    return weight
+
+
+def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
+    """`timed_profile` with ramps, also after braking the accelerations; -2: braking fails."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    problem = work[PlanWork.PROBLEM, :]
+    rest = work[PlanWork.REST, :]
     for variant in range(4):
         taken, spent = braked(variant, problem, axis, trial, rest)
         if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
-            return -1.0
+            return -2.0
         if rest[Problem.DURATION] <= 0.0:
             continue
         clear_nearest(work)
@@ -237,10 +234,27 @@ def timed_profile(
         if variant == 0 and not is_enclosed(work):
             timed_loop(rest, axis, cell, work)
         if is_enclosed(work):
-            weight = nearest_weight(rest, axis, nearest)
+            weight = nearest_weight(rest, axis, work[PlanWork.NEAREST, :])
             surround_nearest(variant, axis, cell, work)
             return weight
-    return slower_passing(axis, cell, work)
+    return -1.0
+
+
+def between_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
+    """`timed_profile` with motions over about the least and the largest distance.
+
+    Ramps take the place of one that is not found.
+    """
+    problem = work[PlanWork.PROBLEM, :]
+    if not timed_extremes(axis, cell, work):
+        return -1.0
+    if not is_enclosed(work):
+        timed_between(problem, axis, cell, work)
+        timed_loop(problem, axis, cell, work)
+    if not is_enclosed(work):
+        return -1.0
+    surround_nearest(0, axis, cell, work)
+    return nearest_weight(problem, axis, work[PlanWork.NEAREST, :])
 
 
 def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
@@ -259,7 +273,7 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
         count = slower_form(count, phases, problem, axis, work)
     if count == 0:
         return -1.0
-    fit_duration(phases, count, problem[Problem.DURATION])
+    count = fit_duration(phases, count, problem[Problem.DURATION])
     work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
     work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
     return 0.0
@@ -292,9 +306,7 @@ def surround_nearest(
     above = cell[Cell.ABOVE:Cell.PROBLEM, :]
     count = int(nearest[Nearest.BELOW_COUNT])
     count = surround(below, count, variant, problem, axis, trial)
-    fit_duration(below, count, problem[Problem.DURATION])
-    nearest[Nearest.BELOW_COUNT] = count
+    nearest[Nearest.BELOW_COUNT] = fit_duration(below, count, problem[Problem.DURATION])
     count = int(nearest[Nearest.ABOVE_COUNT])
     count = surround(above, count, variant, problem, axis, trial)
-    fit_duration(above, count, problem[Problem.DURATION])
-    nearest[Nearest.ABOVE_COUNT] = count
+    nearest[Nearest.ABOVE_COUNT] = fit_duration(above, count, problem[Problem.DURATION])

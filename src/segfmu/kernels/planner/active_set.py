@@ -1,0 +1,216 @@
+"""Which limits are active in a sequence (sequence.py), as limits or its duration change.
+
+Derivatives stay at limits on plateaus, with several starts for Newton's method, or touch them for
+an instant (instant.py). Plateaus become instants as their holds vanish, and levels that vanish get
+the other sign, or go to the other end.
+"""
+
+from segfmu.kernels.planner.excess import measure_excess
+from segfmu.kernels.planner.instant import add_instant
+from segfmu.kernels.planner.plateaus import (
+    insert_node,
+    insert_plateau,
+    keep_sequence,
+    overlong_plateau,
+    remove_node,
+    restore_sequence,
+    solve_rotated,
+)
+from segfmu.kernels.planner.records import Excess, Node, Passing, PlanWork, Tighten
+
+
+def may_go_on(work: 'float[:,:]') -> bool:
+    """Whether Newton's method has taken few steps for these limits; more hardly ever help."""
+    return work[PlanWork.TIGHTEN, Tighten.STEPS] < work[PlanWork.TIGHTEN, Tighten.MOST]
+
+
+def insert_level(
+    variant: int, order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Insert a level near where a derivative exceeds its limit, which it then has for an instant.
+
+    variant: after the node before it, before that node, before the node before, or after it; or of
+    the other sign, before the first node or after the last one.
+    """
+    passing = work[PlanWork.PASSING, :]
+    node = int(work[PlanWork.EXCESS + order, Excess.NODE])
+    count = int(passing[Passing.COUNT])
+    place = node
+    beside = node
+    sign = 1.0
+    if variant == 0:
+        beside = node - 1
+    elif variant == 2:
+        place = node - 1
+        beside = node - 1
+    elif variant == 3:
+        place = node + 1
+    elif variant == 4:
+        place = 0
+        beside = 0
+        sign = -1.0
+    elif variant == 5:
+        place = count
+        beside = count - 1
+        sign = -1.0
+    if place < 0 or beside < 0 or beside >= count or count > 12:
+        return False
+    row = PlanWork.NODES + beside
+    if passing[Passing.INSTANTS] > 2.5 or work[row, Node.KIND] > 0.5:
+        return False
+    sign = sign * work[row, Node.SIGN]
+    insert_node(place, 0, sign, 0.5 * work[row, Node.TIME], False, work)
+    add_instant(order, work[PlanWork.EXCESS + order, Excess.SIGN], node, passing)
+    return solve_rotated(problem, axis, work)
+
+
+def insert_instant(
+    order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Let a derivative that exceeds its limit reach it for an instant; false: nothing changes."""
+    for variant in range(6):
+        if may_go_on(work) and insert_level(variant, order, problem, axis, work):
+            return True
+        restore_sequence(PlanWork.KEPT, work)
+    return False
+
+
+def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Keep the limit that a solved sequence exceeds the most; it is solved again."""
+    q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    order = q - 1
+    for j in range(1, q - 1):
+        lower = q - 1 - j
+        excess = work[PlanWork.EXCESS + order, Excess.SHARE]
+        if work[PlanWork.EXCESS + lower, Excess.SHARE] > excess:
+            order = lower
+    keep_sequence(PlanWork.KEPT, work)
+    if order == q - 3 and insert_instant(order, problem, axis, work):
+        return True
+    guesses = 1
+    if order == q - 2:
+        guesses = 3
+    for guess in range(guesses):
+        if may_go_on(work) and insert_plateau(order, False, guess, axis, work):
+            if solve_rotated(problem, axis, work):
+                return True
+        restore_sequence(PlanWork.KEPT, work)
+    return order >= q - 2 and insert_instant(order, problem, axis, work)
+
+
+def end_plateau(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Replace a plateau whose hold is below zero by an instant, or let its derivative stay below.
+
+    The sequence is solved again.
+    """
+    row = PlanWork.NODES + place
+    order = int(work[row, Node.KIND])
+    sign = work[row, Node.SIGN]
+    keep_sequence(PlanWork.KEPT, work)
+    if order == int(work[PlanWork.PASSING, Passing.ABOVE]) + 1:
+        work[row, Node.TOUCH] = 2.0
+        work[row, Node.AIM] = 0.0
+        if solve_rotated(problem, axis, work):
+            return True
+        restore_sequence(PlanWork.KEPT, work)
+        remove_node(place, work)
+        work[PlanWork.EXCESS + order, Excess.NODE] = place
+        work[PlanWork.EXCESS + order, Excess.SIGN] = sign
+        keep_sequence(PlanWork.KEPT, work)
+        return insert_instant(order, problem, axis, work)
+    for side in range(2):
+        # one of the levels around it goes as well
+        remove_node(place, work)
+        remove_node(place - side, work)
+        add_instant(order, sign, place - side, work[PlanWork.PASSING, :])
+        if solve_rotated(problem, axis, work):
+            return True
+        restore_sequence(PlanWork.KEPT, work)
+    return False
+
+
+def meet_all(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Change a solved sequence until it keeps the limits of an axis."""
+    for attempt in range(10):
+        place = overlong_plateau(work)
+        if place >= 0:
+            if not end_plateau(place, problem, axis, work):
+                return False
+        elif not measure_excess(axis, work):
+            return True
+        elif not insert_limit(problem, axis, work):
+            return False
+    return False
+
+
+def vanishing_level(step: int, work: 'float[:,:]') -> int:
+    """The free level of the least time, if that is short: of every `step`-th node; -1: none."""
+    passing = work[PlanWork.PASSING, :]
+    found = -1
+    least = 0.1 * passing[Passing.TIME]
+    for i in range(0, int(passing[Passing.COUNT]), step):
+        row = PlanWork.NODES + i
+        if work[row, Node.KIND] < 0.5 and abs(work[row, Node.TIME]) < least:
+            found = i
+            least = abs(work[row, Node.TIME])
+    return found
+
+
+def release_plateau(work: 'float[:,:]') -> bool:
+    """Replace a derivative that touches its limit at a level by an instant.
+
+    A level that vanishes at the start or the end goes. False if there are no such two.
+    """
+    passing = work[PlanWork.PASSING, :]
+    count = int(passing[Passing.COUNT])
+    kind = int(passing[Passing.ABOVE])
+    end = vanishing_level(max(count - 1, 1), work)
+    if end < 0 or passing[Passing.INSTANTS] > 2.5:
+        return False
+    for i in range(count):
+        row = PlanWork.NODES + i
+        touches = work[row, Node.TOUCH] < 0.5 and work[row, Node.TIME] < 0.0
+        if touches and int(work[row, Node.KIND]) == kind:
+            work[row, Node.KIND] = 0.0
+            add_instant(kind, work[row, Node.SIGN], i, passing)
+            remove_node(end, work)
+            return True
+    return False
+
+
+def flip_level(work: 'float[:,:]') -> bool:
+    """Let a level that vanishes have the other sign; false if there is none.
+
+    Newton's method hardly passes zero: the change of the state there is of higher order in time.
+    """
+    found = vanishing_level(1, work)
+    if found < 0:
+        return False
+    row = PlanWork.NODES + found
+    time = max(abs(work[row, Node.TIME]), 0.03 * work[PlanWork.PASSING, Passing.TIME])
+    if work[row, Node.TIME] > 0.0:
+        time = -time
+    work[row, Node.TIME] = time
+    return True
+
+
+def follow(
+    target: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Solve the sequence in the rows SOLVED of `work` for other limits, as it is or changed.
+
+    target: the duration that it lasts at a slower pace [s]; 0: as long as it takes.
+    """
+    for change in range(3):
+        restore_sequence(PlanWork.SOLVED, work)
+        work[PlanWork.PASSING, Passing.QUICK] = 1.0
+        work[PlanWork.PASSING, Passing.TARGET] = target
+        changed = True
+        if change == 1:
+            changed = release_plateau(work)
+        elif change == 2:
+            changed = flip_level(work)
+        if changed and may_go_on(work) and solve_rotated(problem, axis, work):
+            if meet_all(problem, axis, work):
+                return True
+    return False

@@ -1,0 +1,85 @@
+"""The least and the largest distance of motions of prescribed duration, and their mean.
+
+Both are sequences (sequence.py) whose levels alternate. All distances between them are possible.
+Where one is not found, slower ramps lead to less extreme ones.
+"""
+
+from segfmu.kernels.planner.newton import solve_sequence
+from segfmu.kernels.planner.passing import write_sequence
+from segfmu.kernels.planner.plateaus import insert_node, keep_sequence
+from segfmu.kernels.planner.records import Axis, Cell, Nearest, Node, Passing, PlanWork, Problem
+from segfmu.kernels.planner.tighten import tighten
+
+
+def set_alternating(
+    sign: float, pace: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Set a sequence of alternating levels over any distance, which Newton's method starts from.
+
+    sign: of the first level; 1 for the largest distance.
+    """
+    passing = work[PlanWork.PASSING, :]
+    duration = problem[Problem.DURATION]
+    for i in range(Passing.SIZE):
+        passing[i] = 0.0
+    passing[Passing.ABOVE] = axis[Axis.ABOVE]
+    passing[Passing.PACE] = pace
+    passing[Passing.TIME] = duration
+    acceleration = axis[Axis.ACCELERATION]
+    acceleration = min(acceleration, acceleration * duration / axis[Axis.FULL_RAMP])
+    passing[Passing.ACCELERATION] = acceleration
+    passing[Passing.TARGET] = duration
+    passing[Passing.FREE] = 1.0
+    q = int(axis[Axis.ABOVE]) + 2
+    for i in range(q):
+        insert_node(i, 0, sign * (1.0 - 2.0 * (i % 2)), 0.6 * duration / q, False, work)
+
+
+def extreme_form(
+    sign: float, pace: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """Write the profile of the problem's duration over the largest (1) or least (-1) distance.
+
+    pace: of its ramps, at most 1. Returns the number of phases, 0 if none is found, and the
+    distance [m].
+    """
+    set_alternating(sign, pace, problem, axis, work)
+    if not solve_sequence(problem, axis, work):
+        return 0, 0.0
+    keep_sequence(PlanWork.SOLVED, work)
+    if not tighten(1e300, problem, axis, work):
+        return 0, 0.0
+    count = write_sequence(phases, problem, axis, work)
+    end = PlanWork.NODES + int(work[PlanWork.PASSING, Passing.COUNT]) + 1
+    return count, work[end, Node.STATE]
+
+
+def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
+    """Write what encloses the distance of the problem in `work` of motions of its duration.
+
+    They go to the cell and to the row NEAREST of `work`; what is not found has no phases. False if
+    the distance is not possible.
+    """
+    problem = work[PlanWork.PROBLEM, :]
+    nearest = work[PlanWork.NEAREST, :]
+    distance = problem[Problem.DISTANCE]
+    for side in range(2):
+        sign = 2.0 * side - 1.0
+        found = Nearest.BELOW_COUNT
+        phases = cell[Cell.BELOW:Cell.ABOVE, :]
+        if side == 1:
+            found = Nearest.ABOVE_COUNT
+            phases = cell[Cell.ABOVE:Cell.PROBLEM, :]
+        nearest[found] = 0.0
+        for attempt in range(3):
+            pace = 1.0 - 0.2 * attempt
+            count, reached = extreme_form(sign, pace, phases, problem, axis, work)
+            if count > 0 and sign * reached >= sign * distance:
+                nearest[found] = count
+                nearest[found + 1] = reached
+                break
+            # levels of the snap can have several solutions
+            if count > 0 and axis[Axis.ABOVE] < 1.5:
+                return False
+    return True
