@@ -5,6 +5,8 @@ PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
 VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
+# what is installed beside segfmu; .ci/run installs all that it needs at once
+EXTRAS ?= dev
 
 .PHONY: help demo quick test interpreted lint examples pictures docs bench fuzz fmus check-platforms \
 	generate golden lock wheel check-wheel release clean
@@ -18,7 +20,7 @@ $(VENV)/installed: pyproject.toml setup.py requirements-dev.lock \
 	@rm -f src/segfmu/kernels/_compiled.cpython-* src/segfmu/kernels/_compiled.cp3*
 	@rm -f src/segfmu/cosim/_loop.cpython-* src/segfmu/cosim/_loop.cp3*
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
-		--constraint requirements-dev.lock --editable '.[dev]'
+		--constraint requirements-dev.lock --editable '.[$(EXTRAS)]'
 	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
 		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
 	@touch $@
