@@ -164,7 +164,7 @@ def test_most_durations_beyond_an_instant_at_a_limit() -> None:
             try:
                 found = plan(points, Limits(*limits), smoothness=len(limits), duration=given)
             except InfeasibleError as error:
-                assert "cannot be prolonged" in str(error)
+                assert "cannot be prolonged" in str(error) and factor < 3.0
                 refused += 1
                 continue
             assert found.duration == pytest.approx(given, rel=1e-9)

@@ -247,6 +247,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
 static void keep_sequence(int64_t row, array_double_2d work);
 static void restore_sequence(int64_t row, array_double_2d work);
 static void insert_node(int64_t place, int64_t kind, double sign, double time, bool touch, array_double_2d work);
+static void set_alternating(double sign, double time, array_double_2d work);
 static void remove_node(int64_t place, array_double_2d work);
 static int64_t split_guess(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t guess);
 static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess, array_double_1d axis, array_double_2d work);
@@ -364,7 +365,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void set_alternating(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
@@ -8868,6 +8869,15 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     (*cspan_at(&work, row, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(0))) = count + INT64_C(1);
 }
+static void set_alternating(double sign, double time, array_double_2d work)
+{
+    int64_t i;
+    (*cspan_at(&work, INT64_C(48), INT64_C(0))) = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); i += INT64_C(1))
+    {
+        insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), time, 0, work);
+    }
+}
 static void remove_node(int64_t place, array_double_2d work)
 {
     array_double_1d passing;
@@ -12336,7 +12346,6 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     int64_t q;
     int64_t i;
     double a;
-    double time;
     double factor;
     int64_t row;
     passing = span_row(&work, INT64_C(48));
@@ -12359,12 +12368,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     copy_levels(count, phases, (*cspan_at(&problem, INT64_C(0))), axis, work);
     if (!is_square(passing, span_rows(&work, INT64_C(49), INT64_C(67))))
     {
-        (*cspan_at(&passing, INT64_C(0))) = 0.0;
-        for (i = INT64_C(0); i < q; i += INT64_C(1))
-        {
-            time = 0.7 * (*cspan_at(&passing, INT64_C(3))) / q;
-            insert_node(i, INT64_C(0), 1.0 - 2.0 * (span_floor_mod(i, INT64_C(2))), time, 0, work);
-        }
+        set_alternating(1.0, 0.7 * (*cspan_at(&passing, INT64_C(3))) / q, work);
     }
     factor = 1.0;
     if (q == INT64_C(4))
@@ -12437,7 +12441,6 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     double duration;
     double sign;
     int64_t attempt;
-    int64_t i;
     bool shorter;
     passing = span_row(&work, INT64_C(48));
     nodes = span_rows(&work, INT64_C(49), INT64_C(67));
@@ -12457,11 +12460,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
     {
         sign = -sign;
-        (*cspan_at(&passing, INT64_C(0))) = 0.0;
-        for (i = INT64_C(0); i < q; i += INT64_C(1))
-        {
-            insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), 0.35 * duration / q, 0, work);
-        }
+        set_alternating(sign, 0.35 * duration / q, work);
         if (solve_rotated(problem, axis, work))
         {
             shorter = sequence_duration(passing, nodes) < 0.9 * duration;
@@ -12818,7 +12817,7 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     result = write_sequence(phases, problem, axis, work);
     return result;
 }
-static void set_alternating(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     double duration;
@@ -12840,16 +12839,13 @@ static void set_alternating(double sign, double pace, array_double_1d problem, a
     (*cspan_at(&passing, INT64_C(5))) = duration;
     (*cspan_at(&passing, INT64_C(6))) = 1.0;
     q = (int64_t)((*cspan_at(&axis, INT64_C(33)))) + INT64_C(2);
-    for (i = INT64_C(0); i < q; i += INT64_C(1))
-    {
-        insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), 0.6 * duration / q, 0, work);
-    }
+    set_alternating(sign, 0.6 * duration / q, work);
 }
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t count;
     int64_t end;
-    set_alternating(sign, pace, problem, axis, work);
+    set_extreme(sign, pace, problem, axis, work);
     if (!solve_sequence(problem, axis, work))
     {
         (*result_0) = INT64_C(0);
@@ -12906,7 +12902,7 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
                 (*cspan_at(&nearest, found + INT64_C(1))) = reached;
                 break;
             }
-            if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(33))) < 1.5))
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(33))) < 1.5))
             {
                 return 0;
             }

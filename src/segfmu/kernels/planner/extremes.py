@@ -6,12 +6,12 @@ Where one is not found, slower ramps lead to less extreme ones.
 
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.passing import write_sequence
-from segfmu.kernels.planner.plateaus import insert_node, keep_sequence
+from segfmu.kernels.planner.plateaus import keep_sequence, set_alternating
 from segfmu.kernels.planner.records import Axis, Cell, Nearest, Node, Passing, PlanWork, Problem
 from segfmu.kernels.planner.tighten import tighten
 
 
-def set_alternating(
+def set_extreme(
     sign: float, pace: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> None:
     """Set a sequence of alternating levels over any distance, which Newton's method starts from.
@@ -31,8 +31,7 @@ def set_alternating(
     passing[Passing.TARGET] = duration
     passing[Passing.FREE] = 1.0
     q = int(axis[Axis.ABOVE]) + 2
-    for i in range(q):
-        insert_node(i, 0, sign * (1.0 - 2.0 * (i % 2)), 0.6 * duration / q, False, work)
+    set_alternating(sign, 0.6 * duration / q, work)
 
 
 def extreme_form(
@@ -44,7 +43,7 @@ def extreme_form(
     pace: of its ramps, at most 1. Returns the number of phases, 0 if none is found, and the
     distance [m].
     """
-    set_alternating(sign, pace, problem, axis, work)
+    set_extreme(sign, pace, problem, axis, work)
     if not solve_sequence(problem, axis, work):
         return 0, 0.0
     keep_sequence(PlanWork.SOLVED, work)
@@ -79,7 +78,7 @@ def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
                 nearest[found] = count
                 nearest[found + 1] = reached
                 break
-            # levels of the snap can have several solutions
-            if count > 0 and axis[Axis.ABOVE] < 1.5:
+            # a slower one tells nothing, and levels of the snap can have several solutions
+            if count > 0 and attempt == 0 and axis[Axis.ABOVE] < 1.5:
                 return False
     return True

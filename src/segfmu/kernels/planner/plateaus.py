@@ -46,6 +46,16 @@ def insert_node(
     passing[Passing.COUNT] = count + 1
 
 
+def set_alternating(sign: float, time: float, work: 'float[:,:]') -> None:
+    """Replace the nodes by as many levels as there are conditions at the end, of alternating signs.
+
+    sign: of the first one. time: of each [s].
+    """
+    work[PlanWork.PASSING, Passing.COUNT] = 0.0
+    for i in range(int(work[PlanWork.PASSING, Passing.ABOVE]) + 2):
+        insert_node(i, 0, sign * (1.0 - 2.0 * (i % 2)), time, False, work)
+
+
 def remove_node(place: int, work: 'float[:,:]') -> None:
     """Remove a node."""
     passing = work[PlanWork.PASSING, :]

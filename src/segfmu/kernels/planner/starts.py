@@ -9,7 +9,12 @@ from math import sqrt
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import is_resting, total_duration
-from segfmu.kernels.planner.plateaus import insert_node, keep_sequence, solve_rotated
+from segfmu.kernels.planner.plateaus import (
+    insert_node,
+    keep_sequence,
+    set_alternating,
+    solve_rotated,
+)
 from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, Phase, PlanWork, Problem
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
@@ -110,10 +115,7 @@ def set_sequence(
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
     copy_levels(count, phases, problem[Problem.V], axis, work)
     if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
-        passing[Passing.COUNT] = 0.0
-        for i in range(q):
-            time = 0.7 * passing[Passing.TIME] / q
-            insert_node(i, 0, 1.0 - 2.0 * (i % 2), time, False, work)
+        set_alternating(1.0, 0.7 * passing[Passing.TIME] / q, work)
     # the levels of ordinary profiles are lower, as they meet at zero
     factor = 1.0
     if q == 4:
@@ -175,9 +177,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     passing[Passing.QUICK] = 1.0
     for attempt in range(2):
         sign = -sign
-        passing[Passing.COUNT] = 0.0
-        for i in range(q):
-            insert_node(i, 0, sign * (1.0 - 2.0 * (i % 2)), 0.35 * duration / q, False, work)
+        set_alternating(sign, 0.35 * duration / q, work)
         if solve_rotated(problem, axis, work):
             shorter = sequence_duration(passing, nodes) < 0.9 * duration
             if shorter and largest_excess(axis, work) < most:
