@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.compiler import needs_native
+
 pytestmark = pytest.mark.skipif(
     not Path("/proc/self/status").exists(), reason="needs /proc to see when to stop"
 )
@@ -20,12 +22,25 @@ CODES = {
 }
 
 
-def started(folder: Path, *words: str) -> subprocess.Popen[str]:
+# the command where no binaries come with the package, as in a checkout
+COMPILING = """
+from segfmu.__main__ import main
+from segfmu.fmu.native import binaries
+
+binaries._packaged = lambda *given: None
+main()
+"""
+
+
+def started(folder: Path, *words: str, compiling: bool = False) -> subprocess.Popen[str]:
     """The command, from when its first line has run."""
+    command = [Path(sys.executable).with_name("segfmu")]
+    if compiling:
+        command = [sys.executable, "-c", COMPILING]
     places = {"TMPDIR": str(folder / "temporary"), "SEGFMU_CACHE": str(folder / "cache")}
     (folder / "temporary").mkdir(exist_ok=True)
     process = subprocess.Popen(
-        [Path(sys.executable).with_name("segfmu"), *words], text=True, cwd=folder,
+        [*command, *words], text=True, cwd=folder,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=os.environ | places,
     )
     caught = 1 << (signal.SIGTERM - 1)
@@ -85,10 +100,13 @@ def test_while_it_builds_and_simulates(number: signal.Signals, tmp_path: Path) -
     assert caught >= 2
 
 
+@needs_native
 def test_while_it_compiles(tmp_path: Path) -> None:
-    process = started(tmp_path, "build", "-o", "out")
+    process = started(tmp_path, "build", "-o", "out", compiling=True)
     deadline = time.monotonic() + 60.0
-    while not list((tmp_path / "temporary").iterdir()) and time.monotonic() < deadline:
+    while not list((tmp_path / "temporary").iterdir()):
+        assert time.monotonic() < deadline and process.poll() is None
         time.sleep(0.005)
-    if stopped(process, signal.SIGTERM):
-        assert not list((tmp_path / "temporary").iterdir())
+    assert stopped(process, signal.SIGTERM)
+    assert not list((tmp_path / "temporary").iterdir())
+    assert not list((tmp_path / "out").glob("*"))
