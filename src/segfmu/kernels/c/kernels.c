@@ -187,10 +187,11 @@ static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double
 static double ramp_variance(double basis, array_double_1d axis);
 static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis);
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
-static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
-static double taylor_value(int64_t order, double t, array_double_1d state);
-static double zero_time(int64_t order, double length, array_double_1d state);
-static void advance_piece(double length, array_double_1d state, array_double_1d end);
+static int64_t held_peak(double* result_0_0001, double* result_1_0001, double* result_2, int64_t level, int64_t first, double rise, double peak, double stretch, array_double_1d axis);
+static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
+static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state);
+static double zero_time(int64_t order, int64_t top, double length, array_double_1d state);
+static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end);
 static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
 static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
 static bool measure_excess(array_double_1d axis, array_double_2d work);
@@ -271,10 +272,13 @@ static int64_t vanishing_level(int64_t step, array_double_2d work);
 static bool release_plateau(array_double_2d work);
 static bool flip_level(array_double_2d work);
 static bool follow(double target, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
-static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis);
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis);
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis);
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, double near, array_double_1d axis);
 static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
+static int64_t second_level(double* result_0, double* result_1, double* result_2, double* result_3, double p, array_double_1d family, array_double_1d axis);
+static bool has_member(double p, array_double_1d family, array_double_1d axis);
 static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
@@ -513,7 +517,7 @@ static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double
 static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
 static void clear_piece(array_double_2d coefficients, int64_t row);
 static void set_held(int64_t above, double level, array_double_1d state);
-static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -6261,12 +6265,13 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     array_double_1d values;
     int64_t degree;
     int64_t d;
+    array_double_1d starts;
     double factorial;
-    int64_t i;
     int64_t count;
     double start;
     double largest;
     array_double_2d hull;
+    int64_t i;
     order = limits.shape[INT64_C(0)];
     values = span_row(&work, INT64_C(43));
     degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
@@ -6278,17 +6283,21 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     {
         note_ends(d, joined, 0.0, 0.0, 0.0, work);
     }
+    starts = span_row(&work, INT64_C(44));
     factorial = 1.0;
-    for (i = INT64_C(2); i < degree + INT64_C(1); i += INT64_C(1))
+    for (d = INT64_C(0); d < degree + INT64_C(1); d += INT64_C(1))
     {
-        factorial = factorial * i;
+        if (d > INT64_C(1))
+        {
+            factorial = factorial * d;
+        }
+        (*cspan_at(&starts, d)) = (*cspan_at(&coefficients, row, d)) * factorial;
     }
     for (count = INT64_C(0); count < degree + INT64_C(1); count += INT64_C(1))
     {
         d = degree - count;
-        start = (*cspan_at(&coefficients, row, d)) * factorial;
+        start = (*cspan_at(&starts, d));
         largest = integrate_hull(count, start, length, values);
-        factorial = factorial / span_max_int(d, INT64_C(1));
         if (!(fabs((*cspan_at(&values, count))) < 1e+300))
         {
             return 0;
@@ -6702,7 +6711,11 @@ static double root_share(double newest, double other, double before, double e_ne
     {
         return 0.5;
     }
-    if ((e_before == e_newest) || (e_before == e_other) || (before == other))
+    if ((before == other) || (before == newest))
+    {
+        return span_min(span_max(e_newest / (e_newest - e_other), 0.1), 0.9);
+    }
+    if ((e_before == e_newest) || (e_before == e_other))
     {
         return 0.5;
     }
@@ -6737,7 +6750,7 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
-    result = span_min(span_max((*cspan_at(&axis, INT64_C(16) + level)), (*cspan_at(&axis, INT64_C(21) + level)) * rise), 0.5 * rise);
+    result = span_min(span_max((*cspan_at(&axis, INT64_C(18) + level)), (*cspan_at(&axis, INT64_C(23) + level)) * rise), 0.5 * rise);
     return result;
 }
 static double shifted_root(double value, int64_t power, double shift)
@@ -6795,8 +6808,8 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     for (level = first; level < boxes; level += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + level));
-        least = (*cspan_at(&axis, INT64_C(16) + level));
-        share = (*cspan_at(&axis, INT64_C(21) + level));
+        least = (*cspan_at(&axis, INT64_C(18) + level));
+        share = (*cspan_at(&axis, INT64_C(23) + level));
         power = level - first;
         x_power = 1.0;
         for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -6868,10 +6881,10 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     doubled = 1.0;
     for (level = first; level < boxes; level += INT64_C(1))
     {
-        least = (*cspan_at(&axis, INT64_C(16) + level));
+        least = (*cspan_at(&axis, INT64_C(18) + level));
         if (x >= 2.0 * least)
         {
-            share = (*cspan_at(&axis, INT64_C(21) + level));
+            share = (*cspan_at(&axis, INT64_C(23) + level));
             power = level - first;
             steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
             for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -6904,11 +6917,11 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     int64_t exponent;
     double root;
     int64_t e;
-    slowest = (*cspan_at(&axis, INT64_C(26))) * change;
+    slowest = (*cspan_at(&axis, INT64_C(28))) * change;
     exponent = INT64_C(1);
-    if ((*cspan_at(&axis, INT64_C(26) + INT64_C(1))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(28) + INT64_C(1))) > 0.0)
     {
-        root = sqrt((*cspan_at(&axis, INT64_C(26) + INT64_C(1))) * change);
+        root = sqrt((*cspan_at(&axis, INT64_C(28) + INT64_C(1))) * change);
         if (root > slowest)
         {
             slowest = root;
@@ -6917,9 +6930,9 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     }
     for (e = INT64_C(3); e < INT64_C(6); e += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) > 0.0)
         {
-            root = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) * change), (1.0 / e));
+            root = pow(((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) * change), (1.0 / e));
             if (root > slowest)
             {
                 slowest = root;
@@ -6944,9 +6957,9 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     for (e = INT64_C(1); e < INT64_C(6); e += INT64_C(1))
     {
         power = power * duration;
-        if ((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) > 0.0)
         {
-            change = power / (*cspan_at(&axis, INT64_C(26) + e - INT64_C(1)));
+            change = power / (*cspan_at(&axis, INT64_C(28) + e - INT64_C(1)));
             if ((fastest < 0.0) || (change < fastest))
             {
                 fastest = change;
@@ -6971,15 +6984,15 @@ SPAN_INLINE int64_t segfmu_ramp_duration(double* result_0, double* result_1, dou
     if (change >= (*cspan_at(&axis, INT64_C(12))))
     {
         slope = (*cspan_at(&axis, INT64_C(13)));
-        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(14)));
+        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(15)));
         (*result_1) = slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(15))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(16))) > 0.0)
     {
-        duration = sqrt((*cspan_at(&axis, INT64_C(15))) * change);
+        duration = sqrt((*cspan_at(&axis, INT64_C(16))) * change);
         (*result_0) = duration;
-        (*result_1) = 0.5 * duration / change;
+        (*result_1) = 0.5 / change * duration;
         return 0;
     }
     if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
@@ -6999,16 +7012,16 @@ static SPAN_INLINE int64_t ramp_change(double* result_0, double* result_1, doubl
         (*result_1) = 0.0;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(15))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(16))) > 0.0)
     {
-        if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(16)))))
+        if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(18)))))
         {
-            slope = 1.0 / (*cspan_at(&axis, INT64_C(13)));
-            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(14)))) * slope;
+            slope = (*cspan_at(&axis, INT64_C(14)));
+            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(15)))) * slope;
             (*result_1) = slope;
             return 0;
         }
-        slope = duration / (*cspan_at(&axis, INT64_C(15)));
+        slope = duration * (*cspan_at(&axis, INT64_C(17)));
         (*result_0) = slope * duration;
         (*result_1) = 2.0 * slope;
         return 0;
@@ -7053,17 +7066,17 @@ static SPAN_INLINE double ramp_variance(double basis, array_double_1d axis)
     double variance;
     if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && ((*cspan_at(&axis, INT64_C(11))) > 0.5))
     {
-        rise = (*cspan_at(&axis, INT64_C(16)));
-        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(21))) == 0.0))
+        rise = (*cspan_at(&axis, INT64_C(18)));
+        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(23))) == 0.0))
         {
             box = basis - rise;
-            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(32)));
+            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(34)));
             return variance;
         }
     }
-    if ((*cspan_at(&axis, INT64_C(31))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(33))) > 0.0)
     {
-        variance = (*cspan_at(&axis, INT64_C(31))) * basis * basis;
+        variance = (*cspan_at(&axis, INT64_C(33))) * basis * basis;
         return variance;
     }
     rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
@@ -7126,52 +7139,53 @@ static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, in
     (*result_1) = sign;
     return 0;
 }
-static int64_t piece_peak(double* result_0_0001, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis)
+static int64_t held_peak(double* result_0_0001, double* result_1_0001, double* result_2, int64_t level, int64_t first, double rise, double peak, double stretch, array_double_1d axis)
 {
-    int64_t boxes;
+    double inner;
+    inner = 0.0;
+    if (level < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2) - first)
+    {
+        inner = inner_rise(rise, first + level, axis);
+    }
+    (*result_0_0001) = (rise - 2.0 * inner) * stretch;
+    (*result_1_0001) = peak / ((rise - inner) * stretch);
+    (*result_2) = inner;
+    return 0;
+}
+static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis)
+{
     double stretch;
     double rise;
     double peak;
+    double length;
     int64_t i;
-    double inner;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
     stretch = duration / basis;
     rise = basis;
     peak = change;
+    length = 0.0;
     for (i = INT64_C(0); i < level + INT64_C(1); i += INT64_C(1))
     {
-        inner = 0.0;
-        if (i < boxes - INT64_C(1))
-        {
-            inner = inner_rise(rise, first + i, axis);
-        }
-        peak = peak / ((rise - inner) * stretch);
-        if (i == level)
-        {
-            (*result_0_0001) = (rise - 2.0 * inner) * stretch;
-            (*result_1) = peak;
-            return 0;
-        }
-        rise = inner;
+        held_peak(&length, &peak, &rise, i, first, rise, peak, stretch, axis);
     }
-    (*result_0_0001) = 0.0;
-    (*result_1) = 0.0;
+    (*result_0) = length;
+    (*result_1) = peak;
     return 0;
 }
-static double taylor_value(int64_t order, double t, array_double_1d state)
+static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state)
 {
-    int64_t j;
+    double power;
     int64_t i;
     double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < INT64_C(8) - order; j += INT64_C(1))
+    value = (*cspan_at(&state, order));
+    power = 1.0;
+    for (i = order + INT64_C(1); i < top + INT64_C(1); i += INT64_C(1))
     {
-        i = INT64_C(7) - j;
-        value = (*cspan_at(&state, i)) + value * t / (i - order + INT64_C(1));
+        power = power * (t / (i - order));
+        value = value + power * (*cspan_at(&state, i));
     }
     return value;
 }
-static double zero_time(int64_t order, double length, array_double_1d state)
+static double zero_time(int64_t order, int64_t top, double length, array_double_1d state)
 {
     double lower;
     double upper;
@@ -7186,7 +7200,7 @@ static double zero_time(int64_t order, double length, array_double_1d state)
     t = 0.5 * length;
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        value = taylor_value(order, t, state);
+        value = taylor_value(order, top, t, state);
         if (value * (*cspan_at(&state, order)) > 0.0)
         {
             lower = t;
@@ -7196,7 +7210,7 @@ static double zero_time(int64_t order, double length, array_double_1d state)
             upper = t;
         }
         step = 0.5 * (lower + upper) - t;
-        slope = taylor_value(order + INT64_C(1), t, state);
+        slope = taylor_value(order + INT64_C(1), top, t, state);
         if (slope != 0.0)
         {
             newton = (-value) / slope;
@@ -7206,19 +7220,30 @@ static double zero_time(int64_t order, double length, array_double_1d state)
             }
         }
         t = t + step;
-        if (fabs(step) <= 1e-09 * length)
+        if (fabs(step) <= 1e-07 * length)
         {
             break;
         }
     }
     return t;
 }
-static void advance_piece(double length, array_double_1d state, array_double_1d end)
+static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end)
 {
     int64_t order;
-    for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+    double power;
+    int64_t j;
+    for (order = INT64_C(0); order < top + INT64_C(1); order += INT64_C(1))
     {
-        (*cspan_at(&end, order)) = taylor_value(order, length, state);
+        (*cspan_at(&end, order)) = (*cspan_at(&state, order));
+    }
+    power = 1.0;
+    for (j = INT64_C(1); j < top + INT64_C(1); j += INT64_C(1))
+    {
+        power = power * (length / j);
+        for (order = INT64_C(0); order < top + INT64_C(1) - j; order += INT64_C(1))
+        {
+            (*cspan_at(&end, order)) = (*cspan_at(&end, order)) + power * (*cspan_at(&state, order + j));
+        }
     }
 }
 static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
@@ -7252,6 +7277,7 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     array_double_1d end;
     array_double_2d excess;
     int64_t q;
+    int64_t top;
     double rest;
     int64_t i;
     double step;
@@ -7261,23 +7287,24 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     end = span_row(&work, INT64_C(131) + INT64_C(1));
     excess = span_rows(&work, INT64_C(124), INT64_C(130));
     q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    top = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
     rest = length;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
         step = rest;
-        advance_piece(step, state, end);
+        advance_piece(top, step, state, end);
         for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
         {
             order = q - j;
             if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
             {
-                step = zero_time(order, step, state);
-                advance_piece(step, state, end);
+                step = zero_time(order, top, step, state);
+                advance_piece(top, step, state, end);
                 (*cspan_at(&end, order)) = 0.0;
             }
         }
         note_excess(q, node, holding, axis, end, excess);
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        for (order = INT64_C(0); order < top + INT64_C(1); order += INT64_C(1))
         {
             (*cspan_at(&state, order)) = (*cspan_at(&end, order));
         }
@@ -7379,18 +7406,18 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     double integral;
     int64_t j;
     int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(34))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(36))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(35) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(35) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(37) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(37) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(35) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(37) + i));
         }
     }
     (*result_0) = value;
@@ -7491,7 +7518,7 @@ static double crossing_time(double a, double length, double jerk, double snap, d
             }
         }
         t = t + step;
-        if (fabs(step) <= 1e-10 * length)
+        if (fabs(step) <= 1e-07 * length)
         {
             break;
         }
@@ -7598,7 +7625,7 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    if ((*cspan_at(&axis, INT64_C(34))) == 2.0)
+    if ((*cspan_at(&axis, INT64_C(36))) == 2.0)
     {
         return start - 0.5 * first * first * duration / change;
     }
@@ -7890,7 +7917,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -7920,19 +7947,19 @@ static double steepest_share(void)
 static bool ramps_suffice(array_double_1d axis)
 {
     bool result;
-    result = (*cspan_at(&axis, INT64_C(16) + INT64_C(1))) == 0.0;
+    result = (*cspan_at(&axis, INT64_C(18) + INT64_C(1))) == 0.0;
     return result;
 }
 static bool snap_is_last(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(21))) == 0.0) && ramps_suffice(axis);
+    result = ((*cspan_at(&axis, INT64_C(23))) == 0.0) && ramps_suffice(axis);
     return result;
 }
 static double saving(array_double_1d axis)
 {
     double result;
-    result = 0.6 * (*cspan_at(&axis, INT64_C(21) + INT64_C(1)));
+    result = 0.6 * (*cspan_at(&axis, INT64_C(23) + INT64_C(1)));
     return result;
 }
 static bool plateau_parameters(double share, array_double_1d axis)
@@ -7962,19 +7989,19 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
-    (*cspan_at(&axis, INT64_C(33))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    (*cspan_at(&axis, INT64_C(35))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
-            (*cspan_at(&axis, INT64_C(21) + level)) = share;
+            (*cspan_at(&axis, INT64_C(23) + level)) = share;
             if (level > last)
             {
-                (*cspan_at(&axis, INT64_C(21) + level)) = span_max(share, usual_share());
+                (*cspan_at(&axis, INT64_C(23) + level)) = span_max(share, usual_share());
             }
             if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
             {
-                (*cspan_at(&axis, INT64_C(21) + level)) = steeper_above() * share;
+                (*cspan_at(&axis, INT64_C(23) + level)) = steeper_above() * share;
             }
         }
     }
@@ -7987,32 +8014,34 @@ static bool plateau_parameters(double share, array_double_1d axis)
         {
             plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
         }
-        (*cspan_at(&axis, INT64_C(16) + level)) = rise;
+        (*cspan_at(&axis, INT64_C(18) + level)) = rise;
     }
     if (last == INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(15))) = 4.0 / ((*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(21) + INT64_C(1)))));
+        (*cspan_at(&axis, INT64_C(17))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(23) + INT64_C(1))));
+        (*cspan_at(&axis, INT64_C(16))) = 1.0 / (*cspan_at(&axis, INT64_C(17)));
     }
     if (last <= INT64_C(1))
     {
         time = 1.0;
         if (last == INT64_C(1))
         {
-            time = (*cspan_at(&axis, INT64_C(16)));
+            time = (*cspan_at(&axis, INT64_C(18)));
         }
         rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(31))) = variance / (time * time);
+        (*cspan_at(&axis, INT64_C(33))) = variance / (time * time);
     }
     jerk = (*cspan_at(&axis, INT64_C(4)));
     if (jerk > 0.0)
     {
-        rise = (*cspan_at(&axis, INT64_C(16)));
+        rise = (*cspan_at(&axis, INT64_C(18)));
         (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (jerk * (1.0 - (*cspan_at(&axis, INT64_C(21)))));
-        (*cspan_at(&axis, INT64_C(14))) = rise;
+        (*cspan_at(&axis, INT64_C(14))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(23))));
+        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (*cspan_at(&axis, INT64_C(14)));
+        (*cspan_at(&axis, INT64_C(15))) = rise;
         if (rise > 0.0)
         {
-            rise_moments(cspan_at(&axis, INT64_C(32)), &fourth, rise, INT64_C(1), axis);
+            rise_moments(cspan_at(&axis, INT64_C(34)), &fourth, rise, INT64_C(1), axis);
         }
     }
     return 1;
@@ -8029,29 +8058,30 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(34))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(36))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(35) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(37) + j)) = (*cspan_at(&psi, j));
     }
-    (*cspan_at(&axis, INT64_C(31))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    (*cspan_at(&axis, INT64_C(33))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
         if (limit > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(26) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(28) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
             bounded = 1;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(26)));
+    slope = (*cspan_at(&axis, INT64_C(28)));
     if (slope > 0.0)
     {
         (*cspan_at(&axis, INT64_C(12))) = 0.0;
         (*cspan_at(&axis, INT64_C(13))) = slope;
+        (*cspan_at(&axis, INT64_C(14))) = 1.0 / slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
-            change = pow(((*cspan_at(&axis, INT64_C(26) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            change = pow(((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
             (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
         }
     }
@@ -8063,7 +8093,7 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     double duration;
     double slope;
     bool bounded;
-    for (i = INT64_C(10); i < INT64_C(45); i += INT64_C(1))
+    for (i = INT64_C(10); i < INT64_C(47); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -8127,7 +8157,7 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     }
     rise = fabs(time);
     (*cspan_at(&node, INT64_C(10))) = 0.0;
-    most = (*cspan_at(&axis, INT64_C(16) + above - INT64_C(1)));
+    most = (*cspan_at(&axis, INT64_C(18) + above - INT64_C(1)));
     if (rise >= most)
     {
         (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
@@ -8143,25 +8173,44 @@ static void advance(double time, double level, double change, double variance, d
 {
     double half;
     double moment;
+    double second;
+    double third;
+    double last;
     int64_t k;
     int64_t order;
     double total;
-    double power;
-    int64_t i;
+    int64_t farthest;
     double square;
     half = 0.5 * time;
     moment = half;
+    second = half * time;
+    third = second * time / 3.0;
+    last = 0.25 * third * time;
     for (k = INT64_C(0); k < above + INT64_C(2); k += INT64_C(1))
     {
         order = above + INT64_C(2) - k;
         total = (*cspan_at(&state, k));
-        power = 1.0;
-        for (i = INT64_C(1); i < order; i += INT64_C(1))
+        if (order == INT64_C(4))
         {
-            power = power * time / i;
-            total = total + power * (*cspan_at(&state, k + i));
+            total = total + time * (*cspan_at(&state, k + INT64_C(1))) + second * (*cspan_at(&state, k + INT64_C(2)));
+            farthest = k + INT64_C(3);
+            total = total + third * (*cspan_at(&state, farthest));
         }
-        total = total + power * time / order * level;
+        else if (order == INT64_C(3))
+        {
+            total = total + time * (*cspan_at(&state, k + INT64_C(1))) + second * (*cspan_at(&state, k + INT64_C(2)));
+            last = third;
+        }
+        else if (order == INT64_C(2))
+        {
+            total = total + time * (*cspan_at(&state, k + INT64_C(1)));
+            last = second;
+        }
+        else
+        {
+            last = time;
+        }
+        total = total + last * level;
         if (change != 0.0)
         {
             square = half * half;
@@ -8933,7 +8982,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess,
     }
     time = (*cspan_at(&work, row, INT64_C(6)));
     level_sign = (*cspan_at(&work, row, INT64_C(5)));
-    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(16) + kind - INT64_C(1))));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(18) + kind - INT64_C(1))));
     split_guess(&before, &depth, &after, guess);
     (*cspan_at(&work, row, INT64_C(6))) = before * time;
     insert_node(place + INT64_C(1), kind, sign, (-depth) * dip, 0, work);
@@ -9543,6 +9592,17 @@ static bool follow(double target, array_double_1d problem, array_double_1d axis,
     }
     return 0;
 }
+static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis)
+{
+    double first;
+    double slope;
+    double last;
+    segfmu_ramp_duration(&first, &slope, level - a, axis);
+    segfmu_ramp_duration(&last, &slope, level - b, axis);
+    (*result_0) = first;
+    (*result_1_0001) = 0.5 * (a + level) * first + 0.5 * (level + b) * last;
+    return 0;
+}
 static double linear_level(double gain, double a, double b, array_double_1d axis)
 {
     double slope;
@@ -9550,7 +9610,7 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     double rest;
     double square;
     slope = (*cspan_at(&axis, INT64_C(13)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(14)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(15)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
     square = half * half + slope * rest;
     if (square <= 0.0)
@@ -9559,10 +9619,12 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     }
     return rest / (half + sqrt(square));
 }
-static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double share, array_double_1d axis)
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis)
 {
     double t;
     double level;
+    double t_before;
+    double rate_before;
     int64_t i;
     double change;
     double growth;
@@ -9574,10 +9636,14 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
     double rate;
     double following;
     double newton;
+    double near;
+    double curvature;
     double reached;
     bool far;
-    t = lower + (upper - lower) * sqrt(share);
+    t = start;
     level = a;
+    t_before = start;
+    rate_before = 0.0;
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         ramp_change(&change, &growth, t, axis);
@@ -9605,7 +9671,14 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
         if (rate > 0.0)
         {
             newton = t - error / rate;
-            if (fabs(newton - t) <= 1e-09 * t)
+            near = 1e-09 * t;
+            if (i > INT64_C(0))
+            {
+                curvature = (rate - rate_before) / (t - t_before);
+                newton = t - error / (rate - 0.5 * error * curvature / rate);
+                near = 1e-07 * t;
+            }
+            if (fabs(newton - t) <= near)
             {
                 ramp_change(&change, &growth, newton, axis);
                 (*result_0_0001) = newton;
@@ -9633,6 +9706,8 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
             (*result_1) = level;
             return 0;
         }
+        t_before = t;
+        rate_before = rate;
         t = following;
     }
     ramp_change(&change, &growth, t, axis);
@@ -9640,34 +9715,38 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
     (*result_1) = a + change;
     return 0;
 }
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, array_double_1d axis)
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, double near, array_double_1d axis)
 {
     double linear_from;
     double level;
     double t;
-    double t_low;
-    double slope;
-    double t_end;
-    double least;
     double t_high;
     double most;
-    double share;
+    double t_low;
+    double least;
+    double start;
     linear_from = (*cspan_at(&axis, INT64_C(12)));
     if (span_max(a, b) + linear_from <= high)
     {
         level = linear_level(gain, a, b, axis);
         if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
         {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(13))) + (*cspan_at(&axis, INT64_C(14)));
+            t = (level - a) * (*cspan_at(&axis, INT64_C(13))) + (*cspan_at(&axis, INT64_C(15)));
             (*result_0_0001) = t;
             (*result_1_0001) = 0.0;
             (*result_2_0001) = level;
             return 0;
         }
     }
-    segfmu_ramp_duration(&t_low, &slope, low - a, axis);
-    segfmu_ramp_duration(&t_end, &slope, low - b, axis);
-    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end;
+    level_gain(&t_high, &most, high, a, b, axis);
+    if (gain > most)
+    {
+        (*result_0_0001) = t_high;
+        (*result_1_0001) = (gain - most) / high;
+        (*result_2_0001) = high;
+        return 0;
+    }
+    level_gain(&t_low, &least, low, a, b, axis);
     if (gain <= least)
     {
         if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
@@ -9682,18 +9761,12 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
         (*result_2_0001) = low;
         return 0;
     }
-    segfmu_ramp_duration(&t_high, &slope, high - a, axis);
-    segfmu_ramp_duration(&t_end, &slope, high - b, axis);
-    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end;
-    if (gain >= most)
+    start = near;
+    if ((start <= t_low) || (start >= t_high))
     {
-        (*result_0_0001) = t_high;
-        (*result_1_0001) = (gain - most) / high;
-        (*result_2_0001) = high;
-        return 0;
+        start = t_low + (t_high - t_low) * sqrt((gain - least) / (most - least));
     }
-    share = (gain - least) / (most - least);
-    root_level(&t, &level, gain, a, b, t_low, t_high, share, axis);
+    root_level(&t, &level, gain, a, b, t_low, t_high, start, axis);
     (*result_0_0001) = t;
     (*result_1_0001) = 0.0;
     (*result_2_0001) = level;
@@ -9751,40 +9824,69 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     (*result_1) = y;
     return 0;
 }
-static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
+static int64_t second_level(double* result_0, double* result_1, double* result_2, double* result_3, double p, array_double_1d family, array_double_1d axis)
 {
-    double a;
     double b;
     double last_ramp;
-    double hold2;
-    double t3;
-    double level2;
+    double hold;
+    double t;
+    double level;
     double change;
     double slope;
     double gain;
-    double low;
-    double t1;
-    double hold1;
-    double level1;
-    a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
     last_ramp = (*cspan_at(&family, INT64_C(5)));
-    hold2 = 0.0;
-    t3 = p;
+    hold = 0.0;
+    t = p;
     if (p >= last_ramp)
     {
-        t3 = last_ramp;
-        hold2 = p - last_ramp;
-        level2 = -(*cspan_at(&axis, INT64_C(3)));
+        t = last_ramp;
+        hold = p - last_ramp;
+        level = -(*cspan_at(&axis, INT64_C(3)));
     }
     else
     {
         ramp_change(&change, &slope, p, axis);
-        level2 = b - change;
+        level = b - change;
     }
-    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level2 + b) * t3 - level2 * hold2;
+    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level + b) * t - level * hold;
+    (*result_0) = level;
+    (*result_1) = t;
+    (*result_2) = hold;
+    (*result_3) = gain;
+    return 0;
+}
+static bool has_member(double p, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double level;
+    double t;
+    double hold;
+    double gain;
+    double first;
+    double least;
+    a = (*cspan_at(&family, INT64_C(1)));
+    second_level(&level, &t, &hold, &gain, p, family, axis);
+    level_gain(&first, &least, span_max(0.0, span_max(a, level)), a, level, axis);
+    return gain >= least;
+}
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double level2;
+    double t3;
+    double hold2;
+    double gain;
+    double low;
+    double near;
+    double t1;
+    double hold1;
+    double level1;
+    a = (*cspan_at(&family, INT64_C(1)));
+    second_level(&level2, &t3, &hold2, &gain, p, family, axis);
     low = span_max(0.0, span_max(a, level2));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), axis);
+    near = (*cspan_at(&family, INT64_C(23)));
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), near, axis);
     if (hold1 < 0.0)
     {
         (*result_0) = -1.0;
@@ -10332,8 +10434,6 @@ static double window_edge(int64_t halvings, double inside, double outside, array
 {
     int64_t i;
     double middle;
-    double duration;
-    double y;
     for (i = INT64_C(0); i < halvings; i += INT64_C(1))
     {
         middle = 0.5 * (inside + outside);
@@ -10341,8 +10441,7 @@ static double window_edge(int64_t halvings, double inside, double outside, array
         {
             break;
         }
-        canonical_member(&duration, &y, middle, family, axis);
-        if (duration >= 0.0)
+        if (has_member(middle, family, axis))
         {
             inside = middle;
         }
@@ -10546,15 +10645,11 @@ static void note_near_gain(array_double_1d family, array_double_1d axis)
     double b;
     double low;
     double first;
-    double slope;
-    double last;
     double least;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
     low = span_max(0.0, span_max(a, b));
-    segfmu_ramp_duration(&first, &slope, low - a, axis);
-    segfmu_ramp_duration(&last, &slope, low - b, axis);
-    least = 0.5 * ((a + low) * first + (low + b) * last);
+    level_gain(&first, &least, low, a, b, axis);
     if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
     {
         (*cspan_at(&family, INT64_C(18))) = 1.0;
@@ -10835,6 +10930,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(13))) = 0.0;
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
+    (*cspan_at(&family, INT64_C(23))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
     (*cspan_at(&family, INT64_C(29))) = 1.0;
     (*cspan_at(&family, INT64_C(30))) = 0.0;
@@ -11145,11 +11241,11 @@ static int64_t append_velocity_change(array_double_2d phases, int64_t count, dou
     int64_t result;
     top = (*cspan_at(&axis, INT64_C(3)));
     sign = 1.0;
-    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, axis);
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, -1.0, axis);
     if (hold < 0.0)
     {
         sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, axis);
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, -1.0, axis);
         if (hold < 0.0)
         {
             return -INT64_C(1);
@@ -12349,8 +12445,8 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     double factor;
     int64_t row;
     passing = span_row(&work, INT64_C(48));
-    q = (int64_t)((*cspan_at(&axis, INT64_C(33)))) + INT64_C(2);
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
+    q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
@@ -12481,7 +12577,7 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     int64_t order;
     double excess;
     loose = span_row(&work, INT64_C(129));
-    for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
     {
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
     }
@@ -12830,7 +12926,7 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     {
         (*cspan_at(&passing, i)) = 0.0;
     }
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(33)));
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
     (*cspan_at(&passing, INT64_C(2))) = pace;
     (*cspan_at(&passing, INT64_C(3))) = duration;
     acceleration = (*cspan_at(&axis, INT64_C(3)));
@@ -12838,7 +12934,7 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     (*cspan_at(&passing, INT64_C(4))) = acceleration;
     (*cspan_at(&passing, INT64_C(5))) = duration;
     (*cspan_at(&passing, INT64_C(6))) = 1.0;
-    q = (int64_t)((*cspan_at(&axis, INT64_C(33)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
     set_alternating(sign, 0.6 * duration / q, work);
 }
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -12902,7 +12998,7 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
                 (*cspan_at(&nearest, found + INT64_C(1))) = reached;
                 break;
             }
-            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(33))) < 1.5))
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(35))) < 1.5))
             {
                 return 0;
             }
@@ -13356,7 +13452,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     if (status > INT64_C(0))
     {
         settled = 0;
-        if ((*cspan_at(&axis, INT64_C(33))) > 0.5)
+        if ((*cspan_at(&axis, INT64_C(35))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
             settled = ((*cspan_at(&work, INT64_C(48), INT64_C(10))) > 0.5) && ramps_suffice(axis);
@@ -13391,7 +13487,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         return status;
     }
-    if (((*cspan_at(&axis, INT64_C(33))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
     {
         result = passing_either_way(count, phases, asked, axis, work);
         return result;
@@ -13459,7 +13555,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
                 missed = 2.0;
             }
         }
-        if (((*cspan_at(&axis, INT64_C(33))) > 0.5) && (!ramps_suffice(axis)))
+        if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && (!ramps_suffice(axis)))
         {
             count = passing_either_way(count, phases, asked, axis, work);
         }
@@ -14353,7 +14449,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(33))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(35))) < 0.5)
     {
         return -1.0;
     }
@@ -14423,7 +14519,7 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     {
         return -1.0;
     }
-    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(33))) > 0.5))
+    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(35))) > 0.5))
     {
         weight = slower_passing(axis, cell, work);
         if (weight < 0.0)
@@ -14761,7 +14857,7 @@ static double smoothness_share(double usual, double share, array_double_1d axis)
 {
     double power;
     power = 0.5;
-    if ((*cspan_at(&axis, INT64_C(21))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(23))) > 0.0)
     {
         power = 1.0 / 3.0;
     }
@@ -17281,7 +17377,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
     for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
     {
         chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(45); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
         {
             (*cspan_at(&chain, i)) = 0.0;
         }
@@ -17406,39 +17502,51 @@ static void set_held(int64_t above, double level, array_double_1d state)
         (*cspan_at(&state, i)) = 0.0;
     }
 }
-static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
+    array_double_1d state;
+    array_double_1d lengths;
+    array_double_1d peaks;
     double duration;
     double basis;
-    double change;
+    double peak;
     int64_t first;
     int64_t boxes;
-    int64_t piece;
+    double rise;
     int64_t level;
-    double sign;
     double length;
-    double peak;
+    int64_t piece;
+    double sign;
     int64_t held;
     int64_t i;
+    state = span_row(&work, INT64_C(1));
+    lengths = span_row(&work, INT64_C(2));
+    peaks = span_row(&work, INT64_C(3));
     duration = (*cspan_at(&phase, INT64_C(0)));
     basis = (*cspan_at(&phase, INT64_C(1)));
-    change = (*cspan_at(&phase, INT64_C(3)));
+    peak = (*cspan_at(&phase, INT64_C(3)));
     first = (int64_t)((*cspan_at(&phase, INT64_C(4))));
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
+    rise = basis;
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        held_peak(&length, &peak, &rise, level, first, rise, peak, duration / basis, axis);
+        (*cspan_at(&lengths, level)) = length;
+        (*cspan_at(&peaks, level)) = peak;
+    }
     for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
     {
         held_level(&level, &sign, piece, boxes);
-        piece_peak(&length, &peak, level, first, change, duration, basis, axis);
         held = INT64_C(3) + first + level;
         for (i = held; i < INT64_C(8); i += INT64_C(1))
         {
             (*cspan_at(&state, i)) = 0.0;
         }
-        (*cspan_at(&state, held)) = sign * peak;
-        if (length > 0.0)
+        (*cspan_at(&state, held)) = sign * (*cspan_at(&peaks, level));
+        if ((*cspan_at(&lengths, level)) > 0.0)
         {
             clear_piece(coefficients, row);
-            row = append_piece(length, timing, coefficients, row, state);
+            row = append_piece((*cspan_at(&lengths, level)), timing, coefficients, row, state);
         }
     }
     return row;
@@ -17472,7 +17580,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
         set_held(above, a, state);
         if (plateau && (change != 0.0))
         {
-            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, state);
+            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, work);
         }
         else
         {
@@ -17553,7 +17661,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(221), INT64_C(223));
+    expansion = span_rows(&lead, INT64_C(221), INT64_C(225));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -17632,7 +17740,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(46) + seen, INT64_C(33))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(46) + seen, INT64_C(35))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);
@@ -17861,7 +17969,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(223), INT64_C(267));
+    check = span_rows(&lead, INT64_C(225), INT64_C(270));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -18890,9 +18998,9 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(170), INT64_C(172)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(170), INT64_C(174)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(172), INT64_C(216)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(174), INT64_C(219)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);

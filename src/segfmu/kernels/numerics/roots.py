@@ -1,8 +1,8 @@
 """The steps of a bracketed root search, for searches that evaluate in their own way.
 
 Chandrupatla's method (Advances in Engineering Software 28, 145-149, 1997): inverse quadratic
-interpolation if the last three points make it safe, else bisection. The caller keeps the newest
-point, the other end of the bracket, and the point before them.
+interpolation if the last three points make it safe, else bisection. The first step is that of the
+secant. The caller keeps the newest point, the other end of the bracket, and the point before them.
 """
 
 
@@ -15,7 +15,9 @@ def root_share(
     """
     if e_newest * e_other * e_before == 0.0:
         return 0.5
-    if e_before == e_newest or e_before == e_other or before == other:
+    if before == other or before == newest:
+        return min(max(e_newest / (e_newest - e_other), 0.1), 0.9)
+    if e_before == e_newest or e_before == e_other:
         return 0.5
     place = (newest - other) / (before - other)
     height = (e_newest - e_other) / (e_before - e_other)

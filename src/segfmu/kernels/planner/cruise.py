@@ -24,10 +24,10 @@ def append_velocity_change(
     """Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none."""
     top = axis[Axis.ACCELERATION]
     sign = 1.0
-    t1, hold, level = solve_level(w - v, a, 0.0, max(0.0, a), top, axis)
+    t1, hold, level = solve_level(w - v, a, 0.0, max(0.0, a), top, -1.0, axis)
     if hold < 0.0:
         sign = -1.0
-        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), top, axis)
+        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), top, -1.0, axis)
         if hold < 0.0:
             return -1
     count = append_ramp(phases, count, a, sign * level, t1, axis)

@@ -8,16 +8,17 @@ from segfmu.kernels.planner.nested import held_level, piece_peak
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 
 
-def taylor_value(order: int, t: float, state: 'float[:]') -> float:
-    """A derivative of a polynomial at t, from those at 0 up to the order 7."""
-    value = 0.0
-    for j in range(8 - order):
-        i = 7 - j
-        value = state[i] + value * t / (i - order + 1)
+def taylor_value(order: int, top: int, t: float, state: 'float[:]') -> float:
+    """A derivative of a polynomial at t, from those at 0 up to the order `top`."""
+    value = state[order]
+    power = 1.0
+    for i in range(order + 1, top + 1):
+        power = power * (t / (i - order))
+        value = value + power * state[i]
     return value
 
 
-def zero_time(order: int, length: float, state: 'float[:]') -> float:
+def zero_time(order: int, top: int, length: float, state: 'float[:]') -> float:
     """Where within a piece a derivative that changes its sign is zero.
 
     The accuracy suffices for an extremum, whose error is of second order.
@@ -26,27 +27,32 @@ def zero_time(order: int, length: float, state: 'float[:]') -> float:
     upper = length
     t = 0.5 * length
     for i in range(60):
-        value = taylor_value(order, t, state)
+        value = taylor_value(order, top, t, state)
         if value * state[order] > 0.0:
             lower = t
         else:
             upper = t
         step = 0.5 * (lower + upper) - t
-        slope = taylor_value(order + 1, t, state)
+        slope = taylor_value(order + 1, top, t, state)
         if slope != 0.0:
             newton = -value / slope
             if t + newton > lower and t + newton < upper:
                 step = newton
         t = t + step
-        if abs(step) <= 1e-9 * length:
+        if abs(step) <= 1e-7 * length:
             break
     return t
 
 
-def advance_piece(length: float, state: 'float[:]', end: 'float[:]') -> None:
-    """Derivatives of a polynomial at the end of a piece."""
-    for order in range(8):
-        end[order] = taylor_value(order, length, state)
+def advance_piece(top: int, length: float, state: 'float[:]', end: 'float[:]') -> None:
+    """Derivatives of a polynomial at the end of a piece, up to the order `top`."""
+    for order in range(top + 1):
+        end[order] = state[order]
+    power = 1.0
+    for j in range(1, top + 1):
+        power = power * (length / j)
+        for order in range(top + 1 - j):
+            end[order] = end[order] + power * state[order + j]
 
 
 def note_excess(
@@ -74,19 +80,21 @@ def piece_excess(
     end = work[PlanWork.MATRIX + 1, :]
     excess = work[PlanWork.EXCESS:PlanWork.RESIDUAL, :]
     q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    # the derivative that is constant in each piece
+    top = int(axis[Axis.SMOOTHNESS]) + 1
     rest = length
     # each derivative has one zero at most between those of the ones above
     for i in range(16):
         step = rest
-        advance_piece(step, state, end)
+        advance_piece(top, step, state, end)
         for j in range(q - 1):
             order = q - j
             if state[order] * end[order] < 0.0:
-                step = zero_time(order, step, state)
-                advance_piece(step, state, end)
+                step = zero_time(order, top, step, state)
+                advance_piece(top, step, state, end)
                 end[order] = 0.0
         note_excess(q, node, holding, axis, end, excess)
-        for order in range(8):
+        for order in range(top + 1):
             state[order] = end[order]
         rest = rest - step
         if rest <= 0.0:

@@ -15,12 +15,20 @@ from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duratio
 from segfmu.kernels.planner.records import Axis, Family
 
 
+def level_gain(level: float, a: float, b: float, axis: 'float[:]') -> 'tuple[float, float]':
+    """Duration of the ramp from a to a level [s], and what it and the ramp to b gain [m/s]."""
+    first, slope = ramp_duration(level - a, axis)
+    last, slope = ramp_duration(level - b, axis)
+    return first, 0.5 * (a + level) * first + 0.5 * (level + b) * last
+
+
 def solve_level(
-    gain: float, a: float, b: float, low: float, high: float, axis: 'float[:]'
+    gain: float, a: float, b: float, low: float, high: float, near: float, axis: 'float[:]'
 ) -> 'tuple[float, float, float]':
     """Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.
 
-    low >= max(0, a, b), where the gain grows with the level. Returns the duration of the first
+    low >= max(0, a, b), where the gain grows with the level. near: about the duration of the first
+    ramp, if that is known. Returns the duration of the first
     ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest
     level gains too much; last the level.
     """
@@ -30,21 +38,20 @@ def solve_level(
         if level >= max(a, b) + linear_from and level >= low and level <= high:
             t = (level - a) * axis[Axis.LINEAR_SLOPE] + axis[Axis.LINEAR_CONSTANT]
             return t, 0.0, level
-    t_low, slope = ramp_duration(low - a, axis)
-    t_end, slope = ramp_duration(low - b, axis)
-    least = 0.5 * (a + low) * t_low + 0.5 * (low + b) * t_end
+    t_high, most = level_gain(high, a, b, axis)
+    if gain > most:
+        return t_high, (gain - most) / high, high
+    t_low, least = level_gain(low, a, b, axis)
     if gain <= least:
         # up to rounding, this is the lowest level
         if gain < least - 1e-14 * (abs(gain) + abs(least)):
             return 0.0, -1.0, low
         return t_low, 0.0, low
-    t_high, slope = ramp_duration(high - a, axis)
-    t_end, slope = ramp_duration(high - b, axis)
-    most = 0.5 * (a + high) * t_high + 0.5 * (high + b) * t_end
-    if gain >= most:
-        return t_high, (gain - most) / high, high
-    share = (gain - least) / (most - least)
-    t, level = root_level(gain, a, b, t_low, t_high, share, axis)
+    start = near
+    if start <= t_low or start >= t_high:
+        # the gain is nearly quadratic in the duration
+        start = t_low + (t_high - t_low) * sqrt((gain - least) / (most - least))
+    t, level = root_level(gain, a, b, t_low, t_high, start, axis)
     return t, 0.0, level
 
 
@@ -65,15 +72,13 @@ def linear_level(gain: float, a: float, b: float, axis: 'float[:]') -> float:
 
 
 def root_level(
-    gain: float, a: float, b: float, lower: float, upper: float, share: float, axis: 'float[:]'
+    gain: float, a: float, b: float, lower: float, upper: float, start: float, axis: 'float[:]'
 ) -> 'tuple[float, float]':
-    """Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level.
-
-    share is where the gain lies between those of the two durations; the gain is nearly quadratic
-    in the duration.
-    """
-    t = lower + (upper - lower) * sqrt(share)
+    """Duration of the first ramp of `solve_level` in [lower, upper] by Newton's method; level."""
+    t = start
     level = a
+    t_before = start
+    rate_before = 0.0
     for i in range(100):
         change, growth = ramp_change(t, axis)
         level = a + change
@@ -91,8 +96,14 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
-            # the error of the next step is the square of this one
-            if abs(newton - t) <= 1e-9 * t:
+            near = 1e-9 * t
+            if i > 0:
+                # Halley's method, with the change of the slope since the step before
+                curvature = (rate - rate_before) / (t - t_before)
+                newton = t - error / (rate - 0.5 * error * curvature / rate)
+                near = 1e-7 * t
+            # the error of the next step is the square of this one, or less
+            if abs(newton - t) <= near:
                 change, growth = ramp_change(newton, axis)
                 return newton, a + change
             reached = first + second
@@ -108,6 +119,8 @@ def root_level(
                 following = newton
         if abs(following - t) <= 4e-16 * t:
             return t, level
+        t_before = t
+        rate_before = rate
         t = following
     change, growth = ramp_change(t, axis)
     return t, a + change
@@ -146,6 +159,36 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
     return t1 + hold1 + t2 + hold2 + t3, y
 
 
+def second_level(
+    p: float, family: 'float[:]', axis: 'float[:]'
+) -> 'tuple[float, float, float, float]':
+    """The second level of a member, the ramp from it, its hold, and what is to be gained before.
+
+    p as in `canonical_member`.
+    """
+    b = family[Family.B]
+    last_ramp = family[Family.LAST_RAMP]
+    hold = 0.0
+    t = p
+    if p >= last_ramp:
+        t = last_ramp
+        hold = p - last_ramp
+        level = -axis[Axis.ACCELERATION]
+    else:
+        change, slope = ramp_change(p, axis)
+        level = b - change
+    gain = family[Family.W] - family[Family.V] - 0.5 * (level + b) * t - level * hold
+    return level, t, hold, gain
+
+
+def has_member(p: float, family: 'float[:]', axis: 'float[:]') -> bool:
+    """Whether there is a canonical member: the lowest first level does not gain too much."""
+    a = family[Family.A]
+    level, t, hold, gain = second_level(p, family, axis)
+    first, least = level_gain(max(0.0, max(a, level)), a, level, axis)
+    return gain >= least
+
+
 def canonical_member(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
     """Write one member of the canonical family (Family) from (V, A) to (W, B).
 
@@ -155,20 +198,11 @@ def canonical_member(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[f
     not less than A and B. Returns duration [s] (-1: no such member) and distance [m].
     """
     a = family[Family.A]
-    b = family[Family.B]
-    last_ramp = family[Family.LAST_RAMP]
-    hold2 = 0.0
-    t3 = p
-    if p >= last_ramp:
-        t3 = last_ramp
-        hold2 = p - last_ramp
-        level2 = -axis[Axis.ACCELERATION]
-    else:
-        change, slope = ramp_change(p, axis)
-        level2 = b - change
-    gain = family[Family.W] - family[Family.V] - 0.5 * (level2 + b) * t3 - level2 * hold2
+    level2, t3, hold2, gain = second_level(p, family, axis)
     low = max(0.0, max(a, level2))
-    t1, hold1, level1 = solve_level(gain, a, level2, low, family[Family.HIGHEST], axis)
+    # of the member before
+    near = family[Family.FIRST_TIME]
+    t1, hold1, level1 = solve_level(gain, a, level2, low, family[Family.HIGHEST], near, axis)
     if hold1 < 0.0:
         return -1.0, 0.0
     family[Family.FIRST_TIME] = t1

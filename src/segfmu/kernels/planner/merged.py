@@ -58,6 +58,7 @@ def set_family(
     family[Family.BY_TIME] = 0.0
     family[Family.TARGET] = distance
     family[Family.MEMBER] = -1.0
+    family[Family.FIRST_TIME] = -1.0
     family[Family.SCALE] = last_ramp
     family[Family.STRETCH] = 1.0
     family[Family.FLATNESS] = 0.0

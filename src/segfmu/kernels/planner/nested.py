@@ -36,6 +36,19 @@ def held_level(piece: int, boxes: int) -> 'tuple[int, float]':
     return level, sign
 
 
+def held_peak(
+    level: int, first: int, rise: float, peak: float, stretch: float, axis: 'float[:]'
+) -> 'tuple[float, float, float]':
+    """How long a rise holds the derivative `level` above it [s], its value, and the next rise.
+
+    Of the derivative below, by `peak` within `rise`; first and stretch as in `piece_peak`.
+    """
+    inner = 0.0
+    if level < int(axis[Axis.SMOOTHNESS]) - 2 - first:
+        inner = inner_rise(rise, first + level, axis)
+    return (rise - 2.0 * inner) * stretch, peak / ((rise - inner) * stretch), inner
+
+
 def piece_peak(
     level: int, first: int, change: float, duration: float, basis: float, axis: 'float[:]'
 ) -> 'tuple[float, float]':
@@ -44,16 +57,10 @@ def piece_peak(
     It is a rise of the derivative 2 + first, 0 for a ramp. One that lasts longer than `basis` is
     the fastest one of that duration, stretched.
     """
-    boxes = int(axis[Axis.SMOOTHNESS]) - 1 - first
     stretch = duration / basis
     rise = basis
     peak = change
+    length = 0.0
     for i in range(level + 1):
-        inner = 0.0
-        if i < boxes - 1:
-            inner = inner_rise(rise, first + i, axis)
-        peak = peak / ((rise - inner) * stretch)
-        if i == level:
-            return (rise - 2.0 * inner) * stretch, peak
-        rise = inner
-    return 0.0, 0.0
+        length, peak, rise = held_peak(i, first, rise, peak, stretch, axis)
+    return length, peak

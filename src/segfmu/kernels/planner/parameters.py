@@ -118,6 +118,7 @@ def smoothstep_parameters(axis: 'float[:]', psi: 'float[:]', peaks: 'float[:]') 
     if slope > 0.0:
         axis[Axis.LINEAR_FROM] = 0.0
         axis[Axis.LINEAR_SLOPE] = slope
+        axis[Axis.LINEAR_RATE] = 1.0 / slope
         for e in range(2, k + 2):
             # the change above which the root of order e is not longer than the linear duration
             change = (axis[Axis.POWERS + e - 1] / slope**e) ** (1.0 / (e - 1))
@@ -154,7 +155,8 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
         axis[Axis.RISES + level] = rise
     if last == 1:
         # the snap alone determines a small ramp
-        axis[Axis.SQUARE] = 4.0 / (axis[Axis.JERK + 1] * (1.0 - axis[Axis.SHARES + 1]))
+        axis[Axis.SQUARE_RATE] = 0.25 * axis[Axis.JERK + 1] * (1.0 - axis[Axis.SHARES + 1])
+        axis[Axis.SQUARE] = 1.0 / axis[Axis.SQUARE_RATE]
     if last <= 1:
         # so have all ramps below the jerk limit the same proportions
         time = 1.0
@@ -166,7 +168,8 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
     if jerk > 0.0:
         rise = axis[Axis.RISES]
         axis[Axis.LINEAR_FROM] = jerk * rise
-        axis[Axis.LINEAR_SLOPE] = 1.0 / (jerk * (1.0 - axis[Axis.SHARES]))
+        axis[Axis.LINEAR_RATE] = jerk * (1.0 - axis[Axis.SHARES])
+        axis[Axis.LINEAR_SLOPE] = 1.0 / axis[Axis.LINEAR_RATE]
         axis[Axis.LINEAR_CONSTANT] = rise
         if rise > 0.0:
             axis[Axis.INNER_VARIANCE], fourth = rise_moments(rise, 1, axis)

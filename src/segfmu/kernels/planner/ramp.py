@@ -147,7 +147,7 @@ def ramp_duration(change: float, axis: 'float[:]') -> 'tuple[float, float]':
         return change * slope + axis[Axis.LINEAR_CONSTANT], slope
     if axis[Axis.SQUARE] > 0.0:
         duration = sqrt(axis[Axis.SQUARE] * change)
-        return duration, 0.5 * duration / change
+        return duration, 0.5 / change * duration
     if axis[Axis.PLATEAU] < 0.5:
         return slowest_root(change, axis)
     return plateau_duration(change, 0, axis)
@@ -160,9 +160,9 @@ def ramp_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
         return 0.0, 0.0
     if axis[Axis.SQUARE] > 0.0:
         if axis[Axis.LINEAR_SLOPE] > 0.0 and duration >= 2.0 * axis[Axis.RISES]:
-            slope = 1.0 / axis[Axis.LINEAR_SLOPE]
+            slope = axis[Axis.LINEAR_RATE]
             return (duration - axis[Axis.LINEAR_CONSTANT]) * slope, slope
-        slope = duration / axis[Axis.SQUARE]
+        slope = duration * axis[Axis.SQUARE_RATE]
         return slope * duration, 2.0 * slope
     if axis[Axis.PLATEAU] < 0.5:
         return fastest_power(duration, axis)

@@ -163,6 +163,6 @@ def crossing_time(
             if t + newton > low and t + newton < high:
                 step = newton
         t = t + step
-        if abs(step) <= 1e-10 * length:
+        if abs(step) <= 1e-7 * length:
             break
     return t

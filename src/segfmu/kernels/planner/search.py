@@ -4,7 +4,7 @@ BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
-from segfmu.kernels.planner.levels import canonical_member
+from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
@@ -18,8 +18,7 @@ def window_edge(
         middle = 0.5 * (inside + outside)
         if middle == inside or middle == outside:
             break
-        duration, y = canonical_member(middle, family, axis)
-        if duration >= 0.0:
+        if has_member(middle, family, axis):
             inside = middle
         else:
             outside = middle
@@ -166,9 +165,7 @@ def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
     a = family[Family.A]
     b = family[Family.B]
     low = max(0.0, max(a, b))
-    first, slope = ramp_duration(low - a, axis)
-    last, slope = ramp_duration(low - b, axis)
-    least = 0.5 * ((a + low) * first + (low + b) * last)
+    first, least = level_gain(low, a, b, axis)
     if family[Family.W] - family[Family.V] >= (1.0 - saving(axis)) * least:
         family[Family.MISSED] = 1.0
 

@@ -62,14 +62,26 @@ def advance(
     """
     half = 0.5 * time
     moment = half
+    # integrals of 1 over the time, of the order 1 to 4
+    second = half * time
+    third = second * time / 3.0
+    last = 0.25 * third * time
     for k in range(above + 2):
         order = above + 2 - k
         total = state[k]
-        power = 1.0
-        for i in range(1, order):
-            power = power * time / i
-            total = total + power * state[k + i]
-        total = total + power * time / order * level
+        if order == 4:
+            total = total + time * state[k + 1] + second * state[k + 2]
+            farthest = k + 3
+            total = total + third * state[farthest]
+        elif order == 3:
+            total = total + time * state[k + 1] + second * state[k + 2]
+            last = third
+        elif order == 2:
+            total = total + time * state[k + 1]
+            last = second
+        else:
+            last = time
+        total = total + last * level
         if change != 0.0:
             square = half * half
             if order == 1:

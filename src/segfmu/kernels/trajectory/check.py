@@ -183,15 +183,17 @@ def check_piece(
         degree = degree - 1
     for d in range(degree + 1, order + 1):
         note_ends(d, joined, 0.0, 0.0, 0.0, work)
+    starts = work[Check.STARTS, :]
     factorial = 1.0
-    for i in range(2, degree + 1):
-        factorial = factorial * i
+    for d in range(degree + 1):
+        if d > 1:
+            factorial = factorial * d
+        starts[d] = coefficients[row, d] * factorial
     for count in range(degree + 1):
         # the derivatives from the highest one, which is constant, downwards
         d = degree - count
-        start = coefficients[row, d] * factorial
+        start = starts[d]
         largest = integrate_hull(count, start, length, values)
-        factorial = factorial / max(d, 1)
         # not a number, or an infinite one, passes on to the derivatives below
         if not abs(values[count]) < 1e300:
             return False

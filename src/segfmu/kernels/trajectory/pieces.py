@@ -5,7 +5,7 @@ pieces of the position: one for a hold or a smoothstep ramp; a plateau ramp has 
 its derivatives and for each rise between (nested.py).
 """
 
-from segfmu.kernels.planner.nested import held_level, piece_peak
+from segfmu.kernels.planner.nested import held_level, held_peak
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.planner.transition import transition_coefficients
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -71,24 +71,31 @@ def expand_plateau(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     row: int,
-    state: 'float[:]',
+    work: 'float[:,:]',
 ) -> int:
     """Pieces of a plateau ramp; returns the row after them."""
+    state = work[Expansion.STATE, :]
+    lengths = work[Expansion.LENGTHS, :]
+    peaks = work[Expansion.PEAKS, :]
     duration = phase[Phase.DURATION]
     basis = phase[Phase.BASIS]
-    change = phase[Phase.CHANGE]
+    peak = phase[Phase.CHANGE]
     first = int(phase[Phase.ABOVE])
     boxes = int(axis[Axis.SMOOTHNESS]) - 1 - first
+    rise = basis
+    for level in range(boxes):
+        length, peak, rise = held_peak(level, first, rise, peak, duration / basis, axis)
+        lengths[level] = length
+        peaks[level] = peak
     for piece in range(1, 2**boxes):
         level, sign = held_level(piece, boxes)
-        length, peak = piece_peak(level, first, change, duration, basis, axis)
         held = PieceState.JERK + first + level
         for i in range(held, PieceState.TIME):
             state[i] = 0.0
-        state[held] = sign * peak
-        if length > 0.0:
+        state[held] = sign * peaks[level]
+        if lengths[level] > 0.0:
             clear_piece(coefficients, row)
-            row = append_piece(length, timing, coefficients, row, state)
+            row = append_piece(lengths[level], timing, coefficients, row, state)
     return row
 
 
@@ -118,7 +125,7 @@ def expand_phases(
         above = int(phases[i, Phase.ABOVE])
         set_held(above, a, state)
         if plateau and change != 0.0:
-            row = expand_plateau(phases[i, :], axis, timing, coefficients, row, state)
+            row = expand_plateau(phases[i, :], axis, timing, coefficients, row, work)
         else:
             duration = phases[i, Phase.DURATION]
             clear_piece(coefficients, row)

@@ -41,6 +41,8 @@ class Expansion(Record):
 
     PSI = field("transition polynomial of the ramps, ascending powers", of=Piece)
     STATE = field("state between two pieces", of=PieceState)
+    LENGTHS = field("of the pieces of a ramp that hold the jerk, and each derivative above it")
+    PEAKS = field("values of these derivatives")
 
 
 class Spare(Codes):
@@ -64,6 +66,7 @@ class Check(Record):
     PEAKS = field("peaks of the derivatives; of the position its range")
     JUMPS = field("largest jumps of the derivatives between two pieces")
     VALUES = field("Bernstein coefficients of a derivative", of=Hull)
+    STARTS = field("derivatives at the start of a piece, by their order")
 
 
 class Judging(Record):
