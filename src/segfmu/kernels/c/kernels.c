@@ -6711,11 +6711,11 @@ static double root_share(double newest, double other, double before, double e_ne
     {
         return 0.5;
     }
-    if ((before == other) || (before == newest))
+    if ((before == other) && (e_newest * e_other < 0.0))
     {
         return span_min(span_max(e_newest / (e_newest - e_other), 0.1), 0.9);
     }
-    if ((e_before == e_newest) || (e_before == e_other))
+    if ((e_before == e_newest) || (e_before == e_other) || (before == other))
     {
         return 0.5;
     }

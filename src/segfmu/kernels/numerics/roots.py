@@ -15,9 +15,9 @@ def root_share(
     """
     if e_newest * e_other * e_before == 0.0:
         return 0.5
-    if before == other or before == newest:
+    if before == other and e_newest * e_other < 0.0:
         return min(max(e_newest / (e_newest - e_other), 0.1), 0.9)
-    if e_before == e_newest or e_before == e_other:
+    if e_before == e_newest or e_before == e_other or before == other:
         return 0.5
     place = (newest - other) / (before - other)
     height = (e_newest - e_other) / (e_before - e_other)
