@@ -172,7 +172,6 @@ def test_most_durations_beyond_an_instant_at_a_limit() -> None:
     assert refused <= 7
 
 
-
 @pytest.mark.parametrize("n", [5, 6])
 @pytest.mark.parametrize(
     "given",

@@ -9637,7 +9637,7 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
     double following;
     double newton;
     double near;
-    double curvature;
+    double bend;
     double reached;
     bool far;
     t = start;
@@ -9672,10 +9672,14 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
         {
             newton = t - error / rate;
             near = 1e-09 * t;
+            bend = 0.0;
             if (i > INT64_C(0))
             {
-                curvature = (rate - rate_before) / (t - t_before);
-                newton = t - error / (rate - 0.5 * error * curvature / rate);
+                bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before);
+            }
+            if ((bend != 0.0) && (fabs(bend) < 0.5 * rate))
+            {
+                newton = t - error / (rate - bend);
                 near = 1e-07 * t;
             }
             if (fabs(newton - t) <= near)

@@ -28,9 +28,9 @@ def solve_level(
     """Ramp from a to a level in [low, high], hold it, ramp to b, and gain a velocity.
 
     low >= max(0, a, b), where the gain grows with the level. near: about the duration of the first
-    ramp, if that is known. Returns the duration of the first
-    ramp, the hold (above zero only at `high`), and -1 in place of the hold when even the lowest
-    level gains too much; last the level.
+    ramp, if that is known, else -1. Returns the duration of the first ramp, the hold (above zero
+    only at `high`), and -1 in place of the hold when even the lowest level gains too much; last the
+    level.
     """
     linear_from = axis[Axis.LINEAR_FROM]
     if max(a, b) + linear_from <= high:
@@ -97,10 +97,12 @@ def root_level(
         if rate > 0.0:
             newton = t - error / rate
             near = 1e-9 * t
+            bend = 0.0
             if i > 0:
+                bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before)
+            if bend != 0.0 and abs(bend) < 0.5 * rate:
                 # Halley's method, with the change of the slope since the step before
-                curvature = (rate - rate_before) / (t - t_before)
-                newton = t - error / (rate - 0.5 * error * curvature / rate)
+                newton = t - error / (rate - bend)
                 near = 1e-7 * t
             # the error of the next step is the square of this one, or less
             if abs(newton - t) <= near:
