@@ -161,7 +161,8 @@ FEEDFORWARD: dict[str, Scenario] = {
 
 # where a small change does nothing yet
 CHANGES: Values = {
-    "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "planner.smoothness": 5,
+    "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "limits.x.acceleration": 0.2,
+    "limits.y.acceleration": 0.2, "limits.z.acceleration": 0.05, "planner.smoothness": 5,
     "planner.duration": 80.0,
     "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
 }
