@@ -44,6 +44,8 @@ static instance *glue_create(const char *name, const char *token, const char *re
 static void glue_free(instance *c);
 /* Make room in the model's block, which may move; false where there is no memory. */
 static bool glue_reserve(instance *c, size_t size);
+/* Give back the room that the model needed to plan; the block may move. */
+static void glue_release(instance *c);
 /* Back to the start values, mode INSTANTIATED. */
 static void glue_reset(instance *c);
 

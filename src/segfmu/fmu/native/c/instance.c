@@ -64,6 +64,16 @@ bool glue_reserve(instance *c, size_t size)
     return true;
 }
 
+void glue_release(instance *c)
+{
+    size_t used = model_used(c->model);
+    model *block = used < c->capacity ? realloc(c->model, used) : NULL;
+    if (block != NULL) {
+        c->model = block;
+        c->capacity = used;
+    }
+}
+
 static void start(instance *c, int interface)
 {
     memset(c->model, 0, c->capacity);

@@ -35,6 +35,7 @@ static bool follow_parameters(instance *c)
         glue_log(c, STATUS_ERROR, "initialisation failed: %s", message);
         return false;
     }
+    glue_release(c);
     c->model->initialised = 1;
     c->model->evaluated = 0;
     return true;
