@@ -164,12 +164,12 @@ def test_most_durations_beyond_an_instant_at_a_limit() -> None:
             try:
                 found = plan(points, Limits(*limits), smoothness=len(limits), duration=given)
             except InfeasibleError as error:
-                assert "cannot be prolonged" in str(error) and factor < 3.0
+                assert "cannot be prolonged" in str(error) and 1.0 < factor < 3.0
                 refused += 1
                 continue
             assert found.duration == pytest.approx(given, rel=1e-9)
             assert verify(found).passed
-    assert refused <= 7
+    assert refused <= 4
 
 
 @pytest.mark.parametrize("n", [5, 6])

@@ -207,6 +207,7 @@ static double highest_in_piece(double length, double value, double first, double
 static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
 static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
 static void shift_instants(int64_t place, int64_t by, array_double_1d passing);
+static void place_instant(int64_t peak, int64_t order, double sign, int64_t node, array_double_1d passing);
 static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing);
 static void transition_coefficients(int64_t order, array_double_1d coefficients);
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
@@ -264,6 +265,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
 static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool may_go_on(array_double_2d work);
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool move_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -367,7 +369,7 @@ static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool pace_down(double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -7803,14 +7805,18 @@ static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
         }
     }
 }
-static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
+static void place_instant(int64_t peak, int64_t order, double sign, int64_t node, array_double_1d passing)
 {
-    int64_t peak;
-    peak = (int64_t)((*cspan_at(&passing, INT64_C(13))));
     (*cspan_at(&passing, INT64_C(14) + peak)) = order;
     (*cspan_at(&passing, INT64_C(17) + peak)) = sign;
     (*cspan_at(&passing, INT64_C(20) + peak)) = node - INT64_C(1);
     (*cspan_at(&passing, INT64_C(23) + peak)) = node + INT64_C(1);
+}
+static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
+{
+    int64_t peak;
+    peak = (int64_t)((*cspan_at(&passing, INT64_C(13))));
+    place_instant(peak, order, sign, node, passing);
     (*cspan_at(&passing, INT64_C(13))) = peak + INT64_C(1);
 }
 static void transition_coefficients(int64_t order, array_double_1d coefficients)
@@ -9370,9 +9376,34 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     result = solve_rotated(problem, axis, work);
     return result;
 }
+static bool move_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t node;
+    int64_t peak;
+    passing = span_row(&work, INT64_C(48));
+    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
+    {
+        if (((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))) == order) && may_go_on(work))
+        {
+            place_instant(peak, order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
+            if (solve_rotated(problem, axis, work))
+            {
+                return 1;
+            }
+            restore_sequence(INT64_C(67), work);
+        }
+    }
+    return 0;
+}
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t variant;
+    if (((*cspan_at(&work, INT64_C(128), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
+    {
+        return 1;
+    }
     for (variant = INT64_C(0); variant < INT64_C(6); variant += INT64_C(1))
     {
         if (may_go_on(work) && insert_level(variant, order, problem, axis, work))
@@ -12622,6 +12653,7 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
         least = 0.02;
     }
     (*cspan_at(&steps, INT64_C(4))) = 0.0;
+    (*cspan_at(&steps, INT64_C(6))) = 0.0;
     target = (*cspan_at(&passing, INT64_C(5)));
     reached = 0.0;
     step = 1.0;
@@ -12863,7 +12895,7 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     }
     return used;
 }
-static bool pace_down(double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     array_double_1d taken;
@@ -12872,11 +12904,13 @@ static bool pace_down(double shortest, array_double_1d problem, array_double_1d 
     double step;
     double least;
     double duration;
+    restore_sequence(INT64_C(86), work);
     passing = span_row(&work, INT64_C(48));
     taken = span_row(&work, INT64_C(128));
     target = (*cspan_at(&problem, INT64_C(5)));
     keep_sequence(INT64_C(105), work);
     (*cspan_at(&taken, INT64_C(4))) = 0.0;
+    (*cspan_at(&taken, INT64_C(6))) = moving;
     reached = shortest;
     step = target - shortest;
     least = 0.01 * step;
@@ -12903,6 +12937,7 @@ static bool pace_down(double shortest, array_double_1d problem, array_double_1d 
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double shortest;
+    int64_t moving;
     int64_t result;
     restore_sequence(INT64_C(86), work);
     shortest = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
@@ -12910,12 +12945,15 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     {
         return INT64_C(0);
     }
-    if (!pace_down(shortest, problem, axis, work))
+    for (moving = INT64_C(0); moving < INT64_C(2); moving += INT64_C(1))
     {
-        return INT64_C(0);
+        if (pace_down(moving, shortest, problem, axis, work))
+        {
+            result = write_sequence(phases, problem, axis, work);
+            return result;
+        }
     }
-    result = write_sequence(phases, problem, axis, work);
-    return result;
+    return INT64_C(0);
 }
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {

@@ -951,7 +951,8 @@ enum {
     TIGHTEN_SHARE = 0,
     TIGHTEN_STEPS = 4,
     TIGHTEN_MOST = 5,
-    TIGHTEN_SIZE = 6
+    TIGHTEN_MOVING = 6,
+    TIGHTEN_SIZE = 7
 };
 
 enum {

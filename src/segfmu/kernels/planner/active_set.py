@@ -6,7 +6,7 @@ the other sign, or go to the other end.
 """
 
 from segfmu.kernels.planner.excess import measure_excess
-from segfmu.kernels.planner.instant import add_instant
+from segfmu.kernels.planner.instant import add_instant, place_instant
 from segfmu.kernels.planner.plateaus import (
     insert_node,
     insert_plateau,
@@ -64,10 +64,27 @@ def insert_level(
     return solve_rotated(problem, axis, work)
 
 
+def move_instant(
+    order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Let a derivative reach its limit where it exceeds it, in place of another instant."""
+    passing = work[PlanWork.PASSING, :]
+    node = int(work[PlanWork.EXCESS + order, Excess.NODE])
+    for peak in range(int(passing[Passing.INSTANTS])):
+        if int(passing[Passing.INSTANT_ORDER + peak]) == order and may_go_on(work):
+            place_instant(peak, order, work[PlanWork.EXCESS + order, Excess.SIGN], node, passing)
+            if solve_rotated(problem, axis, work):
+                return True
+            restore_sequence(PlanWork.KEPT, work)
+    return False
+
+
 def insert_instant(
     order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Let a derivative that exceeds its limit reach it for an instant; false: nothing changes."""
+    if work[PlanWork.TIGHTEN, Tighten.MOVING] > 0.5 and move_instant(order, problem, axis, work):
+        return True
     for variant in range(6):
         if may_go_on(work) and insert_level(variant, order, problem, axis, work):
             return True

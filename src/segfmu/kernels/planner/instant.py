@@ -122,11 +122,18 @@ def shift_instants(place: int, by: int, passing: 'float[:]') -> None:
             passing[Passing.INSTANT_TO + peak] = passing[Passing.INSTANT_TO + peak] + by
 
 
-def add_instant(order: int, sign: float, node: int, passing: 'float[:]') -> None:
-    """Add the condition that a derivative reaches its limit near a node."""
-    peak = int(passing[Passing.INSTANTS])
+def place_instant(
+    peak: int, order: int, sign: float, node: int, passing: 'float[:]'
+) -> None:
+    """Let the derivative of an instant be that which reaches its limit near a node."""
     passing[Passing.INSTANT_ORDER + peak] = order
     passing[Passing.INSTANT_SIGN + peak] = sign
     passing[Passing.INSTANT_FROM + peak] = node - 1
     passing[Passing.INSTANT_TO + peak] = node + 1
+
+
+def add_instant(order: int, sign: float, node: int, passing: 'float[:]') -> None:
+    """Add the condition that a derivative reaches its limit near a node."""
+    peak = int(passing[Passing.INSTANTS])
+    place_instant(peak, order, sign, node, passing)
     passing[Passing.INSTANTS] = peak + 1

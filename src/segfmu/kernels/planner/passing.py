@@ -177,17 +177,20 @@ def passing_form(
 
 
 def pace_down(
-    shortest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    moving: int, shortest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Slow the sequence that was found down from `shortest` to the problem's duration [s].
 
-    In steps, as few as possible. False if that breaks a limit or fails.
+    In steps, as few as possible. moving: 1: instants at limits may move. False if that breaks a
+    limit or fails.
     """
+    restore_sequence(PlanWork.FOUND, work)
     passing = work[PlanWork.PASSING, :]
     taken = work[PlanWork.TIGHTEN, :]
     target = problem[Problem.DURATION]
     keep_sequence(PlanWork.SOLVED, work)
     taken[Tighten.STEPS] = 0.0
+    taken[Tighten.MOVING] = moving
     reached = shortest
     step = target - shortest
     least = 0.01 * step
@@ -217,6 +220,7 @@ def timed_passing(
     )
     if problem[Problem.DURATION] < shortest:
         return 0
-    if not pace_down(shortest, problem, axis, work):
-        return 0
-    return write_sequence(phases, problem, axis, work)
+    for moving in range(2):
+        if pace_down(moving, shortest, problem, axis, work):
+            return write_sequence(phases, problem, axis, work)
+    return 0

@@ -278,6 +278,7 @@ class Tighten(Record):
     SHARE = field("by which the derivatives exceed them at first", size=4)
     STEPS = field("steps of Newton's method so far")
     MOST = field("steps after which no other sequence is tried")
+    MOVING = field("1: a derivative may reach its limit elsewhere, without a level more")
 
 
 class Equations(Record):

@@ -42,6 +42,7 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
         most = 400.0
         least = 0.02
     steps[Tighten.STEPS] = 0.0
+    steps[Tighten.MOVING] = 0.0
     target = passing[Passing.TARGET]
     reached = 0.0
     step = 1.0
