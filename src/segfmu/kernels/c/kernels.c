@@ -12937,6 +12937,7 @@ static bool pace_down(int64_t moving, double shortest, array_double_1d problem, 
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double shortest;
+    int64_t ways;
     int64_t moving;
     int64_t result;
     restore_sequence(INT64_C(86), work);
@@ -12945,7 +12946,12 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     {
         return INT64_C(0);
     }
-    for (moving = INT64_C(0); moving < INT64_C(2); moving += INT64_C(1))
+    ways = INT64_C(1);
+    if ((*cspan_at(&work, INT64_C(48), INT64_C(13))) > 0.5)
+    {
+        ways = INT64_C(2);
+    }
+    for (moving = INT64_C(0); moving < ways; moving += INT64_C(1))
     {
         if (pace_down(moving, shortest, problem, axis, work))
         {

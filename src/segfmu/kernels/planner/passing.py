@@ -220,7 +220,10 @@ def timed_passing(
     )
     if problem[Problem.DURATION] < shortest:
         return 0
-    for moving in range(2):
+    ways = 1
+    if work[PlanWork.PASSING, Passing.INSTANTS] > 0.5:
+        ways = 2
+    for moving in range(ways):
         if pace_down(moving, shortest, problem, axis, work):
             return write_sequence(phases, problem, axis, work)
     return 0
