@@ -180,7 +180,7 @@ def trajectory_calls() -> dict[str, Call]:
         "anchor_plan": (
             zeros(3, 1), bounds, found.timing, found.coefficients.copy(), found.offsets,
         ),
-        "meet_ends": (9.0, found.timing.copy(), found.offsets),
+        "meet_ends": (9.0, 0.5, found.timing.copy(), found.offsets),
         "join_plans": (
             *pieces, *pieces, zeros(2 * rows, Timing.SIZE), zeros(2 * rows, width),
             np.zeros(4, dtype=np.int64),

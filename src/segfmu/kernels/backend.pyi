@@ -712,6 +712,7 @@ def cut_plan(
 
 def meet_ends(
     clock: float,
+    dwell: float,
     timing: Floats,
     offsets: Integers,
     /,

@@ -89,10 +89,13 @@ class Pieces:
         timing[last, 1] = np.maximum(timing[last, 1], dwell)
         return replace(self, timing=timing)
 
-    def meeting(self, clock: float) -> Pieces:
-        """The same; axes that end together up to the rounding of a clock [s] do so without."""
+    def meeting(self, clock: float, dwell: float) -> Pieces:
+        """The same; axes that end together up to the rounding of a clock [s] do so without.
+
+        dwell: of the last waypoint [s].
+        """
         timing = self.timing.copy()
-        backend.meet_ends(clock, timing, self.offsets)
+        backend.meet_ends(clock, dwell, timing, self.offsets)
         return replace(self, timing=timing)
 
     def anchored(self, ends: FloatArray, limits: FloatArray) -> Pieces:

@@ -126,7 +126,7 @@ def _kept(
     if count > 1 and arrivals.min() < 0.0:
         return None
     dwell = request.waypoints[-1].dwell
-    rest = rest.meeting(trajectory.duration)
+    rest = rest.meeting(trajectory.duration, dwell)
     ends = rest.stops()
     if dwell > 0.0 and arrivals.min() < 0.0:
         # some axes are on the last waypoint already: they rest until the last one has done so, or,

@@ -96,10 +96,19 @@ def test_axes_meet_where_rounding_alone_keeps_them_apart() -> None:
     timing = np.array([[0.0, 0.5], [0.5, 1e-7], [0.0, 0.5 + 1e-7 - 3e-16], [0.0, 0.4]])
     offsets = np.array([0, 2, 3, 4])
     before = timing.copy()
-    meet_ends(0.5, timing, offsets)
+    meet_ends(0.5, 0.0, timing, offsets)
     ends = timing[offsets[1:] - 1].sum(axis=1)
     assert ends[0] == ends[1]
     assert ends[2] == 0.4
     # a short piece stays as it is
     assert timing[1, 1] == before[1, 1]
     np.testing.assert_allclose(timing, before, rtol=0.0, atol=1e-15)
+
+
+def test_a_dwell_lasts_as_long_where_axes_meet() -> None:
+    # motion and dwell, the motion of the second axis a rounding error shorter
+    timing = np.array([[0.0, 0.1], [0.1, 0.5], [0.0, 0.1 - 3e-16], [0.1 - 3e-16, 0.5]])
+    offsets = np.array([0, 2, 4])
+    meet_ends(0.5, 0.5, timing, offsets)
+    assert timing[3, 1] == 0.5
+    np.testing.assert_allclose(timing[2:], timing[:2], rtol=0.0, atol=1e-16)

@@ -18744,7 +18744,7 @@ int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coe
     (*cspan_at(&cut_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
 }
-void segfmu_meet_ends(double clock, array_double_2d timing, array_int64_t_1d offsets)
+void segfmu_meet_ends(double clock, double dwell, array_double_2d timing, array_int64_t_1d offsets)
 {
     double latest;
     int64_t axis;
@@ -18767,7 +18767,11 @@ void segfmu_meet_ends(double clock, array_double_2d timing, array_int64_t_1d off
             continue;
         }
         longest = row;
-        for (i = (*cspan_at(&offsets, axis)); i < row; i += INT64_C(1))
+        if ((dwell > 0.0) && (row > (*cspan_at(&offsets, axis))))
+        {
+            longest = row - INT64_C(1);
+        }
+        for (i = (*cspan_at(&offsets, axis)); i < longest; i += INT64_C(1))
         {
             if ((*cspan_at(&timing, i, INT64_C(1))) > (*cspan_at(&timing, longest, INT64_C(1))))
             {

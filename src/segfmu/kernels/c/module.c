@@ -2640,19 +2640,22 @@ static PyObject *call_meet_ends(
     arguments call = {.function = "meet_ends", .values = values};
     PyObject *answer = NULL;
     double in_clock;
+    double in_dwell;
     Py_buffer *in_timing;
     Py_buffer *in_offsets;
     (void)self;
-    if (take_count(&call, count, 3)
+    if (take_count(&call, count, 4)
         && take_float(&call, 0, &in_clock)
-        && (in_timing = take_array(&call, 1, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 1, &in_dwell)
+        && (in_timing = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
         segfmu_meet_ends(
             in_clock,
+            in_dwell,
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
         answer = Py_NewRef(Py_None);

@@ -170,7 +170,7 @@ static int keep_rest(const replanning *t, const segfmu_trajectory *old, double t
     /* the plan in the trajectory no longer needs its leads */
     kept.rest = t->leads;
     segfmu_cut_rest(old, time, &kept.rest);
-    segfmu_meet_ends(old->duration, kept.rest.timing, kept.rest.offsets);
+    segfmu_meet_ends(old->duration, p->dwells[1], kept.rest.timing, kept.rest.offsets);
     if (!ends_as_asked(&kept, old, time, p, full + k * width, times)) {
         return PLAN_STATUS_NO_PROFILE;
     }

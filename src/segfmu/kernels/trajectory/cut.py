@@ -128,11 +128,14 @@ def cut_plan(
     return target
 
 
-def meet_ends(clock: float, timing: 'float[:,:]', offsets: 'int[:]') -> None:
+def meet_ends(
+    clock: float, dwell: float, timing: 'float[:,:]', offsets: 'int[:]'
+) -> None:
     """Let axes end together that end a rounding error before the last one.
 
     clock: the time [s] whose rounding that is, the duration of the plan that the pieces are left
-    of. The longest piece of an axis takes the difference, as it changes least by it.
+    of. dwell: that at the end [s], the last piece of every axis that has not begun it; it stays as
+    long. The longest other piece takes the difference, as it changes least by it.
     """
     latest = 0.0
     for axis in range(offsets.shape[0] - 1):
@@ -144,7 +147,9 @@ def meet_ends(clock: float, timing: 'float[:,:]', offsets: 'int[:]') -> None:
         if late > 1e-12 * clock:
             continue
         longest = row
-        for i in range(offsets[axis], row):
+        if dwell > 0.0 and row > offsets[axis]:
+            longest = row - 1
+        for i in range(offsets[axis], longest):
             if timing[i, Timing.LENGTH] > timing[longest, Timing.LENGTH]:
                 longest = i
         timing[longest, Timing.LENGTH] = timing[longest, Timing.LENGTH] + late
