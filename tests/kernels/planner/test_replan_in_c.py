@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from segfmu import Limits, Trajectory, Waypoint, plan, reach_velocity, replan, stop
+from segfmu import Limits, Trajectory, Waypoint, plan, reach_velocity, replan, stop, verify
 from segfmu.planning.problem import SYNCHRONIZATIONS
 from tests.kernels.planner.c_planner import Asked, Planner, Result
 from tests.property.replan_in_c import Replanner
@@ -141,6 +141,23 @@ def test_a_kept_rest_does_not_jump_at_its_start(planner: Planner) -> None:
     assert found.status == 0
     for d in range(5):
         assert found(0.0, d) == pytest.approx(old(1.0, d), abs=1e-9)
+
+
+@pytest.mark.parametrize("synchronize", ["waypoints", "total"])
+def test_a_dwell_of_a_kept_rest_begins_where_its_motion_ends(
+    planner: Planner, synchronize: str
+) -> None:
+    # a long plan: its clock is coarse against what is left of it
+    points = [Waypoint([0.0, 0.0]), Waypoint([50.0, 3.0], dwell=0.01)]
+    limits = Limits([1.0, 0.8], [2.0, 0.7], [4.0, 3.0], 20.0)
+    old = plan(points, limits, synchronize=synchronize)
+    c = Replanner(planner)
+    for before in np.linspace(1e-4, 5e-3, 40):
+        given = old, old.duration - 0.01 - before, (points[-1],), limits
+        for replanned in (replan, c.replan):
+            found = replanned(*given, synchronize=synchronize)
+            assert found.duration <= (0.01 + before) * (1.0 + 1e-9)
+            assert verify(found).passed
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5])
