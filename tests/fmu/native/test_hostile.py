@@ -122,7 +122,8 @@ def test_an_instance_takes_what_its_parameters_need(native_fmus, fmi: int, index
         for fmu in instances:
             start(fmu, index)
             fmu.step(0.0, 1e-3)
-        assert (resident() - before) / len(instances) < 400e3
+        # feedforward: without what only planning needed
+        assert (resident() - before) / len(instances) < (250e3, 400e3)[index]
 
 
 @each

@@ -220,6 +220,7 @@ def timed_passing(
     )
     if problem[Problem.DURATION] < shortest:
         return 0
+    # moving first would refuse more durations; without an instant it costs time and finds no more
     ways = 1
     if work[PlanWork.PASSING, Passing.INSTANTS] > 0.5:
         ways = 2
