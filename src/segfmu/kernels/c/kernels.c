@@ -337,7 +337,7 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
 static bool is_enclosed(array_double_2d work);
 static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double cruise_edge(double inside, double outside, double y, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
@@ -11688,25 +11688,57 @@ static void between_cruises(double lower, double upper, double e_lower, double e
         e_newest = error;
     }
 }
-static double cruise_edge(double inside, double outside, double y, array_double_2d phases, array_double_1d problem, array_double_1d axis)
+static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
-    int64_t halvings;
+    double newest;
+    double other;
+    double before;
+    double h_newest;
+    double h_other;
+    double h_before;
+    double width;
     int64_t i;
+    double share;
     double cruise;
     int64_t count;
+    double y;
     double hold;
-    halvings = INT64_C(30);
-    if (fabs((*cspan_at(&problem, INT64_C(4))) - y) > distance_within(outside - inside, problem))
+    bool fits;
+    newest = outside;
+    other = inside;
+    before = inside;
+    h_newest = h_outside;
+    h_other = h_inside;
+    h_before = h_inside;
+    width = 1e-10 * fabs(outside - inside);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        halvings = INT64_C(10);
-    }
-    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
-    {
-        cruise = 0.5 * (inside + outside);
+        if (fabs(outside - inside) <= width)
+        {
+            break;
+        }
+        share = root_share(newest, other, before, h_newest, h_other, h_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            break;
+        }
         timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if (count < INT64_C(0))
+        {
+            hold = 0.0;
+        }
+        next_bracket(&other, &before, &h_other, &h_before, fits != (newest == inside), newest, other, h_newest, h_other);
+        newest = cruise;
+        h_newest = hold;
+        if (fits)
         {
             inside = cruise;
+            if (hold <= 1e-12 * (*cspan_at(&problem, INT64_C(5))))
+            {
+                break;
+            }
         }
         else
         {
@@ -11722,42 +11754,56 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     int64_t samples;
     bool inside;
     double before;
-    double y_before;
+    double e_before;
+    double h_before;
     int64_t i;
     double cruise;
     int64_t count;
     double y;
     double hold;
+    double error;
     bool fits;
     double lower;
-    double upper;
     double e_lower;
+    double upper;
     double e_upper;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     distance = (*cspan_at(&problem, INT64_C(4)));
     samples = INT64_C(24);
     inside = 0;
     before = 0.0;
-    y_before = 0.0;
+    e_before = 0.0;
+    h_before = 0.0;
     for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
     {
         cruise = (*cspan_at(&axis, INT64_C(2))) * (2.0 * i / samples - 1.0);
         timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+        error = y - distance;
         fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if (count < INT64_C(0))
+        {
+            hold = 0.0;
+        }
+        if (fits)
+        {
+            keep_nearest(count, problem, axis, cell, work);
+        }
         if ((i > INT64_C(0)) && (inside || fits))
         {
             lower = before;
+            e_lower = e_before;
             upper = cruise;
+            e_upper = error;
             if (!inside)
             {
-                lower = cruise_edge(cruise, before, y, trial, problem, axis);
+                lower = cruise_edge(cruise, before, hold, h_before, trial, problem, axis);
+                e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
             }
             if (!fits)
             {
-                upper = cruise_edge(before, cruise, y_before, trial, problem, axis);
+                upper = cruise_edge(before, cruise, h_before, hold, trial, problem, axis);
+                e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
             }
-            e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
-            e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
             if (e_lower * e_upper <= 0.0)
             {
                 between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
@@ -11769,7 +11815,8 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
         }
         inside = fits;
         before = cruise;
-        y_before = y;
+        e_before = error;
+        h_before = hold;
     }
 }
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)

@@ -175,23 +175,43 @@ def between_cruises(
 def cruise_edge(
     inside: float,
     outside: float,
-    y: float,
+    h_inside: float,
+    h_outside: float,
     phases: 'float[:,:]',
     problem: 'float[:]',
     axis: 'float[:]',
 ) -> float:
-    """Bisect between a possible cruise velocity, which covers y, and an impossible one.
+    """The last possible cruise velocity between a possible one and an impossible one.
 
-    Roughly, if the distance cannot be covered between them.
+    h_inside and h_outside are the durations of their cruises, 0 where there is none [s].
     """
-    halvings = 30
-    if abs(problem[Problem.DISTANCE] - y) > distance_within(outside - inside, problem):
-        halvings = 10
-    for i in range(halvings):
-        cruise = 0.5 * (inside + outside)
+    newest = outside
+    other = inside
+    before = inside
+    h_newest = h_outside
+    h_other = h_inside
+    h_before = h_inside
+    width = 1e-10 * abs(outside - inside)
+    for i in range(60):
+        if abs(outside - inside) <= width:
+            break
+        share = root_share(newest, other, before, h_newest, h_other, h_before)
+        cruise = newest + share * (other - newest)
+        if cruise == newest or cruise == other:
+            break
         count, y, hold = timed_cruise(phases, cruise, problem, axis)
-        if count >= 0 and hold >= 0.0:
+        fits = count >= 0 and hold >= 0.0
+        if count < 0:
+            hold = 0.0
+        other, before, h_other, h_before = next_bracket(
+            fits != (newest == inside), newest, other, h_newest, h_other
+        )
+        newest = cruise
+        h_newest = hold
+        if fits:
             inside = cruise
+            if hold <= 1e-12 * problem[Problem.DURATION]:
+                break
         else:
             outside = cruise
     return inside
@@ -214,24 +234,33 @@ def scan_cruises(
     samples = 24
     inside = False
     before = 0.0
-    y_before = 0.0
+    e_before = 0.0
+    h_before = 0.0
     for i in range(samples + 1):
         cruise = axis[Axis.VELOCITY] * (2.0 * i / samples - 1.0)
         count, y, hold = timed_cruise(trial, cruise, problem, axis)
+        error = y - distance
         fits = count >= 0 and hold >= 0.0
+        if count < 0:
+            hold = 0.0
+        if fits:
+            keep_nearest(count, problem, axis, cell, work)
         if i > 0 and (inside or fits):
             lower = before
+            e_lower = e_before
             upper = cruise
+            e_upper = error
             if not inside:
-                lower = cruise_edge(cruise, before, y, trial, problem, axis)
+                lower = cruise_edge(cruise, before, hold, h_before, trial, problem, axis)
+                e_lower = keep_cruise(lower, problem, axis, cell, work) - distance
             if not fits:
-                upper = cruise_edge(before, cruise, y_before, trial, problem, axis)
-            e_lower = keep_cruise(lower, problem, axis, cell, work) - distance
-            e_upper = keep_cruise(upper, problem, axis, cell, work) - distance
+                upper = cruise_edge(before, cruise, h_before, hold, trial, problem, axis)
+                e_upper = keep_cruise(upper, problem, axis, cell, work) - distance
             if e_lower * e_upper <= 0.0:
                 between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work)
             if is_enclosed(work):
                 return
         inside = fits
         before = cruise
-        y_before = y
+        e_before = error
+        h_before = hold
