@@ -412,6 +412,7 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void note_known(array_double_2d work);
 static void clear_nearest(array_double_2d work);
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -13061,7 +13062,8 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
     array_double_1d problem;
     array_double_1d nearest;
     double distance;
-    int64_t side;
+    double known;
+    int64_t i;
     double sign;
     int64_t found;
     array_double_2d phases;
@@ -13072,12 +13074,17 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
     problem = span_row(&work, INT64_C(43));
     nearest = span_row(&work, INT64_C(42));
     distance = (*cspan_at(&problem, INT64_C(4)));
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    known = (*cspan_at(&nearest, INT64_C(4)));
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        sign = 2.0 * side - 1.0;
+        sign = 2.0 * i - 1.0;
+        if (known < 0.0)
+        {
+            sign = -sign;
+        }
         found = INT64_C(0);
         phases = span_rows(&cell, INT64_C(0), INT64_C(33));
-        if (side == INT64_C(1))
+        if (sign > 0.0)
         {
             found = INT64_C(2);
             phases = span_rows(&cell, INT64_C(33), INT64_C(66));
@@ -13097,6 +13104,10 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
             {
                 return 0;
             }
+        }
+        if (((*cspan_at(&nearest, found)) == 0.0) && (sign != known))
+        {
+            return 0;
         }
     }
     return 1;
@@ -14338,6 +14349,20 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
         timed_merged(problem, axis, cell, work);
     }
 }
+static void note_known(array_double_2d work)
+{
+    array_double_1d nearest;
+    nearest = span_row(&work, INT64_C(42));
+    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
+    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
+    }
+    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
+    }
+}
 static void clear_nearest(array_double_2d work)
 {
     (*cspan_at(&work, INT64_C(42), INT64_C(0))) = 0.0;
@@ -14509,6 +14534,7 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
         if ((variant == INT64_C(0)) && (!is_enclosed(work)))
         {
             timed_loop(rest, axis, cell, work);
+            note_known(work);
         }
         if (is_enclosed(work))
         {
@@ -14550,8 +14576,12 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     }
     problem = span_row(&work, INT64_C(43));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
-    count = segfmu_shortest_profile(problem, axis, phases, work);
-    count = slower_form(count, phases, problem, axis, work);
+    count = INT64_C(0);
+    if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) > 0.5)
+    {
+        count = segfmu_shortest_profile(problem, axis, phases, work);
+        count = slower_form(count, phases, problem, axis, work);
+    }
     if ((count == INT64_C(0)) && (!ramps_suffice(axis)))
     {
         count = plain_profile(problem, axis, phases, work);
@@ -14870,9 +14900,12 @@ static double common_duration(double start, double sample_time, int64_t first, i
 }
 static void note_shortest(double time, array_double_2d cell)
 {
+    bool passing;
     time = time + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
     (*cspan_at(&cell, INT64_C(67), INT64_C(0))) = time;
     (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = time;
+    passing = (*cspan_at(&cell, INT64_C(0), INT64_C(4))) > 0.5;
+    (*cspan_at(&cell, INT64_C(67), INT64_C(6))) = passing;
 }
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {

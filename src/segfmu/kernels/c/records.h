@@ -967,7 +967,8 @@ enum {
     INTERVAL_BELOW_COUNT = 3,
     INTERVAL_ABOVE_COUNT = 4,
     INTERVAL_KEPT_COUNT = 5,
-    INTERVAL_SIZE = 6
+    INTERVAL_PASSING = 6,
+    INTERVAL_SIZE = 7
 };
 
 enum {
@@ -986,7 +987,7 @@ enum {
     CELL_RESULT = 67,
     CELL_PLACE = 68,
     CELL_SIZE = 69,
-    CELL_COLUMNS = 6
+    CELL_COLUMNS = 7
 };
 
 enum {
@@ -994,7 +995,8 @@ enum {
     NEAREST_BELOW_DISTANCE = 1,
     NEAREST_ABOVE_COUNT = 2,
     NEAREST_ABOVE_DISTANCE = 3,
-    NEAREST_SIZE = 4
+    NEAREST_KNOWN = 4,
+    NEAREST_SIZE = 5
 };
 
 enum {

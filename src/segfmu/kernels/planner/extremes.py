@@ -57,17 +57,22 @@ def extreme_form(
 def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
     """Write what encloses the distance of the problem in `work` of motions of its duration.
 
-    They go to the cell and to the row NEAREST of `work`; what is not found has no phases. False if
-    the distance is not possible.
+    They go to the cell and to the row NEAREST of `work`. One that is not found has no phases, and
+    ramps can take its place (Nearest.KNOWN). False if the distance is not possible, or neither is
+    found.
     """
     problem = work[PlanWork.PROBLEM, :]
     nearest = work[PlanWork.NEAREST, :]
     distance = problem[Problem.DISTANCE]
-    for side in range(2):
-        sign = 2.0 * side - 1.0
+    known = nearest[Nearest.KNOWN]
+    for i in range(2):
+        # first that for which there are no ramps
+        sign = 2.0 * i - 1.0
+        if known < 0.0:
+            sign = -sign
         found = Nearest.BELOW_COUNT
         phases = cell[Cell.BELOW:Cell.ABOVE, :]
-        if side == 1:
+        if sign > 0.0:
             found = Nearest.ABOVE_COUNT
             phases = cell[Cell.ABOVE:Cell.PROBLEM, :]
         nearest[found] = 0.0
@@ -81,4 +86,6 @@ def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
             # a slower one tells nothing, and levels of the snap can have several solutions
             if count > 0 and attempt == 0 and axis[Axis.ABOVE] < 1.5:
                 return False
+        if nearest[found] == 0.0 and sign != known:
+            return False
     return True

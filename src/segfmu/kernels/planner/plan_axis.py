@@ -14,6 +14,7 @@ from segfmu.kernels.planner.records import (
     Cell,
     Family,
     Interval,
+    Phase,
     Place,
     PlanStatus,
     PlanWork,
@@ -23,10 +24,12 @@ from segfmu.kernels.planner.records import (
 
 
 def note_shortest(time: float, cell: 'float[:,:]') -> None:
-    """Write that the shortest profile of a cell takes `time` [s] after its delay."""
+    """Write that the shortest profile of a cell, which it has, takes `time` [s] after its delay."""
     time = time + cell[Cell.PLACE, Place.DELAY]
     cell[Cell.RESULT, Interval.SHORTEST] = time
     cell[Cell.RESULT, Interval.DURATION] = time
+    passing = cell[Cell.BELOW, Phase.ABOVE] > 0.5
+    cell[Cell.RESULT, Interval.PASSING] = passing
 
 
 def plan_with_share(

@@ -296,6 +296,7 @@ class Interval(Record):
     BELOW_COUNT = field("number of phases of the first profile")
     ABOVE_COUNT = field("number of phases of the second profile; 0: there is none")
     KEPT_COUNT = field("number of phases that are kept in its place")
+    PASSING = field("1: the shortest profile passes zero jerk with snap")
 
 
 class Place(Record):
@@ -325,6 +326,7 @@ class Nearest(Record):
     BELOW_DISTANCE = field("its distance", "m")
     ABOVE_COUNT = field("number of phases of the one that covers the distance; 0: none")
     ABOVE_DISTANCE = field("its distance", "m")
+    KNOWN = field("-1, 1: without braking only one that falls short, or covers it; 0: neither")
 
 
 class Refusal(Record):

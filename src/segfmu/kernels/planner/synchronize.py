@@ -102,6 +102,16 @@ def usual_cruise(
             )
 
 
+def note_known(work: 'float[:,:]') -> None:
+    """Note on which side of the distance a profile is kept (Nearest.KNOWN), on one at most."""
+    nearest = work[PlanWork.NEAREST, :]
+    nearest[Nearest.KNOWN] = 0.0
+    if nearest[Nearest.BELOW_COUNT] > 0.0:
+        nearest[Nearest.KNOWN] = -1.0
+    elif nearest[Nearest.ABOVE_COUNT] > 0.0:
+        nearest[Nearest.KNOWN] = 1.0
+
+
 def clear_nearest(work: 'float[:,:]') -> None:
     """Forget the profiles next to the distance."""
     work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = 0.0
@@ -233,6 +243,7 @@ def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
         timed_between(rest, axis, cell, work)
         if variant == 0 and not is_enclosed(work):
             timed_loop(rest, axis, cell, work)
+            note_known(work)
         if is_enclosed(work):
             weight = nearest_weight(rest, axis, work[PlanWork.NEAREST, :])
             surround_nearest(variant, axis, cell, work)
@@ -266,8 +277,10 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
         return -1.0
     problem = work[PlanWork.PROBLEM, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
-    count = shortest_profile(problem, axis, phases, work)
-    count = slower_form(count, phases, problem, axis, work)
+    count = 0
+    if cell[Cell.RESULT, Interval.PASSING] > 0.5:
+        count = shortest_profile(problem, axis, phases, work)
+        count = slower_form(count, phases, problem, axis, work)
     if count == 0 and not ramps_suffice(axis):
         count = plain_profile(problem, axis, phases, work)
         count = slower_form(count, phases, problem, axis, work)
