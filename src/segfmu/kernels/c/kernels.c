@@ -319,6 +319,7 @@ static double nearby_member(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
+static bool same_members(int64_t branch, array_double_1d problem);
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis);
@@ -10982,6 +10983,19 @@ static void set_member(int64_t member, double time, bool by_time, array_double_1
         (*cspan_at(&family, INT64_C(14))) = time;
     }
 }
+static bool same_members(int64_t branch, array_double_1d problem)
+{
+    double a;
+    double b;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    if (branch >= INT64_C(2))
+    {
+        a = -a;
+        b = -b;
+    }
+    return (span_floor_mod(branch, INT64_C(2)) == INT64_C(1)) && (a >= 0.0) && (b <= 0.0);
+}
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
     double a;
@@ -13864,6 +13878,7 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     array_double_1d family;
     double usual;
     int64_t skipped;
+    bool lowered;
     int64_t form;
     int64_t branch;
     int64_t taken;
@@ -13874,9 +13889,18 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     family = span_row(&work, INT64_C(45));
     usual = usual_duration(problem, axis);
     skipped = -INT64_C(1);
+    lowered = 0;
     for (form = INT64_C(0); form < INT64_C(21); form += INT64_C(1))
     {
         branch = span_floor_div((form - INT64_C(5)), INT64_C(4));
+        if ((form >= INT64_C(5)) && (span_floor_mod((form - INT64_C(5)), INT64_C(4)) == INT64_C(0)))
+        {
+            if (same_members(branch, problem) && (!lowered))
+            {
+                skipped = branch;
+            }
+            lowered = 0;
+        }
         if ((form >= INT64_C(5)) && (branch == skipped))
         {
             continue;
@@ -13902,6 +13926,10 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
             if (taken < INT64_C(0))
             {
                 skipped = branch;
+            }
+            else
+            {
+                lowered = lowered || ((*cspan_at(&family, INT64_C(4))) < (*cspan_at(&axis, INT64_C(3))));
             }
         }
         if (taken > INT64_C(0))
@@ -14288,13 +14316,20 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
 {
     array_double_2d trial;
     array_double_1d family;
+    bool lowered;
     int64_t branch;
     int64_t member;
     int64_t count;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     family = span_row(&work, INT64_C(45));
+    lowered = 0;
     for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
+        if (same_members(branch, problem) && (!lowered))
+        {
+            continue;
+        }
+        lowered = 0;
         set_family(branch, problem, axis, family);
         for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
         {
@@ -14304,6 +14339,7 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
             {
                 break;
             }
+            lowered = lowered || ((*cspan_at(&family, INT64_C(4))) < (*cspan_at(&axis, INT64_C(3))));
             keep_nearest(count, problem, axis, cell, work);
         }
     }

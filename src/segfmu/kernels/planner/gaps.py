@@ -9,11 +9,11 @@ the duration over a family.
 from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.phases import valid_duration
 from segfmu.kernels.planner.profile import usual_duration
-from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Family, LoopArc, PlanWork, Problem
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -178,8 +178,13 @@ def covering_ends(
     family = work[PlanWork.FAMILY, :]
     usual = usual_duration(problem, axis)
     skipped = -1
+    lowered = False
     for form in range(21):
         branch = (form - 5) // 4
+        if form >= 5 and (form - 5) % 4 == 0:
+            if same_members(branch, problem) and not lowered:
+                skipped = branch
+            lowered = False
         if form >= 5 and branch == skipped:
             continue
         if form == 0:
@@ -195,6 +200,8 @@ def covering_ends(
             taken = tempered_form(phases, family, axis)
             if taken < 0:
                 skipped = branch
+            else:
+                lowered = lowered or family[Family.HIGHEST] < axis[Axis.ACCELERATION]
         if taken > 0:
             duration = valid_duration(phases, taken, problem, axis)
             if duration >= 0.0:

@@ -77,6 +77,20 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
         family[Family.TARGET] = time
 
 
+def same_members(branch: int, problem: 'float[:]') -> bool:
+    """Whether a branch has the members of the one before, seen from the other end.
+
+    Both have them all if their levels cannot be limited by the accelerations at the ends. Where
+    the first level is lowered (`tempered_form`), that is the level at the other end.
+    """
+    a = problem[Problem.A]
+    b = problem[Problem.B]
+    if branch >= 2:
+        a = -a
+        b = -b
+    return branch % 2 == 1 and a >= 0.0 and b <= 0.0
+
+
 def merged_form(
     phases: 'float[:,:]', highest: float, family: 'float[:]', axis: 'float[:]'
 ) -> int:

@@ -20,7 +20,7 @@ from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.extremes import timed_extremes
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
-from segfmu.kernels.planner.merged import set_family, set_member, tempered_form
+from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import (
@@ -36,6 +36,7 @@ from segfmu.kernels.planner.records import (
     Axis,
     Braking,
     Cell,
+    Family,
     Gentle,
     Interval,
     Nearest,
@@ -61,13 +62,18 @@ def timed_merged(
     """Nearest profiles of the merged form, on all of its branches."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     family = work[PlanWork.FAMILY, :]
+    lowered = False
     for branch in range(4):
+        if same_members(branch, problem) and not lowered:
+            continue
+        lowered = False
         set_family(branch, problem, axis, family)
         for member in range(2):
             set_member(member, problem[Problem.DURATION], True, family)
             count = tempered_form(trial, family, axis)
             if count < 0:
                 break
+            lowered = lowered or family[Family.HIGHEST] < axis[Axis.ACCELERATION]
             keep_nearest(count, problem, axis, cell, work)
 
 
