@@ -99,10 +99,7 @@ LONGER_BY_LESS = AxisProblem(4, 0, (0.5, 0.5, 0.0, 4.0, 0.0), -0.25, 0.375, 0.25
 SPLITS = [
     (NO_ROOM, 0.5),
     (LONGER_BY_LESS, 0.65),
-    pytest.param(LONGER, 0.4, marks=pytest.mark.xfail(
-        strict=True, raises=AssertionError,
-        reason="known fault: split at a state on it, the plan is 23.6 % longer (docs/planner.md)",
-    )),
+    (LONGER, 0.4),
 ]
 
 

@@ -32,6 +32,14 @@ BUILT = [
 ]
 
 
+@pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
+@pytest.mark.parametrize("n", range(2, 7))
+def test_nothing_but_a_cruise_at_the_velocity_limit(n: int, shape: str) -> None:
+    points = [Waypoint(0.0, -0.5), Waypoint(-1.0, -0.5)]
+    limits = Limits(*[0.5] * max(n, 3))
+    assert plan(points, limits, smoothness=n, shape=shape).duration == pytest.approx(2.0, rel=1e-12)
+
+
 @pytest.mark.parametrize(("limits", "state", "built"), BUILT)
 @pytest.mark.parametrize("mirrored", [False, True])
 @pytest.mark.parametrize("reversed_in_time", [False, True])

@@ -329,7 +329,9 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
 static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial);
 static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static double distance_within(double change, array_double_1d problem);
@@ -11368,7 +11370,7 @@ static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1
     result = insert_hold(phases, count, row, 0.0, hold);
     return result;
 }
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
+static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
     double distance;
     double newest;
@@ -11386,14 +11388,14 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     double duration;
     double y;
     double error;
-    bool short_0001;
+    bool missing;
     double lower;
     double upper;
     double cruise;
     int64_t result;
     distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = -(*cspan_at(&axis, INT64_C(2)));
-    other = (*cspan_at(&axis, INT64_C(2)));
+    newest = short_0001;
+    other = far;
     before = other;
     e_newest = 0.0;
     e_other = 0.0;
@@ -11401,7 +11403,7 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     falls_short = 1;
     for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
     {
-        middle = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
+        middle = start;
         if (i > INT64_C(0))
         {
             share = root_share(newest, other, before, e_newest, e_other, e_before);
@@ -11413,19 +11415,19 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
             {
                 break;
             }
-            middle = 0.0;
+            middle = 0.5 * (newest + other);
         }
         cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
         error = y - distance;
-        short_0001 = (count < INT64_C(0)) || (error < 0.0);
+        missing = (count < INT64_C(0)) || (error < 0.0);
         if (count < INT64_C(0))
         {
             error = 0.0;
         }
-        next_bracket(&other, &before, &e_other, &e_before, short_0001 != falls_short, newest, other, e_newest, e_other);
+        next_bracket(&other, &before, &e_other, &e_before, missing != falls_short, newest, other, e_newest, e_other);
         newest = middle;
         e_newest = error;
-        falls_short = short_0001;
+        falls_short = missing;
         if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
         {
             other = newest;
@@ -11446,6 +11448,74 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     }
     result = with_cruise(phases, cruise, problem, axis);
     return result;
+}
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double limit;
+    double start;
+    int64_t result;
+    limit = (*cspan_at(&axis, INT64_C(2)));
+    start = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
+    result = vanishing_cruise(-limit, limit, start, phases, problem, axis);
+    return result;
+}
+static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial)
+{
+    double distance;
+    double longest;
+    double before;
+    double y_before;
+    bool known;
+    int64_t i;
+    double cruise;
+    int64_t used;
+    int64_t row;
+    double duration;
+    double y;
+    bool exists;
+    double short_0001;
+    double far;
+    if ((*cspan_at(&axis, INT64_C(12))) > (*cspan_at(&axis, INT64_C(3))))
+    {
+        return count;
+    }
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    longest = total_duration(phases, count);
+    before = 0.0;
+    y_before = distance;
+    known = 0;
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        cruise = (*cspan_at(&axis, INT64_C(2))) * (1.0 - i / 6.0);
+        cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
+        exists = used >= INT64_C(0);
+        if (exists && known && (y < distance != (y_before < distance)))
+        {
+            short_0001 = cruise;
+            far = before;
+            if (y_before < distance)
+            {
+                short_0001 = before;
+                far = cruise;
+            }
+            used = vanishing_cruise(short_0001, far, 0.5 * (short_0001 + far), trial, problem, axis);
+            duration = -1.0;
+            if (used > INT64_C(0))
+            {
+                duration = valid_duration(trial, used, problem, axis);
+            }
+            if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
+            {
+                copy_phases(trial, phases, used);
+                count = used;
+                longest = duration;
+            }
+        }
+        before = cruise;
+        y_before = y;
+        known = exists;
+    }
+    return count;
 }
 static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
 {
@@ -12558,6 +12628,10 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
         a = fabs((*cspan_at(&phases, i, INT64_C(2))));
         (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
     }
+    if ((*cspan_at(&passing, INT64_C(4))) == 0.0)
+    {
+        return 0;
+    }
     copy_levels(count, phases, (*cspan_at(&problem, INT64_C(0))), axis, work);
     if (!is_square(passing, span_rows(&work, INT64_C(49), INT64_C(67))))
     {
@@ -13640,6 +13714,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     double free;
     array_double_1d rest;
     double longest;
+    array_double_2d trial;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
     family = span_row(&work, INT64_C(45));
@@ -13679,6 +13754,11 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
         {
             count = passing_either_way(count, phases, asked, axis, work);
         }
+    }
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5))
+    {
+        trial = span_rows(&work, INT64_C(0), INT64_C(13));
+        count = shorter_cruise(count, phases, asked, axis, trial);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {

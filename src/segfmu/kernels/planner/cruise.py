@@ -10,9 +10,12 @@ from segfmu.kernels.planner.phases import (
     append_change,
     append_hold,
     append_ramp,
+    copy_phases,
     insert_hold,
     measure_phases,
     reverse_phases,
+    total_duration,
+    valid_duration,
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
@@ -72,40 +75,47 @@ def with_cruise(
     return insert_hold(phases, count, row, 0.0, hold)
 
 
-def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
-    """The paper's form with the cruise velocity, below the limit, that makes the cruise vanish.
+def vanishing_cruise(
+    short: float,
+    far: float,
+    start: float,
+    phases: 'float[:,:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
+) -> int:
+    """The paper's form with a cruise velocity, between two, that makes the cruise vanish.
 
-    The search goes between the two limits, one of which falls short of the distance while the other
-    exceeds it; it bisects where the form does not exist.
+    At the velocity `short` it falls short of the distance, at `far` it exceeds it; the search
+    begins at `start` and bisects where the form does not exist. Returns the number of phases.
     """
     distance = problem[Problem.DISTANCE]
-    newest = -axis[Axis.VELOCITY]
-    other = axis[Axis.VELOCITY]
+    newest = short
+    other = far
     before = other
     e_newest = 0.0
     e_other = 0.0
     e_before = 0.0
     falls_short = True
     for i in range(120):
-        middle = max(problem[Problem.V], problem[Problem.W])
+        middle = start
         if i > 0:
             share = root_share(newest, other, before, e_newest, e_other, e_before)
             middle = newest + share * (other - newest)
         if (middle - newest) * (middle - other) >= 0.0:
             if i > 0:
                 break
-            middle = 0.0
+            middle = 0.5 * (newest + other)
         count, row, duration, y = cruise_form(phases, middle, problem, axis)
         error = y - distance
-        short = count < 0 or error < 0.0
+        missing = count < 0 or error < 0.0
         if count < 0:
             error = 0.0
         other, before, e_other, e_before = next_bracket(
-            short != falls_short, newest, other, e_newest, e_other
+            missing != falls_short, newest, other, e_newest, e_other
         )
         newest = middle
         e_newest = error
-        falls_short = short
+        falls_short = missing
         if count >= 0 and abs(error) <= 1e-15 * abs(distance):
             other = newest
             break
@@ -119,6 +129,57 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
     if cruise < 0.0:
         cruise = upper
     return with_cruise(phases, cruise, problem, axis)
+
+
+def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
+    """The paper's form with a cruise velocity, below the limit, that makes the cruise vanish."""
+    limit = axis[Axis.VELOCITY]
+    start = max(problem[Problem.V], problem[Problem.W])
+    return vanishing_cruise(-limit, limit, start, phases, problem, axis)
+
+
+def shorter_cruise(
+    count: int,
+    phases: 'float[:,:]',
+    problem: 'float[:]',
+    axis: 'float[:]',
+    trial: 'float[:,:]',
+) -> int:
+    """Replace a profile of `count` phases by a shorter one whose cruise vanishes, if there is one.
+
+    It is for smoothsteps: two ramps by way of zero may take no longer than one, over another
+    distance. Several cruise velocities can cover that. Returns the new number of phases.
+    """
+    if axis[Axis.LINEAR_FROM] > axis[Axis.ACCELERATION]:
+        return count
+    distance = problem[Problem.DISTANCE]
+    longest = total_duration(phases, count)
+    before = 0.0
+    y_before = distance
+    known = False
+    for i in range(13):
+        cruise = axis[Axis.VELOCITY] * (1.0 - i / 6.0)
+        used, row, duration, y = cruise_form(trial, cruise, problem, axis)
+        exists = used >= 0
+        if exists and known and (y < distance) != (y_before < distance):
+            short = cruise
+            far = before
+            if y_before < distance:
+                short = before
+                far = cruise
+            used = vanishing_cruise(short, far, 0.5 * (short + far), trial, problem, axis)
+            duration = -1.0
+            if used > 0:
+                duration = valid_duration(trial, used, problem, axis)
+            # a gain by rounding is none
+            if duration >= 0.0 and duration < longest * (1.0 - 1e-10):
+                copy_phases(trial, phases, used)
+                count = used
+                longest = duration
+        before = cruise
+        y_before = y
+        known = exists
+    return count
 
 
 def direct_form(

@@ -14,7 +14,7 @@ exists: its distance is continuous in the cruise velocity and unbounded at the t
 
 from segfmu.kernels.planner.arcs import loop_form
 from segfmu.kernels.planner.braking import braked, nearly_brakes, surround
-from segfmu.kernels.planner.cruise import direct_form, slower_cruise, with_cruise
+from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
 from segfmu.kernels.planner.passing import passing_form
@@ -210,6 +210,9 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
                 missed = 2.0
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
+    if count > 0 and axis[Axis.PLATEAU] < 0.5:
+        trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+        count = shorter_cruise(count, phases, asked, axis, trial)
     # where the snap is not the highest limit, steeper rises are always tried
     if not snap_is_last(axis) and not is_resting(asked, axis):
         missed = 2.0

@@ -113,6 +113,9 @@ def set_sequence(
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
         a = abs(phases[i, Phase.ACCELERATION])
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
+    # a cruise alone has no ramps to start from, and nothing is shorter
+    if passing[Passing.ACCELERATION] == 0.0:
+        return False
     copy_levels(count, phases, problem[Problem.V], axis, work)
     if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
         set_alternating(1.0, 0.7 * passing[Passing.TIME] / q, work)
