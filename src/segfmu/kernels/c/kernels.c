@@ -11464,15 +11464,14 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     double distance;
     double longest;
     double before;
-    double y_before;
-    bool known;
+    double e_before;
     int64_t i;
     double cruise;
     int64_t used;
     int64_t row;
     double duration;
     double y;
-    bool exists;
+    double error;
     double short_0001;
     double far;
     if ((*cspan_at(&axis, INT64_C(12))) > (*cspan_at(&axis, INT64_C(3))))
@@ -11482,18 +11481,21 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     distance = (*cspan_at(&problem, INT64_C(4)));
     longest = total_duration(phases, count);
     before = 0.0;
-    y_before = distance;
-    known = 0;
+    e_before = 0.0;
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
     {
         cruise = (*cspan_at(&axis, INT64_C(2))) * (1.0 - i / 6.0);
         cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
-        exists = used >= INT64_C(0);
-        if (exists && known && (y < distance != (y_before < distance)))
+        error = 0.0;
+        if (used >= INT64_C(0))
+        {
+            error = y - distance;
+        }
+        if (error * e_before < 0.0)
         {
             short_0001 = cruise;
             far = before;
-            if (y_before < distance)
+            if (e_before < 0.0)
             {
                 short_0001 = before;
                 far = cruise;
@@ -11512,8 +11514,7 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
             }
         }
         before = cruise;
-        y_before = y;
-        known = exists;
+        e_before = error;
     }
     return count;
 }

@@ -139,11 +139,7 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
 
 
 def shorter_cruise(
-    count: int,
-    phases: 'float[:,:]',
-    problem: 'float[:]',
-    axis: 'float[:]',
-    trial: 'float[:,:]',
+    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', trial: 'float[:,:]'
 ) -> int:
     """Replace a profile of `count` phases by a shorter one whose cruise vanishes, if there is one.
 
@@ -155,16 +151,17 @@ def shorter_cruise(
     distance = problem[Problem.DISTANCE]
     longest = total_duration(phases, count)
     before = 0.0
-    y_before = distance
-    known = False
+    e_before = 0.0
     for i in range(13):
         cruise = axis[Axis.VELOCITY] * (1.0 - i / 6.0)
         used, row, duration, y = cruise_form(trial, cruise, problem, axis)
-        exists = used >= 0
-        if exists and known and (y < distance) != (y_before < distance):
+        error = 0.0
+        if used >= 0:
+            error = y - distance
+        if error * e_before < 0.0:
             short = cruise
             far = before
-            if y_before < distance:
+            if e_before < 0.0:
                 short = before
                 far = cruise
             used = vanishing_cruise(short, far, 0.5 * (short + far), trial, problem, axis)
@@ -177,8 +174,7 @@ def shorter_cruise(
                 count = used
                 longest = duration
         before = cruise
-        y_before = y
-        known = exists
+        e_before = error
     return count
 
 
