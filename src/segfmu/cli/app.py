@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from importlib.metadata import version
+from io import TextIOWrapper
 from typing import Annotated, Any
 
 import typer
@@ -57,6 +58,9 @@ def _options(
 
 def run() -> int:
     """Run the command of `sys.argv` and return its exit code; an error is one line on stderr."""
+    if isinstance(sys.stdout, TextIOWrapper):
+        # names and paths may have characters that the encoding of a terminal or a log has not
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         # without standalone mode, wrong options are raised
         return app(sys.argv[1:] or ["--help"], standalone_mode=False) or 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from shlex import quote
 from typing import Annotated
 
 import typer
@@ -20,7 +21,7 @@ def init(
     target = folder(output)
     for path in write(target):
         tell(str(path))
-    tell(f"next: segfmu plan {target / 'mission.toml'}")
+    tell(f"next: segfmu plan {quote(str(target / 'mission.toml'))}")
 
 
 def schema(

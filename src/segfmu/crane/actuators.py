@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from segfmu.crane.bounds import NAMES as BOUNDS
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, uses
 from segfmu.crane.demand import demands_in_state, peaks
-from segfmu.crane.drive_refusals import exceeded, refused
+from segfmu.crane.drive_refusals import exceeded, refused, require_lift
 from segfmu.crane.drive_task import SEARCHED, Task, with_motion
 from segfmu.crane.inverse import require_flat
 from segfmu.crane.limit_search import (
@@ -144,6 +144,7 @@ def plan_actuated(
             return found
     task = _task(crane, request.waypoints, limits, bounds, options, clearance)
     _require_states(task, bounds)
+    require_lift(task)
     best = _search(task, bounds, progress)
     if duration is not None or sample_time is not None:
         best = _timed(best, replace(best.task, options=options | timing), bounds, progress)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, uses
 from segfmu.crane.demand import peaks
-from segfmu.crane.drive_task import Task
+from segfmu.crane.drive_task import WEIGHTLESS, Task
 from segfmu.crane.limit_search import ROUGH, just_kept
 from segfmu.errors import InfeasibleError
+from segfmu.kernels.crane.records import Demand
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.messages import told_apart
 
@@ -30,12 +33,28 @@ def refused(
     return exceeded("", worst, f"even the slowest plan, at {worst.time:.3f} s")
 
 
+def require_lift(task: Task) -> None:
+    """Refuse a hoist that can only just hold the load: any motion needs more."""
+    weight = task.crane.payload_mass * task.crane.gravity
+    bound = float(task.bounds[Demand.FORCE + 2])
+    if weight * (1.0 - WEIGHTLESS) <= bound <= weight * (1.0 + WEIGHTLESS):
+        raise InfeasibleError(
+            f"hoist force needs more than {weight:.9g} N, the load's weight, for any motion; the "
+            f"bound is {bound:.9g} N; raise the bound or lower the load's mass",
+            limit="hoist force", value=weight, bound=bound,
+        )
+
+
 def exceeded(where: str, found: BoundUse, what: str) -> InfeasibleError:
     """The error for a bound: where it is exceeded, and what needs more than it."""
     digits = told_apart(found.peak, found.bound, 6)
+    # the load's mass changes neither the motion of the drives nor the sway
+    mass = "the load's mass or " if found.unit in ("N", "W") else ""
+    angle = f" ({np.degrees(found.peak):.{digits}g} deg)" if found.unit == "rad" else ""
+    bound = f" ({np.degrees(found.bound):.{digits}g} deg)" if found.unit == "rad" else ""
     return InfeasibleError(
-        f"{where}{found.name} needs {found.peak:.{digits}g} {found.unit} for {what}; the bound is "
-        f"{found.bound:.{digits}g} {found.unit}; raise the bound, or lower the load's mass or the "
-        "waypoints' velocities and accelerations",
+        f"{where}{found.name} needs {found.peak:.{digits}g} {found.unit}{angle} for {what}; the "
+        f"bound is {found.bound:.{digits}g} {found.unit}{bound}; raise the bound, or lower {mass}"
+        "the waypoints' velocities and accelerations",
         limit=found.name, value=found.peak, bound=found.bound, time=found.time,
     )

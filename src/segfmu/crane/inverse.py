@@ -18,6 +18,7 @@ ORDERS = 5
 # columns of `FlatInverse.evaluate`; ANGLE: both sway angles
 FORCE = slice(Results.FORCE, Results.STATE)
 STATE = slice(Results.STATE, Results.ACCELERATION)
+POSITION = slice(Results.STATE, Results.STATE + State.ANGLE)
 ANGLE = slice(Results.STATE + State.ANGLE, Results.STATE + State.VELOCITY)
 VELOCITY = slice(Results.STATE + State.VELOCITY, Results.STATE + State.RATE)
 ACCELERATION = slice(Results.ACCELERATION, Results.SIZE)

@@ -57,8 +57,13 @@ class Finding:
 
     @property
     def passed(self) -> bool:
-        """Whether the margin is not negative, but for rounding."""
-        return self.margin >= -ROUNDING * max(1.0, abs(self.bound))
+        """Whether the margin is not negative."""
+        return self.margin >= 0.0
+
+    def __post_init__(self) -> None:
+        # a margin that is negative by rounding alone is none
+        if -ROUNDING * max(1.0, abs(self.bound)) <= self.margin < 0.0:
+            object.__setattr__(self, "margin", 0.0)
 
 
 def judge(

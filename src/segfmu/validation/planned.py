@@ -7,14 +7,17 @@ import numpy as np
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.crane.bounds import DRIVES
-from segfmu.crane.inverse import DRIVE_ACCELERATION, VELOCITY
-from segfmu.errors import InputError
+from segfmu.crane.inverse import DRIVE_ACCELERATION, POSITION, VELOCITY
+from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning import Trajectory
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
 
 # samples of a plan in which setpoints beyond the drives are sought
 SAMPLES = 4001
+STOPPED = ("bridge", "trolley", "rope")
+# of positions, relative
+ROUNDING = 1e-9
 # share of the tracking tolerance from which on it is said that a drive falls behind
 TOLD = 0.1
 
@@ -25,11 +28,39 @@ def planned(task: Mission, progress: Progress = quiet) -> Trajectory:
     Raises
     ------
     InfeasibleError
-        If the mission cannot be planned, or the rope goes slack.
+        If the mission cannot be planned, the rope goes slack, or an end stop is in the way.
     """
     trajectory = task.plan(lambda share: progress("planning", share))
-    FlatInverse(task.build_crane(), trajectory)
+    require_travel(task, trajectory, FlatInverse(task.build_crane(), trajectory))
     return trajectory
+
+
+def require_travel(task: Mission, trajectory: Trajectory, inverse: FlatInverse) -> None:
+    """Refuse plans in which the crane runs into its end stops.
+
+    Raises
+    ------
+    InfeasibleError
+        With the axis, its farthest position, the time and the key.
+    """
+    travel = task.crane.travel
+    found = [travel.bridge, travel.trolley, travel.rope]
+    if not any(found):
+        return
+    times = np.union1d(np.linspace(0.0, trajectory.duration, SAMPLES), trajectory.events)
+    places = inverse.evaluate(times)[:, POSITION]
+    for axis, (name, stops) in enumerate(zip(STOPPED, found, strict=True)):
+        if stops is None:
+            continue
+        beyond = np.maximum(stops[0] - places[:, axis], places[:, axis] - stops[1])
+        row = int(beyond.argmax())
+        if beyond[row] > ROUNDING * max(map(abs, stops)):
+            raise InfeasibleError(
+                f"the plan takes the {name} to {places[row, axis]:.6g} m at {times[row]:.3f} s, "
+                f"beyond its end stops at {stops[0]} m and {stops[1]} m (travel.{name} of the "
+                "crane); move the waypoints, or lower the velocities there",
+                axis=axis, value=float(places[row, axis]), time=float(times[row]),
+            )
 
 
 def beyond_drives(task: Mission, trajectory: Trajectory) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import simulate
+from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
@@ -36,6 +37,11 @@ def specs(
     There is room for so many waypoints, 16 by default, or for those of the mission if they are
     more.
     """
+    if waypoints is not None and waypoints < len(mission.waypoints):
+        raise InputError(
+            f"waypoints: room for {waypoints} is less than the {len(mission.waypoints)} of the "
+            "mission; ask for more, or omit it"
+        )
     feedforward, crane = sized(
         max(waypoints or gantry_feedforward.WAYPOINTS, len(mission.waypoints))
     )

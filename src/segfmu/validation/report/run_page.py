@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import inf, isfinite
+from shlex import quote
 from typing import TYPE_CHECKING
 
 from segfmu.crane import ActuatorBounds
@@ -120,7 +121,7 @@ def _task(mission: Mission, trajectory: Trajectory) -> Section:
         ("communication step", f"{mission.simulation.step:g} s"),
         ("drives follow", f"{mission.simulation.drive or crane.drive} setpoints"),
     ]
-    commands = [f"segfmu simulate {mission.file}"] if mission.file else []
+    commands = [f"segfmu simulate {quote(str(mission.file))}"] if mission.file else []
     return Section(
         "What was run", tables=[stops, Table("Crane and run", ("", ""), [*masses, *plan])],
         commands=commands,
