@@ -136,9 +136,9 @@ def gain(
     except (np.linalg.LinAlgError, ValueError) as error:
         raise InputError(
             f"no gain at a rope of {length:.6g} m exists for a bridge of "
-            f"{crane.bridge_mass:.6g} kg, a trolley of {crane.trolley_mass:.6g} kg, a payload of {crane.payload_mass:.6g} kg, "
-            f"a dead time of {dead_time:.6g} s and {weights} ({error}); check masses and dead "
-            "times, or raise the weights of angle and rate"
+            f"{crane.bridge_mass:.6g} kg, a trolley of {crane.trolley_mass:.6g} kg, a payload of "
+            f"{crane.payload_mass:.6g} kg, a dead time of {dead_time:.6g} s and {weights} "
+            f"({error}); check masses and dead times, or raise the weights of angle and rate"
         ) from None
     solved = np.linalg.solve(effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad)
     found = np.zeros((Axes.SIZE, GainInputs.SIZE))

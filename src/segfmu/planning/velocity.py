@@ -107,8 +107,18 @@ def reach_velocity(
         None, axis_names,
     )
     _require_velocity(request, wanted)
-    if rest is None:
-        rest = Pieces.none(state.axes, request.problem.options.smoothness)
+    none = Pieces.none(state.axes, request.problem.options.smoothness)
+    if rest is not None:
+        try:
+            return _reached(request, shape, rest)
+        except InfeasibleError:
+            # what is left of the old plan need not keep the new limits
+            pass
+    return _reached(request, shape, none)
+
+
+def _reached(request: Request, shape: str, rest: Pieces) -> Trajectory:
+    """To the velocity of the last waypoint, perhaps by way of what is left of the old plan."""
     leads = find_leads(
         TO_VELOCITY, request.start, request.problem.states[1], request.problem.limits, shape, rest
     )

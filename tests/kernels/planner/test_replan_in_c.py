@@ -133,6 +133,22 @@ def test_c_reaches_velocities_as_python_does(planner: Planner, share: float, vel
     require_same(found, reach_velocity(expected, velocity, time))
 
 
+@pytest.mark.parametrize("share", [0.75, 0.85, 0.95])
+@pytest.mark.parametrize("n", [3, 4, 5, 6])
+def test_a_stop_within_limits_that_the_rest_of_the_old_plan_breaks(
+    planner: Planner, n: int, share: float
+) -> None:
+    old, expected = planner.plan(asked(TARGET, n)), plan([START, TARGET], LIMITS, smoothness=n)
+    time = share * expected.duration
+    state = [np.abs(expected(np.linspace(time, expected.duration, 999), d)) for d in (2, 3)]
+    # the state keeps these limits, what is left does not
+    tight = [0.5 * (s[0] + s.max(axis=0)) for s in state]
+    limits = Limits([1.0, 0.8], *tight, 30.0)
+    found = stop(expected, time, limits)
+    assert verify(found).passed
+    require_same(planner.reach(old, time, [0.0, 0.0], limits.table(2, n)), found)
+
+
 def test_a_kept_rest_does_not_jump_at_its_start(planner: Planner) -> None:
     # on a long way small differences at the end are large ones at the start
     targets = [Waypoint([50.0, 50.0], [0.3, 0.3], [0.1 + e, 0.1 + e]) for e in (0.0, 0.9e-9)]

@@ -95,6 +95,28 @@ static int check_velocities(const replanning *t, const double *velocities, doubl
     return PLAN_STATUS_PLANNED;
 }
 
+/* The trajectory of leads to velocities, from the rest of the old plan or without it. */
+static int join_velocities(replanning *t, int resting, const double *targets, double *states,
+                           double *times, segfmu_trajectory *trajectory)
+{
+    const int64_t failed = segfmu_find_leads(t, TO_VELOCITY, SHAPE_PLATEAU, -1.0, targets);
+    if (failed >= 0) {
+        trajectory->report[REFUSAL_AXIS] = (double)failed;
+        return PLAN_STATUS_NO_PROFILE;
+    }
+    int status = PLAN_STATUS_CHECK_FAILED;
+    /* anchored: rounding errors of the whole old plan against its last bit; then leads that are
+       shorter than the clock resolves */
+    for (int attempt = 0; attempt < 3 && status == PLAN_STATUS_CHECK_FAILED; attempt++) {
+        if (attempt == 2 && !(resting && follow_rest(t, targets))) {
+            break;
+        }
+        hold_velocities(t, attempt > 0, states, times);
+        status = segfmu_join_leads(t, 2, states, times, t->space, trajectory);
+    }
+    return status;
+}
+
 int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const double *velocities,
                           const double *limits, double *space, segfmu_trajectory *trajectory)
 {
@@ -111,20 +133,19 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     if (status != PLAN_STATUS_PLANNED) {
         return status;
     }
-    const int64_t failed = segfmu_find_leads(&t, TO_VELOCITY, SHAPE_PLATEAU, -1.0, targets);
-    if (failed >= 0) {
-        trajectory->report[REFUSAL_AXIS] = (double)failed;
-        return PLAN_STATUS_NO_PROFILE;
-    }
-    status = PLAN_STATUS_CHECK_FAILED;
-    /* anchored: rounding errors of the whole old plan against its last bit; then leads that are
-       shorter than the clock resolves */
-    for (int attempt = 0; attempt < 3 && status == PLAN_STATUS_CHECK_FAILED; attempt++) {
-        if (attempt == 2 && !follow_rest(&t, targets)) {
-            break;
+    const piece_list leads = t.leads;
+    status = join_velocities(&t, 1, targets, states, times, trajectory);
+    if (status == PLAN_STATUS_CHECK_FAILED) {
+        /* what is left of the old plan need not keep the new limits */
+        for (int64_t axis = 0; axis <= k; axis++) {
+            t.rest.offsets.data[axis] = 0;
         }
-        hold_velocities(&t, attempt > 0, states, times);
-        status = segfmu_join_leads(&t, 2, states, times, t.space, trajectory);
+        t.leads = leads;
+        set_states(&t, velocities, states);
+        status = check_velocities(&t, velocities, states, trajectory->report);
+        if (status == PLAN_STATUS_PLANNED) {
+            status = join_velocities(&t, 0, targets, states, times, trajectory);
+        }
     }
     return status;
 }
