@@ -11474,12 +11474,12 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     double error;
     double short_0001;
     double far;
-    if ((*cspan_at(&axis, INT64_C(12))) > (*cspan_at(&axis, INT64_C(3))))
-    {
-        return count;
-    }
     distance = (*cspan_at(&problem, INT64_C(4)));
-    longest = total_duration(phases, count);
+    longest = 1e+300;
+    if (count > INT64_C(0))
+    {
+        longest = total_duration(phases, count);
+    }
     before = 0.0;
     e_before = 0.0;
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
@@ -13548,6 +13548,10 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
             return taken;
         }
         count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
+        if ((count == INT64_C(0)) && (variant == INT64_C(4)))
+        {
+            count = shorter_cruise(INT64_C(0), candidate, rest, axis, trial);
+        }
         if ((count == INT64_C(0)) && (!(is_done(rest) && ((*cspan_at(&rest, INT64_C(1))) == 0.0))))
         {
             continue;
@@ -13715,6 +13719,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     double free;
     array_double_1d rest;
     double longest;
+    bool linear;
     array_double_2d trial;
     int64_t count;
     asked = span_row(&work, INT64_C(43));
@@ -13756,7 +13761,8 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5))
+    linear = (*cspan_at(&axis, INT64_C(12))) <= (*cspan_at(&axis, INT64_C(3)));
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5) && linear)
     {
         trial = span_rows(&work, INT64_C(0), INT64_C(13));
         count = shorter_cruise(count, phases, asked, axis, trial);

@@ -143,13 +143,12 @@ def shorter_cruise(
 ) -> int:
     """Replace a profile of `count` phases by a shorter one whose cruise vanishes, if there is one.
 
-    It is for smoothsteps: two ramps by way of zero may take no longer than one, over another
-    distance. Several cruise velocities can cover that. Returns the new number of phases.
+    Several cruise velocities can cover the distance. Returns the new number of phases.
     """
-    if axis[Axis.LINEAR_FROM] > axis[Axis.ACCELERATION]:
-        return count
     distance = problem[Problem.DISTANCE]
-    longest = total_duration(phases, count)
+    longest = 1e300
+    if count > 0:
+        longest = total_duration(phases, count)
     before = 0.0
     e_before = 0.0
     for i in range(13):

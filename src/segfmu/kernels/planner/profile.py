@@ -210,7 +210,9 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
                 missed = 2.0
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
-    if count > 0 and axis[Axis.PLATEAU] < 0.5:
+    linear = axis[Axis.LINEAR_FROM] <= axis[Axis.ACCELERATION]
+    if count > 0 and axis[Axis.PLATEAU] < 0.5 and linear:
+        # two ramps by way of zero may take no longer than one, over another distance
         trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
         count = shorter_cruise(count, phases, asked, axis, trial)
     # where the snap is not the highest limit, steeper rises are always tried
@@ -329,6 +331,8 @@ def braked_ramps(
         if taken < 0:
             return taken
         count = shortest_between(variant // 4, candidate, rest, axis, work)
+        if count == 0 and variant == 4:
+            count = shorter_cruise(0, candidate, rest, axis, trial)
         if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
             continue
         count = surround(candidate, count, variant % 4, problem, axis, trial)
