@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -157,6 +158,46 @@ def test_a_bad_crane_is_one_line_with_both_files(name: str, tmp_path: Path) -> N
 def test_waypoints_are_between_the_end_stops(stops: str, words: str, tmp_path: Path) -> None:
     files(tmp_path, crane=f"{CRANE}[travel]\n{stops}\n")
     assert words in refused(tmp_path, "plan", "mission.toml")
+
+
+@pytest.mark.parametrize(("stops", "words"), [
+    ("bridge = [0.0, 0.31]", "takes the bridge to 0.3"),
+    ("trolley = [0.0, 0.21]", "takes the trolley to 0.2"),
+])
+def test_the_way_between_waypoints_is_between_the_end_stops(
+    stops: str, words: str, tmp_path: Path
+) -> None:
+    # it arrives moving outwards, turns and comes back
+    moving = POINTS.replace(
+        "[[waypoints]]\nposition = [0.3, 0.2, -0.5]\n",
+        "[[waypoints]]\nposition = [0.29, 0.19, -0.5]\nvelocity = [0.3, 0.3, 0.0]\n"
+        "[[waypoints]]\nposition = [0.29, 0.19, -0.45]\n",
+    )
+    files(tmp_path, GOOD.replace(POINTS, moving))
+    assert segfmu("plan", "mission.toml", cwd=tmp_path).returncode == 0
+    files(tmp_path, GOOD.replace(POINTS, moving), f"{CRANE}[travel]\n{stops}\n")
+    done = segfmu("plan", "mission.toml", cwd=tmp_path)
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
+    assert words in done.stderr and "travel." in done.stderr
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
+def test_output_without_the_characters_of_a_name(encoding: str, tmp_path: Path) -> None:
+    files(tmp_path, 'name = "Kran \u2192 S\u00fcd"\n' + GOOD)
+    done = subprocess.run(
+        [Path(sys.executable).with_name("segfmu"), "plan", "mission.toml"], cwd=tmp_path,
+        capture_output=True, timeout=120, env=os.environ | {"PYTHONIOENCODING": encoding},
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b"Kran \\u2192 S" in done.stdout
+
+
+def test_room_for_fewer_waypoints_than_the_mission_has(tmp_path: Path) -> None:
+    more = "".join(f"[[waypoints]]\nposition = [0.{i}, 0.1, -0.5]\n" for i in range(4, 8))
+    files(tmp_path, GOOD + more)
+    assert "room for 3 is less than the 6 of the mission" in refused(
+        tmp_path, "build", "mission.toml", "--waypoints", "3"
+    )
 
 
 def test_a_byte_order_mark_is_accepted(tmp_path: Path) -> None:

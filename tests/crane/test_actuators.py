@@ -151,6 +151,18 @@ def test_the_static_force_cannot_be_slowed_down() -> None:
     assert info.value.limit == "hoist force"
 
 
+@pytest.mark.parametrize("crane", [CRANE, SHIP_TO_SHORE])
+def test_a_hoist_that_just_holds_the_load_cannot_move_it(crane: Crane) -> None:
+    weight = crane.payload_mass * crane.gravity
+    bounds = ActuatorBounds(force=[10.0 * weight, 10.0 * weight, weight], velocity=1.0)
+    with pytest.raises(InfeasibleError, match=r"hoist force needs more than .* the load's weight"):
+        plan_actuated(crane, MOVE, None, bounds)
+    # the mass changes no velocity
+    with pytest.raises(InfeasibleError, match="or lower the waypoints' velocities"):
+        points = [MOVE[0], Waypoint([0.5, 0.4, -0.8], [0.8, 0.5, 0.0]), MOVE[1]]
+        plan_actuated(crane, points, None, ActuatorBounds(velocity=[0.3, 1.0, 1.0]))
+
+
 def test_a_waypoint_beyond_a_bound_is_named() -> None:
     points = [MOVE[0], Waypoint([0.5, 0.4, -0.8], [0.8, 0.5, 0.0]), MOVE[1]]
     with pytest.raises(InfeasibleError, match=r"waypoint 2: bridge velocity needs 0.8 m/s"):

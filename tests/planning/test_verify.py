@@ -8,7 +8,7 @@ from math import factorial
 import numpy as np
 import pytest
 
-from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, stop, verify
+from segfmu import InfeasibleError, InputError, Limits, Trajectory, Waypoint, plan, stop, verify
 from segfmu.planning.demands import require
 
 pytestmark = pytest.mark.interpreted
@@ -20,6 +20,18 @@ ORDERS = ("velocity", "acceleration", "jerk", "snap")
 POINTS = [
     Waypoint([0.0, 0.0]), Waypoint([0.07, 0.055], [0.2, 0.17], [0.34, 0.27]), Waypoint([1.0, 0.8])
 ]
+
+
+def test_what_does_not_belong_together_is_refused() -> None:
+    whole = plan(POINTS, LIMITS)
+    for changes, words in (
+        ({"waypoints": whole.waypoints[:1]}, "1 waypoints of 2 axes, but the times of 3 x 2"),
+        ({"waypoints": (*whole.waypoints[:2], Waypoint(1.0))}, "waypoint 3 has 1"),
+        ({"axis_names": ("x",)}, "2 axes, but 1 axis_names"),
+        ({"synchronize": "sometimes"}, "synchronize 'sometimes'"),
+    ):
+        with pytest.raises(InputError, match=words):
+            verify(replace(whole, **changes))
 
 
 def planned(order: int) -> Trajectory:

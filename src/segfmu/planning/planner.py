@@ -45,7 +45,8 @@ def plan(
         At least two, all with the same number of axes. What is free at the first and the last one,
         and at one with a dwell, becomes zero.
     limits : Limits
-        Limits of the derivatives; at least one from jerk on is required.
+        Limits of the derivatives; at least one from jerk on is required. A velocity or acceleration
+        of a waypoint that is within 1e-9 of its limit from zero, or from the limit, is that.
     smoothness : int
         n of the paper, 2 to 6: the trajectory is n times continuously differentiable.
     shape : {"plateau", "smoothstep"}
@@ -53,7 +54,8 @@ def plan(
     synchronize : {"waypoints", "total", "none"}
         All axes meet in every waypoint, only in the last one, or not at all.
     sample_time : float, optional
-        Round the duration of every waypoint interval up to a multiple of it [s].
+        Round the duration of every waypoint interval up to a multiple of it [s]. What `duration`
+        or "total" prolong after that are no multiples.
     duration : float, optional
         Requested total duration [s], dwells included.
     position_min, position_max : array_like, scalar or shape (axes,), optional

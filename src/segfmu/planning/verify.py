@@ -9,8 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.polynomials import derivative_pieces, extrema
+from segfmu.planning.problem import SYNCHRONIZATIONS
 from segfmu.planning.trajectory import Trajectory, require_plan
 
 TOLERANCE = 1e-9
@@ -90,12 +92,36 @@ def verify(trajectory: Trajectory) -> Verification:
     Raises
     ------
     InputError
-        If it is not a Trajectory.
+        If it is not a Trajectory, or one whose waypoints, axes and times do not belong together.
     """
     require_plan(trajectory)
+    _require_whole(trajectory)
     # overflow gives inf or nan, and nan does not pass
     with np.errstate(all="ignore"):
         return _measured(trajectory)
+
+
+def _require_whole(trajectory: Trajectory) -> None:
+    times, points = trajectory.axis_waypoint_times, trajectory.waypoints
+    if times.shape != (len(points), trajectory.axes):
+        raise InputError(
+            f"trajectory has {len(points)} waypoints of {trajectory.axes} axes, but the times of "
+            f"{' x '.join(map(str, times.shape))}"
+        )
+    for number, point in enumerate(points, 1):
+        if point.axes != trajectory.axes:
+            raise InputError(
+                f"trajectory has {trajectory.axes} axes, but waypoint {number} has {point.axes}"
+            )
+    if len(trajectory.axis_names) != trajectory.axes:
+        raise InputError(
+            f"trajectory has {trajectory.axes} axes, but {len(trajectory.axis_names)} axis_names"
+        )
+    if trajectory.synchronize not in SYNCHRONIZATIONS:
+        raise InputError(
+            f"trajectory has synchronize {trajectory.synchronize!r}, not one of "
+            f"{', '.join(SYNCHRONIZATIONS)}"
+        )
 
 
 def _measured(trajectory: Trajectory) -> Verification:

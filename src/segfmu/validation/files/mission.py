@@ -75,7 +75,8 @@ class Mission(Table):
     ] = "waypoints"
     sample_time: Annotated[
         Limit | None,
-        Key("durations between waypoints are multiples of it", "s", default="any duration"),
+        Key("the shortest durations between waypoints are rounded up to multiples of it", "s",
+            default="any duration"),
     ] = None
     duration: Annotated[
         Limit | None, Key("duration of the plan", "s", default="the shortest")
