@@ -86,6 +86,16 @@ def test_steeper_rises_brake_what_the_usual_ones_do_not(limits, state) -> None:
     assert trajectory.duration < 1.1 * planned(limits, state, len(limits) - 1).duration
 
 
+@pytest.mark.parametrize("smoothness", [3, 4])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_several_velocities_make_the_cruise_vanish(sign: float, smoothness: int) -> None:
+    # the optimum by a linear program over 300 cells is between 1.11 and 1.12 s
+    limits = (0.16900397751310237, 1.0649514344931368, 33.71958381850731, 47.19453897301386)
+    state = (0.08809892781208069, 0.6870024137216008, 0.16900269682194985, 0.0, 0.04927726821898364)
+    mirrored = tuple(sign * value for value in state)
+    assert planned(limits, mirrored, smoothness).duration < 1.1125
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_the_usual_rises_stay_where_they_fit(seed: int) -> None:
     random = np.random.default_rng(seed)
