@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import hashlib
 import os
+import shutil
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from importlib.resources import files
 from pathlib import Path
+from secrets import token_hex
 
 from platformdirs import user_cache_path
 
@@ -76,8 +79,7 @@ def folder() -> Path:
 
 def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
     """Compile and link; the folder that this happens in leaves no trace in the library."""
-    with tempfile.TemporaryDirectory(prefix="segfmu_") as place:
-        root = Path(place)
+    with _work_folder() as root:
         for source, text in texts.items():
             target = root / source
             target.parent.mkdir(exist_ok=True)
@@ -85,6 +87,17 @@ def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
         library = root / f"{name}{chosen.platform.suffix}"
         chosen.build(root / UNIT, library)
         return library.read_bytes()
+
+
+@contextmanager
+def _work_folder() -> Iterator[Path]:
+    """A temporary folder that goes even if a signal ends the process while it is made."""
+    place = Path(tempfile.gettempdir()) / f"segfmu_{token_hex(8)}"
+    try:
+        place.mkdir(mode=0o700)
+        yield place
+    finally:
+        shutil.rmtree(place, ignore_errors=True)
 
 
 def source_digest(texts: Mapping[str, bytes]) -> str:

@@ -56,7 +56,7 @@ def draw_demands(
             # the rope only pulls: from no tension to the bound
             shown[:, 2], upper[2] = -shown[:, 2] - weight, upper[2] - weight
             lower[2] = -weight if np.isfinite(upper[2]) else -np.inf
-            labels[2] = "hoist's pull less weight"
+            labels[2] = "hoist less weight"
         factor, unit = scale(float(np.abs(shown).max()), UNITS[quantity])
         for i, label in enumerate(labels):
             panel.plot(times, factor * shown[:, i], color=COLOURS[i], label=label)
