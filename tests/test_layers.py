@@ -13,13 +13,14 @@ SOURCE = Path(__file__).parents[1] / "src" / "segfmu"
 
 ALLOWED = {
     "errors": set(),
+    "folders": set(),
     "kernels": {"errors"},
     "planning": {"errors", "kernels"},
     "crane": {"errors", "kernels", "planning"},
     "codegen": {"errors", "kernels", "planning", "crane"},
-    "fmu": {"errors", "kernels", "planning", "crane"},
-    "cosim": {"errors", "kernels", "planning", "crane", "fmu"},
-    "validation": {"errors", "kernels", "planning", "crane", "fmu", "cosim"},
+    "fmu": {"errors", "folders", "kernels", "planning", "crane"},
+    "cosim": {"errors", "folders", "kernels", "planning", "crane", "fmu"},
+    "validation": {"errors", "folders", "kernels", "planning", "crane", "fmu", "cosim"},
     "cli": {"errors", "kernels", "planning", "crane", "fmu", "cosim", "validation"},
     "__init__": {"errors", "planning", "crane", "validation"},
     "__main__": {"cli"},

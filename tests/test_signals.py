@@ -104,7 +104,7 @@ def test_while_it_builds_and_simulates(number: signal.Signals, tmp_path: Path) -
 def test_while_it_compiles(tmp_path: Path) -> None:
     process = started(tmp_path, "build", "-o", "out", compiling=True)
     deadline = time.monotonic() + 60.0
-    while not list((tmp_path / "temporary").iterdir()):
+    while not list((tmp_path / "temporary").glob("segfmu_*")):
         assert time.monotonic() < deadline and process.poll() is None
         time.sleep(0.005)
     assert stopped(process, signal.SIGTERM)

@@ -11,8 +11,8 @@ from fmpy import extract, platform, platform_tuple, read_model_description
 from segfmu.cosim.unit import Unit
 from segfmu.cosim.unit2 import Unit2
 from segfmu.cosim.unit3 import Unit3
-from segfmu.cosim.unpacked import make_folder, remove_folder
 from segfmu.errors import InputError
+from segfmu.folders import make_folder, remove_folder
 
 
 def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:

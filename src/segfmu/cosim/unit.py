@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.messages import ERROR, FATAL, OK, Messages
-from segfmu.cosim.unpacked import remove_folder
 from segfmu.cosim.values import Setter
 from segfmu.errors import InputError, SegfmuError, SimulationError
+from segfmu.folders import remove_folder
 
 # s; times that differ by less are equal
 INSTANT = 1e-9

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -14,6 +13,7 @@ from segfmu.fmu.native.archive import pack
 from segfmu.fmu.standard import osp, ssp
 from segfmu.fmu.standard.spec import Spec
 from segfmu.fmu.standard.system import System, archive
+from segfmu.folders import work_folder
 
 NAMES = ("GantryFeedforward", "GantryCrane")
 PACKAGE = "mission.ssp"
@@ -52,11 +52,11 @@ def write_system(
     try:
         for spec, path in zip(system.specs, archives, strict=True):
             entries[f"{ssp.RESOURCES}/{archive(spec)}"] = path.read_bytes()
-        with tempfile.TemporaryDirectory(prefix="segfmu_", dir=folder) as work:
-            pack(entries, Path(work) / PACKAGE)
-            (Path(work) / STRUCTURE).write_bytes(osp.system_structure(system))
+        with work_folder(folder) as work:
+            pack(entries, work / PACKAGE)
+            (work / STRUCTURE).write_bytes(osp.system_structure(system))
             for name in (PACKAGE, STRUCTURE):
-                os.replace(Path(work) / name, folder / name)
+                os.replace(work / name, folder / name)
     except OSError as error:
         raise BuildError(f"{folder}: cannot be written: {error.strerror}") from error
     return [folder / PACKAGE, folder / STRUCTURE]

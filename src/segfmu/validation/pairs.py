@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +12,7 @@ from segfmu.fmu.choice import chosen
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec
+from segfmu.folders import make_folder, remove_folder
 from segfmu.planning import Trajectory
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_tables import SimulationEntry
@@ -42,7 +42,7 @@ class Pairs:
     """
 
     def __init__(self) -> None:
-        self._folder = tempfile.TemporaryDirectory(prefix="segfmu_")
+        self._folder = make_folder()
         self._pairs: dict[tuple[int, int], Pair] = {}
         self._starts: Kept[Starts] = Kept(MOST_STARTS)
 
@@ -50,7 +50,7 @@ class Pairs:
         """Remove the archives."""
         self._pairs.clear()
         self._starts.clear()
-        self._folder.cleanup()
+        remove_folder(self._folder)
 
     def get(self, mission: Mission, trajectory: Trajectory, fmi: int) -> Pair:
         """The archives of a version of FMI with room for a mission's waypoints.
@@ -62,7 +62,7 @@ class Pairs:
         """
         key = fmi, max(len(mission.waypoints), gantry_feedforward.WAYPOINTS)
         if key not in self._pairs:
-            folder = Path(self._folder.name) / "_".join(map(str, key))
+            folder = self._folder / "_".join(map(str, key))
             interfaces = specs(_planned(mission), trajectory)
             paths = build_all(folder, chosen(fmi, "native", "", everywhere=False), interfaces)
             self._pairs[key] = Pair((paths[0], paths[1]), _native(interfaces))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from contextlib import ExitStack
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from segfmu.cosim import write_csv
 from segfmu.crane import ActuatorBounds
 from segfmu.errors import InputError
+from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.archives import for_simulation
@@ -207,9 +207,8 @@ def simulate(
         require_memory(task, trajectory)
         stride(task, trajectory.duration + task.simulation.settle)
     with ExitStack() as stack:
-        place = stack.enter_context(tempfile.TemporaryDirectory(prefix="segfmu_")) \
-            if output is None else folder(output)
-        archives = for_simulation(task, trajectory, Path(place), progress)
+        place = stack.enter_context(work_folder()) if output is None else folder(output)
+        archives = for_simulation(task, trajectory, place, progress)
         rows = run(
             task, archives.feedforward, archives.crane, trajectory,
             lambda share: progress("co-simulating", share),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
@@ -19,6 +18,7 @@ from segfmu.fmu.native.compilers import PLATFORMS, host, universal
 from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
+from segfmu.folders import work_folder
 
 KERNELS = (
     "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "problem.h",
@@ -59,10 +59,10 @@ def build_all(
     built = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix="segfmu_", dir=folder) as work:
+        with work_folder(folder) as work:
             for spec in specs:
                 report(f"building {spec.name}.fmu")
-                complete = Path(work) / f"{spec.name}.zip"
+                complete = work / f"{spec.name}.zip"
                 pack(entries(spec, fmi, names), complete)
                 built.append(folder / f"{spec.name}.fmu")
                 os.replace(complete, built[-1])

@@ -9,19 +9,16 @@ from __future__ import annotations
 
 import hashlib
 import os
-import shutil
-import tempfile
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from pathlib import Path
-from secrets import token_hex
 
 from platformdirs import user_cache_path
 
 from segfmu.errors import BuildError
 from segfmu.fmu.native.compilers import PLATFORMS, Compiler
 from segfmu.fmu.native.compilers import compiler as compiler_for
+from segfmu.folders import work_folder
 
 # the one translation unit of an FMU, which includes its other sources
 UNIT = "fmu.c"
@@ -79,7 +76,7 @@ def folder() -> Path:
 
 def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
     """Compile and link; the folder that this happens in leaves no trace in the library."""
-    with _work_folder() as root:
+    with work_folder() as root:
         for source, text in texts.items():
             target = root / source
             target.parent.mkdir(exist_ok=True)
@@ -87,17 +84,6 @@ def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
         library = root / f"{name}{chosen.platform.suffix}"
         chosen.build(root / UNIT, library)
         return library.read_bytes()
-
-
-@contextmanager
-def _work_folder() -> Iterator[Path]:
-    """A temporary folder that goes even if a signal ends the process while it is made."""
-    place = Path(tempfile.gettempdir()) / f"segfmu_{token_hex(8)}"
-    try:
-        place.mkdir(mode=0o700)
-        yield place
-    finally:
-        shutil.rmtree(place, ignore_errors=True)
 
 
 def source_digest(texts: Mapping[str, bytes]) -> str:
@@ -141,9 +127,10 @@ def _keep(path: Path, library: bytes) -> None:
     """Put a library into the cache; without one, the next build compiles again."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".", delete=False) as beside:
-            beside.write(hashlib.sha256(library).digest() + library)
-        os.replace(beside.name, path)
+        with work_folder(path.parent) as beside:
+            whole = beside / path.name
+            whole.write_bytes(hashlib.sha256(library).digest() + library)
+            os.replace(whole, path)
         entries = sorted(
             (p for p in path.parent.iterdir() if p.is_file()), key=lambda p: p.stat().st_mtime
         )

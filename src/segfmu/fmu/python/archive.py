@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import os
 import sys
-import tempfile
 import zipfile
 from collections.abc import Callable, Sequence
 from importlib.metadata import version
@@ -24,6 +23,7 @@ from segfmu.fmu.models import named, registered
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.fmi2 import GENERATED, model_description
 from segfmu.fmu.standard.spec import Spec
+from segfmu.folders import work_folder
 
 SCRIPT = '''"""{name} as an FMU; the implementation is in the installed package segfmu."""
 
@@ -69,9 +69,9 @@ def build(spec: Spec, folder: Path) -> Path:
     target = folder / f"{spec.name}.fmu"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix="segfmu_", dir=folder) as work:
-            packed = _pack(spec, Path(work))
-            complete = Path(work) / "complete.fmu"
+        with work_folder(folder) as work:
+            packed = _pack(spec, work)
+            complete = work / "complete.fmu"
             _complete(spec, packed, complete)
             os.replace(complete, target)
     except OSError as error:

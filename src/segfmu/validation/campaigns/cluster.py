@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 import os
-import tempfile
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
@@ -14,6 +13,7 @@ from time import monotonic, sleep
 from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError, SimulationError
+from segfmu.folders import work_folder
 from segfmu.validation.campaigns import preload, worker
 from segfmu.validation.campaigns.worker import Order, Outcome
 from segfmu.validation.files.scenario_file import Source
@@ -46,12 +46,10 @@ def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
     with ExitStack() as stack:
         if scheduler is None:
             # of Dask's locks and of archives, also those of a worker that is killed
-            folder = stack.enter_context(
-                tempfile.TemporaryDirectory(prefix="segfmu_", ignore_cleanup_errors=True)
-            )
+            folder = stack.enter_context(work_folder())
             target: Any = stack.enter_context(LocalCluster(
                 n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, memory_limit=0,
-                dashboard_address="127.0.0.1:0", local_directory=folder,
+                dashboard_address="127.0.0.1:0", local_directory=str(folder),
                 silence_logs=logging.CRITICAL, preload=preload.__name__,
             ))
         else:

@@ -1,4 +1,4 @@
-"""Folders of unpacked archives go even where their removal was interrupted."""
+"""Temporary folders go even where their removal was interrupted."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ import sys
 
 INTERRUPTED = """
 import shutil
-from segfmu.cosim import unpacked
+from segfmu import folders
 
-folder = unpacked.make_folder()
+folder = folders.make_folder()
 (folder / "file").touch()
 print(folder)
 remove = shutil.rmtree
 shutil.rmtree = lambda *_, **__: (_ for _ in ()).throw(SystemExit(143))
 try:
-    unpacked.remove_folder(folder)
+    folders.remove_folder(folder)
 finally:
     shutil.rmtree = remove
 """

@@ -1,0 +1,44 @@
+"""Temporary folders: none outlives the process, whenever a signal ends it."""
+
+from __future__ import annotations
+
+import atexit
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from secrets import token_hex
+
+_present: set[Path] = set()
+
+
+def make_folder(parent: Path | None = None) -> Path:
+    """A new temporary folder, in `parent` or in the system's place for them."""
+    folder = Path(parent or tempfile.gettempdir()) / f"segfmu_{token_hex(8)}"
+    # known before it is there: a signal between the two would leave it
+    _present.add(folder)
+    folder.mkdir(mode=0o700)
+    return folder
+
+
+def remove_folder(folder: Path) -> None:
+    """Remove a folder of `make_folder`; if that is interrupted, it is done at the end."""
+    shutil.rmtree(folder, ignore_errors=True)
+    _present.discard(folder)
+
+
+@contextmanager
+def work_folder(parent: Path | None = None) -> Iterator[Path]:
+    """A temporary folder for the time of a block."""
+    folder = make_folder(parent)
+    try:
+        yield folder
+    finally:
+        remove_folder(folder)
+
+
+@atexit.register
+def _remove_all() -> None:
+    for folder in tuple(_present):
+        remove_folder(folder)

@@ -1,0 +1,50 @@
+"""Compilers: what is stopped ends whole."""
+
+from __future__ import annotations
+
+import signal
+import time
+from pathlib import Path
+
+import pytest
+
+from segfmu.fmu.native.compilers import PLATFORMS, Compiler
+
+# a compiler that runs another program, which goes on for long
+SCRIPT = "sleep 60 & echo $! > program.part; mv program.part program; wait"
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc and process groups")
+def test_a_stopped_compiler_ends_the_programs_that_it_runs(tmp_path: Path) -> None:
+    compiler = Compiler(("sh", "-c", SCRIPT), PLATFORMS["x86_64-linux"], "")
+
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    def look(*_: object) -> None:
+        # once the program runs
+        signal.signal(signal.SIGALRM, stop if (tmp_path / "program").exists() else look)
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
+
+    before = signal.signal(signal.SIGALRM, look)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
+        with pytest.raises(KeyboardInterrupt):
+            compiler.build(tmp_path / "fmu.c", tmp_path / "fmu.so")
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    program = int((tmp_path / "program").read_text())
+    deadline = time.monotonic() + 10.0
+    while _runs(program):
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+
+
+def _runs(program: int) -> bool:
+    """Whether a process is there and not just waiting to be collected."""
+    try:
+        state = Path(f"/proc/{program}/stat").read_text().rpartition(")")[2].split()[0]
+    except FileNotFoundError:
+        return False
+    return state != "Z"
