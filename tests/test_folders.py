@@ -4,16 +4,25 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
-INTERRUPTED = """
-import shutil
+import pytest
+
 from segfmu import folders
+
+LEFT = """
+import shutil, sys
+from segfmu import folders
+
+def fail(*_, **__):
+    if sys.argv[1] == "interrupted":
+        raise SystemExit(143)
 
 folder = folders.make_folder()
 (folder / "file").touch()
 print(folder)
 remove = shutil.rmtree
-shutil.rmtree = lambda *_, **__: (_ for _ in ()).throw(SystemExit(143))
+shutil.rmtree = fail
 try:
     folders.remove_folder(folder)
 finally:
@@ -21,11 +30,19 @@ finally:
 """
 
 
-def test_what_is_left_goes_at_the_end(tmp_path) -> None:
+@pytest.mark.parametrize(("removal", "code"), [("interrupted", 143), ("failing", 0)])
+def test_what_is_left_goes_at_the_end(removal: str, code: int, tmp_path: Path) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=60,
+        [sys.executable, "-c", LEFT, removal], capture_output=True, text=True, timeout=60,
         env={"TMPDIR": str(tmp_path)},
     )
-    assert done.returncode == 143
+    assert done.returncode == code
     assert done.stdout.startswith(str(tmp_path))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_can_be_in_another_and_goes_with_its_block(tmp_path: Path) -> None:
+    with folders.work_folder(tmp_path) as folder:
+        assert folder.parent == tmp_path and folder.is_dir()
+        (folder / "file").touch()
     assert not list(tmp_path.iterdir())

@@ -23,9 +23,11 @@ def make_folder(parent: Path | None = None) -> Path:
 
 
 def remove_folder(folder: Path) -> None:
-    """Remove a folder of `make_folder`; if that is interrupted, it is done at the end."""
+    """Remove a folder of `make_folder`; if that is interrupted or fails, it is done at the end."""
     shutil.rmtree(folder, ignore_errors=True)
-    _present.discard(folder)
+    # a program that is still writing to it can keep it
+    if not folder.exists():
+        _present.discard(folder)
 
 
 @contextmanager

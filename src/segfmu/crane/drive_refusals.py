@@ -35,13 +35,12 @@ def refused(
 
 def require_lift(task: Task) -> None:
     """Refuse a hoist that can only just hold the load: any motion needs more."""
-    weight = task.crane.payload_mass * task.crane.gravity
     bound = float(task.bounds[Demand.FORCE + 2])
-    if weight * (1.0 - WEIGHTLESS) <= bound <= weight * (1.0 + WEIGHTLESS):
+    if task.weight * (1.0 - WEIGHTLESS) <= bound <= task.weight * (1.0 + WEIGHTLESS):
         raise InfeasibleError(
-            f"hoist force needs more than {weight:.9g} N, the load's weight, for any motion; the "
-            f"bound is {bound:.9g} N; raise the bound or lower the load's mass",
-            limit="hoist force", value=weight, bound=bound,
+            f"hoist force needs more than {task.weight:.9g} N, the load's weight, for any motion; "
+            f"the bound is {bound:.9g} N; raise the bound or lower the load's mass",
+            limit="hoist force", value=task.weight, bound=bound,
         )
 
 
@@ -50,11 +49,15 @@ def exceeded(where: str, found: BoundUse, what: str) -> InfeasibleError:
     digits = told_apart(found.peak, found.bound, 6)
     # the load's mass changes neither the motion of the drives nor the sway
     mass = "the load's mass or " if found.unit in ("N", "W") else ""
-    angle = f" ({np.degrees(found.peak):.{digits}g} deg)" if found.unit == "rad" else ""
-    bound = f" ({np.degrees(found.bound):.{digits}g} deg)" if found.unit == "rad" else ""
+    peak, bound = (_told(value, found.unit, digits) for value in (found.peak, found.bound))
     return InfeasibleError(
-        f"{where}{found.name} needs {found.peak:.{digits}g} {found.unit}{angle} for {what}; the "
-        f"bound is {found.bound:.{digits}g} {found.unit}{bound}; raise the bound, or lower {mass}"
-        "the waypoints' velocities and accelerations",
+        f"{where}{found.name} needs {peak} for {what}; the bound is {bound}; raise the bound, or "
+        f"lower {mass}the waypoints' velocities and accelerations",
         limit=found.name, value=found.peak, bound=found.bound, time=found.time,
     )
+
+
+def _told(value: float, unit: str, digits: int) -> str:
+    """A value with its unit; angles in degrees as well."""
+    degrees = f" ({np.degrees(value):.{digits}g} deg)" if unit == "rad" else ""
+    return f"{value:.{digits}g} {unit}{degrees}"

@@ -99,11 +99,16 @@ class Task:
         free = np.any(self.free, axis=1)
         return [(int(i) + 1, int(axis)) for i, axis in np.argwhere(free[:-1] | free[1:])]
 
+    @property
+    def weight(self) -> float:
+        """Of the load [N]."""
+        return self.crane.payload_mass * self.crane.gravity
+
     @cached_property
     def rest(self) -> FloatArray:
         """Demands at rest, (14,): the load's weight on the hoist, which no slower plan reduces."""
         rest = np.zeros(self.bounds.size)
-        rest[Demand.FORCE + 2] = self.crane.payload_mass * self.crane.gravity
+        rest[Demand.FORCE + 2] = self.weight
         return np.asarray(np.where(self.bounds > rest * (1.0 + WEIGHTLESS), rest, 0.0))
 
     @cached_property

@@ -60,11 +60,6 @@ class Finding:
         """Whether the margin is not negative."""
         return self.margin >= 0.0
 
-    def __post_init__(self) -> None:
-        # a margin that is negative by rounding alone is none
-        if -ROUNDING * max(1.0, abs(self.bound)) <= self.margin < 0.0:
-            object.__setattr__(self, "margin", 0.0)
-
 
 def judge(
     criterion: CriterionTable, rows: NDArray[np.void], known: Mapping[str, float],
@@ -94,7 +89,8 @@ def judge(
         bound = 1.0 if criterion.bound is None else criterion.bound
         use = drive_use(rows, crane)
         margin = bound - float(_within(times, use, span).max())
-        return Finding(criterion.name, "drives", "use of the drives", bound, margin)
+        signal = "use of the drives"
+        return Finding(criterion.name, "drives", signal, bound, _rounded(margin, bound))
     assert criterion.bound is not None
     bound = criterion.bound
     if nominal is not None:
@@ -105,7 +101,14 @@ def judge(
     distances = sign * (bound - values)
     best = criterion.kind == "eventually"
     margin = float(distances.max() if best else distances.min())
-    return Finding(criterion.name, criterion.kind, title(criterion), bound, margin)
+    return Finding(
+        criterion.name, criterion.kind, title(criterion), bound, _rounded(margin, bound)
+    )
+
+
+def _rounded(margin: float, bound: float) -> float:
+    """The margin; 0 where it is negative by rounding alone."""
+    return 0.0 if -ROUNDING * max(1.0, abs(bound)) <= margin < 0.0 else margin
 
 
 def title(criterion: CriterionTable) -> str:

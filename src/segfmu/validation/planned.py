@@ -10,11 +10,12 @@ from segfmu.crane.bounds import DRIVES
 from segfmu.crane.inverse import DRIVE_ACCELERATION, POSITION, VELOCITY
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning import Trajectory
+from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
 
-# samples of a plan in which setpoints beyond the drives are sought
-SAMPLES = 4001
+# samples of a plan among which its extremes are sought, and around one of them
+SAMPLES, AROUND = 4001, 201
 STOPPED = ("bridge", "trolley", "rope")
 # of positions, relative
 ROUNDING = 1e-9
@@ -47,20 +48,37 @@ def require_travel(task: Mission, trajectory: Trajectory, inverse: FlatInverse) 
     found = [travel.bridge, travel.trolley, travel.rope]
     if not any(found):
         return
-    times = np.union1d(np.linspace(0.0, trajectory.duration, SAMPLES), trajectory.events)
+    times = _samples(trajectory)
     places = inverse.evaluate(times)[:, POSITION]
     for axis, (name, stops) in enumerate(zip(STOPPED, found, strict=True)):
         if stops is None:
             continue
-        beyond = np.maximum(stops[0] - places[:, axis], places[:, axis] - stops[1])
-        row = int(beyond.argmax())
-        if beyond[row] > ROUNDING * max(map(abs, stops)):
+        low = _farthest(inverse, times, places[:, axis], axis, -1.0)
+        high = _farthest(inverse, times, places[:, axis], axis, 1.0)
+        beyond, (time, place) = max((stops[0] - low[1], low), (high[1] - stops[1], high))
+        if beyond > ROUNDING * max(map(abs, stops)):
             raise InfeasibleError(
-                f"the plan takes the {name} to {places[row, axis]:.6g} m at {times[row]:.3f} s, "
+                f"the plan takes the {name} to {place:.6g} m at {time:.3f} s, "
                 f"beyond its end stops at {stops[0]} m and {stops[1]} m (travel.{name} of the "
                 "crane); move the waypoints, or lower the velocities there",
-                axis=axis, value=float(places[row, axis]), time=float(times[row]),
+                axis=axis, value=place, time=time,
             )
+
+
+def _samples(trajectory: Trajectory) -> FloatArray:
+    """Times of a plan, its events among them."""
+    return np.union1d(np.linspace(0.0, trajectory.duration, SAMPLES), trajectory.events)
+
+
+def _farthest(
+    inverse: FlatInverse, times: FloatArray, places: FloatArray, axis: int, sign: float
+) -> tuple[float, float]:
+    """Time and place of a drive's farthest position in a direction, from samples of it."""
+    row = int((sign * places).argmax())
+    near = np.linspace(times[max(row - 1, 0)], times[min(row + 1, len(times) - 1)], AROUND)
+    closer = inverse.evaluate(near)[:, POSITION][:, axis]
+    best = int((sign * closer).argmax())
+    return float(near[best]), float(closer[best])
 
 
 def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
@@ -71,7 +89,7 @@ def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
     """
     if (task.simulation.drive or task.simulated.drive) != "velocity":
         return ""
-    times = np.union1d(np.linspace(0.0, trajectory.duration, SAMPLES), trajectory.events)
+    times = _samples(trajectory)
     values = FlatInverse(task.build_crane(), trajectory).evaluate(times)
     tables = [getattr(task.crane, drive) for drive in DRIVES]
     lags = np.array([table.lag or 0.0 for table in tables])

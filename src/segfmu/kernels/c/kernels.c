@@ -319,7 +319,7 @@ static double nearby_member(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
-static bool same_members(int64_t branch, array_double_1d problem);
+static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family);
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
 static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis);
@@ -399,6 +399,7 @@ static double turning_time(double lower, double upper, bool covering, array_doub
 static double cruise_sample(int64_t sample, array_double_1d axis);
 static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -9829,15 +9830,15 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(23)));
-    hold1 = (*cspan_at(&family, INT64_C(24)));
-    level1 = (*cspan_at(&family, INT64_C(25)));
-    hold2 = (*cspan_at(&family, INT64_C(26)));
-    level2 = (*cspan_at(&family, INT64_C(27)));
-    t3 = (*cspan_at(&family, INT64_C(28)));
+    t1 = (*cspan_at(&family, INT64_C(24)));
+    hold1 = (*cspan_at(&family, INT64_C(25)));
+    level1 = (*cspan_at(&family, INT64_C(26)));
+    hold2 = (*cspan_at(&family, INT64_C(27)));
+    level2 = (*cspan_at(&family, INT64_C(28)));
+    t3 = (*cspan_at(&family, INT64_C(29)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(29)));
-    basis = basis + (*cspan_at(&family, INT64_C(30))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(30)));
+    basis = basis + (*cspan_at(&family, INT64_C(31))) * (t2 - basis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
@@ -9924,7 +9925,7 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     a = (*cspan_at(&family, INT64_C(1)));
     second_level(&level2, &t3, &hold2, &gain, p, family, axis);
     low = span_max(0.0, span_max(a, level2));
-    near = (*cspan_at(&family, INT64_C(23)));
+    near = (*cspan_at(&family, INT64_C(24)));
     solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), near, axis);
     if (hold1 < 0.0)
     {
@@ -9932,12 +9933,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(23))) = t1;
-    (*cspan_at(&family, INT64_C(24))) = hold1;
-    (*cspan_at(&family, INT64_C(25))) = level1;
-    (*cspan_at(&family, INT64_C(26))) = hold2;
-    (*cspan_at(&family, INT64_C(27))) = level2;
-    (*cspan_at(&family, INT64_C(28))) = t3;
+    (*cspan_at(&family, INT64_C(24))) = t1;
+    (*cspan_at(&family, INT64_C(25))) = hold1;
+    (*cspan_at(&family, INT64_C(26))) = level1;
+    (*cspan_at(&family, INT64_C(27))) = hold2;
+    (*cspan_at(&family, INT64_C(28))) = level2;
+    (*cspan_at(&family, INT64_C(29))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -10051,12 +10052,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(23))) = t1;
-    (*cspan_at(&family, INT64_C(24))) = hold1;
-    (*cspan_at(&family, INT64_C(25))) = level1;
-    (*cspan_at(&family, INT64_C(26))) = hold2;
-    (*cspan_at(&family, INT64_C(27))) = level2;
-    (*cspan_at(&family, INT64_C(28))) = t3;
+    (*cspan_at(&family, INT64_C(24))) = t1;
+    (*cspan_at(&family, INT64_C(25))) = hold1;
+    (*cspan_at(&family, INT64_C(26))) = level1;
+    (*cspan_at(&family, INT64_C(27))) = hold2;
+    (*cspan_at(&family, INT64_C(28))) = level2;
+    (*cspan_at(&family, INT64_C(29))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -10130,8 +10131,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(25)));
-    level2 = (*cspan_at(&family, INT64_C(27)));
+    level1 = (*cspan_at(&family, INT64_C(26)));
+    level2 = (*cspan_at(&family, INT64_C(28)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if (fastest <= 0.0)
@@ -10150,7 +10151,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     {
         return 0;
     }
-    (*cspan_at(&family, INT64_C(29))) = stretch;
+    (*cspan_at(&family, INT64_C(30))) = stretch;
     return stretch >= 1.0;
 }
 static double flush_tiny(double value, double scale)
@@ -10640,10 +10641,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(25)))) * (*cspan_at(&family, INT64_C(23)));
-    gain = gain + (*cspan_at(&family, INT64_C(25))) * (*cspan_at(&family, INT64_C(24)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(27))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(28)));
-    loss = loss + (*cspan_at(&family, INT64_C(27))) * (*cspan_at(&family, INT64_C(26)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(26)))) * (*cspan_at(&family, INT64_C(24)));
+    gain = gain + (*cspan_at(&family, INT64_C(26))) * (*cspan_at(&family, INT64_C(25)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(28))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(29)));
+    loss = loss + (*cspan_at(&family, INT64_C(28))) * (*cspan_at(&family, INT64_C(27)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -10807,8 +10808,8 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double f_upper;
     double result;
     target = (*cspan_at(&family, INT64_C(14)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(22)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(22)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(23)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(23)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -10969,26 +10970,31 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(13))) = 0.0;
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
-    (*cspan_at(&family, INT64_C(23))) = -1.0;
+    (*cspan_at(&family, INT64_C(24))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(29))) = 1.0;
-    (*cspan_at(&family, INT64_C(30))) = 0.0;
+    (*cspan_at(&family, INT64_C(30))) = 1.0;
+    (*cspan_at(&family, INT64_C(31))) = 0.0;
+    (*cspan_at(&family, INT64_C(22))) = 0.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
     (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
-    (*cspan_at(&family, INT64_C(22))) = -1.0;
+    (*cspan_at(&family, INT64_C(23))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(13))) = 1.0;
         (*cspan_at(&family, INT64_C(14))) = time;
     }
 }
-static bool same_members(int64_t branch, array_double_1d problem)
+static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family)
 {
     double a;
     double b;
+    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(22))) > 0.5))
+    {
+        return 0;
+    }
     a = (*cspan_at(&problem, INT64_C(1)));
     b = (*cspan_at(&problem, INT64_C(3)));
     if (branch >= INT64_C(2))
@@ -10996,7 +11002,7 @@ static bool same_members(int64_t branch, array_double_1d problem)
         a = -a;
         b = -b;
     }
-    return (span_floor_mod(branch, INT64_C(2)) == INT64_C(1)) && (a >= 0.0) && (b <= 0.0);
+    return (a >= 0.0) && (b <= 0.0);
 }
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
@@ -11010,21 +11016,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(25)));
-    level2 = (*cspan_at(&family, INT64_C(27)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(23))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(24))));
+    level1 = (*cspan_at(&family, INT64_C(26)));
+    level2 = (*cspan_at(&family, INT64_C(28)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(24))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(25))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(29))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(30))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(29)));
+        duration = basis * (*cspan_at(&family, INT64_C(30)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(30))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(31))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(26))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(28))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(27))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(29))), axis);
     if ((*cspan_at(&family, INT64_C(11))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -11058,7 +11064,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(22))) = p;
+    (*cspan_at(&family, INT64_C(23))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -11264,6 +11270,7 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     {
         return count;
     }
+    (*cspan_at(&family, INT64_C(22))) = 1.0;
     outside = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -11912,8 +11919,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double duration;
     double y;
     double error;
-    (*cspan_at(&family, INT64_C(29))) = 1.0;
-    (*cspan_at(&family, INT64_C(30))) = 0.0;
+    (*cspan_at(&family, INT64_C(30))) = 1.0;
+    (*cspan_at(&family, INT64_C(31))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -11925,7 +11932,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(30))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(31))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -11937,7 +11944,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(30))) = 1.0;
+            (*cspan_at(&family, INT64_C(31))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -13958,40 +13965,39 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     }
     return count;
 }
+static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends)
+{
+    double duration;
+    int64_t result;
+    if (taken <= INT64_C(0))
+    {
+        return count;
+    }
+    duration = valid_duration(phases, taken, problem, axis);
+    if (duration < 0.0)
+    {
+        return count;
+    }
+    result = insert_end(spent + duration, after, count, ends);
+    return result;
+}
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
     array_double_2d ends;
     array_double_1d family;
     double usual;
-    int64_t skipped;
-    bool lowered;
     int64_t form;
-    int64_t branch;
     int64_t taken;
     double cruise;
-    double duration;
+    int64_t branch;
+    int64_t member;
     phases = span_rows(&work, INT64_C(0), INT64_C(13));
     ends = span_rows(&work, INT64_C(26), INT64_C(42));
     family = span_row(&work, INT64_C(45));
     usual = usual_duration(problem, axis);
-    skipped = -INT64_C(1);
-    lowered = 0;
-    for (form = INT64_C(0); form < INT64_C(21); form += INT64_C(1))
+    for (form = INT64_C(0); form < INT64_C(5); form += INT64_C(1))
     {
-        branch = span_floor_div((form - INT64_C(5)), INT64_C(4));
-        if ((form >= INT64_C(5)) && (span_floor_mod((form - INT64_C(5)), INT64_C(4)) == INT64_C(0)))
-        {
-            if (same_members(branch, problem) && (!lowered))
-            {
-                skipped = branch;
-            }
-            lowered = 0;
-        }
-        if ((form >= INT64_C(5)) && (branch == skipped))
-        {
-            continue;
-        }
         if (form == INT64_C(0))
         {
             taken = slower_cruise(phases, problem, axis);
@@ -14001,31 +14007,28 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
             cruise = (*cspan_at(&axis, INT64_C(2))) * (INT64_C(3) - INT64_C(2) * form);
             taken = with_cruise(phases, cruise, problem, axis);
         }
-        else if (form < INT64_C(5))
+        else
         {
             taken = direct_form(phases, form == INT64_C(3), problem, axis);
         }
-        else
+        count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
+    }
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        if (same_members(branch, problem, family))
         {
-            set_family(branch, problem, axis, family);
-            set_member(span_floor_mod((form - INT64_C(5)), INT64_C(4)), usual, 0, family);
+            continue;
+        }
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(4); member += INT64_C(1))
+        {
+            set_member(member, usual, 0, family);
             taken = tempered_form(phases, family, axis);
             if (taken < INT64_C(0))
             {
-                skipped = branch;
+                break;
             }
-            else
-            {
-                lowered = lowered || ((*cspan_at(&family, INT64_C(4))) < (*cspan_at(&axis, INT64_C(3))));
-            }
-        }
-        if (taken > INT64_C(0))
-        {
-            duration = valid_duration(phases, taken, problem, axis);
-            if (duration >= 0.0)
-            {
-                count = insert_end(spent + duration, after, count, ends);
-            }
+            count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
         }
     }
     return count;
@@ -14403,20 +14406,17 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
 {
     array_double_2d trial;
     array_double_1d family;
-    bool lowered;
     int64_t branch;
     int64_t member;
     int64_t count;
     trial = span_rows(&work, INT64_C(0), INT64_C(13));
     family = span_row(&work, INT64_C(45));
-    lowered = 0;
     for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
-        if (same_members(branch, problem) && (!lowered))
+        if (same_members(branch, problem, family))
         {
             continue;
         }
-        lowered = 0;
         set_family(branch, problem, axis, family);
         for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
         {
@@ -14426,7 +14426,6 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
             {
                 break;
             }
-            lowered = lowered || ((*cspan_at(&family, INT64_C(4))) < (*cspan_at(&axis, INT64_C(3))));
             keep_nearest(count, problem, axis, cell, work);
         }
     }
@@ -15023,12 +15022,10 @@ static double common_duration(double start, double sample_time, int64_t first, i
 }
 static void note_shortest(double time, array_double_2d cell)
 {
-    bool passing;
     time = time + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
     (*cspan_at(&cell, INT64_C(67), INT64_C(0))) = time;
     (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = time;
-    passing = (*cspan_at(&cell, INT64_C(0), INT64_C(4))) > 0.5;
-    (*cspan_at(&cell, INT64_C(67), INT64_C(6))) = passing;
+    (*cspan_at(&cell, INT64_C(67), INT64_C(6))) = (*cspan_at(&cell, INT64_C(0), INT64_C(4))) > 0.5;
 }
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {

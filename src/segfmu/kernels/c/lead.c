@@ -160,13 +160,12 @@ static int64_t find_one(replanning *t, const lead_search *s, int64_t axis, doubl
     const int64_t rows = t->rest.offsets.data[axis + 1] - first;
     if (s->order == TO_VELOCITY && rows > 0) {
         segfmu_rest_end(t, axis, last);
-    }
-    if (s->order == TO_VELOCITY && rows > 0
-        && segfmu_ends_at_velocity(t, axis, target, last, found)) {
-        memcpy(end, last, sizeof last);
-        copy_rows(&t->leads, to, t->rest.timing.data + first * TIMING_SIZE,
-                  t->rest.coefficients.data + first * 2 * t->smoothness, rows);
-        return rows;
+        if (segfmu_ends_at_velocity(t, axis, target, last, found)) {
+            memcpy(end, last, sizeof last);
+            copy_rows(&t->leads, to, t->rest.timing.data + first * TIMING_SIZE,
+                      t->rest.coefficients.data + first * 2 * t->smoothness, rows);
+            return rows;
+        }
     }
     if (!found) {
         return -1;

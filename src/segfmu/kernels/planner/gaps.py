@@ -13,7 +13,7 @@ from segfmu.kernels.planner.merged import same_members, set_family, set_member, 
 from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.phases import valid_duration
 from segfmu.kernels.planner.profile import usual_duration
-from segfmu.kernels.planner.records import Axis, Family, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -177,36 +177,45 @@ def covering_ends(
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
     family = work[PlanWork.FAMILY, :]
     usual = usual_duration(problem, axis)
-    skipped = -1
-    lowered = False
-    for form in range(21):
-        branch = (form - 5) // 4
-        if form >= 5 and (form - 5) % 4 == 0:
-            if same_members(branch, problem) and not lowered:
-                skipped = branch
-            lowered = False
-        if form >= 5 and branch == skipped:
-            continue
+    for form in range(5):
         if form == 0:
             taken = slower_cruise(phases, problem, axis)
         elif form < 3:
             cruise = axis[Axis.VELOCITY] * (3 - 2 * form)
             taken = with_cruise(phases, cruise, problem, axis)
-        elif form < 5:
-            taken = direct_form(phases, form == 3, problem, axis)
         else:
-            set_family(branch, problem, axis, family)
-            set_member((form - 5) % 4, usual, False, family)
+            taken = direct_form(phases, form == 3, problem, axis)
+        count = insert_covering(phases, taken, spent, after, problem, axis, count, ends)
+    for branch in range(4):
+        if same_members(branch, problem, family):
+            continue
+        set_family(branch, problem, axis, family)
+        for member in range(4):
+            set_member(member, usual, False, family)
             taken = tempered_form(phases, family, axis)
             if taken < 0:
-                skipped = branch
-            else:
-                lowered = lowered or family[Family.HIGHEST] < axis[Axis.ACCELERATION]
-        if taken > 0:
-            duration = valid_duration(phases, taken, problem, axis)
-            if duration >= 0.0:
-                count = insert_end(spent + duration, after, count, ends)
+                break
+            count = insert_covering(phases, taken, spent, after, problem, axis, count, ends)
     return count
+
+
+def insert_covering(
+    phases: 'float[:,:]',
+    taken: int,
+    spent: float,
+    after: float,
+    problem: 'float[:]',
+    axis: 'float[:]',
+    count: int,
+    ends: 'float[:,:]',
+) -> int:
+    """Insert the duration of `taken` phases, if they are valid."""
+    if taken <= 0:
+        return count
+    duration = valid_duration(phases, taken, problem, axis)
+    if duration < 0.0:
+        return count
+    return insert_end(spent + duration, after, count, ends)
 
 
 def loop_ends(

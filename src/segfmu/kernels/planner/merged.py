@@ -62,6 +62,7 @@ def set_family(
     family[Family.SCALE] = last_ramp
     family[Family.STRETCH] = 1.0
     family[Family.FLATNESS] = 0.0
+    family[Family.LOWERED] = 0.0
 
 
 def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> None:
@@ -77,18 +78,20 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
         family[Family.TARGET] = time
 
 
-def same_members(branch: int, problem: 'float[:]') -> bool:
+def same_members(branch: int, problem: 'float[:]', family: 'float[:]') -> bool:
     """Whether a branch has the members of the one before, seen from the other end.
 
     Both have them all if their levels cannot be limited by the accelerations at the ends. Where
-    the first level is lowered (`tempered_form`), that is the level at the other end.
+    the first level was lowered (`tempered_form`), that is the level at the other end.
     """
+    if branch % 2 == 0 or family[Family.LOWERED] > 0.5:
+        return False
     a = problem[Problem.A]
     b = problem[Problem.B]
     if branch >= 2:
         a = -a
         b = -b
-    return branch % 2 == 1 and a >= 0.0 and b <= 0.0
+    return a >= 0.0 and b <= 0.0
 
 
 def merged_form(
@@ -272,6 +275,7 @@ def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') ->
     e_outside = velocity_excess(phases, count, v, velocity_limit, axis) + margin
     if e_outside <= margin + rounding:
         return count
+    family[Family.LOWERED] = 1.0
     outside = 0.0
     for i in range(count):
         level = phases[i, Phase.ACCELERATION]

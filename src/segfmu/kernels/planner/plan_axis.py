@@ -28,8 +28,7 @@ def note_shortest(time: float, cell: 'float[:,:]') -> None:
     time = time + cell[Cell.PLACE, Place.DELAY]
     cell[Cell.RESULT, Interval.SHORTEST] = time
     cell[Cell.RESULT, Interval.DURATION] = time
-    passing = cell[Cell.BELOW, Phase.ABOVE] > 0.5
-    cell[Cell.RESULT, Interval.PASSING] = passing
+    cell[Cell.RESULT, Interval.PASSING] = cell[Cell.BELOW, Phase.ABOVE] > 0.5
 
 
 def plan_with_share(

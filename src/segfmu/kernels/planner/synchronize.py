@@ -36,7 +36,6 @@ from segfmu.kernels.planner.records import (
     Axis,
     Braking,
     Cell,
-    Family,
     Gentle,
     Interval,
     Nearest,
@@ -62,18 +61,15 @@ def timed_merged(
     """Nearest profiles of the merged form, on all of its branches."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     family = work[PlanWork.FAMILY, :]
-    lowered = False
     for branch in range(4):
-        if same_members(branch, problem) and not lowered:
+        if same_members(branch, problem, family):
             continue
-        lowered = False
         set_family(branch, problem, axis, family)
         for member in range(2):
             set_member(member, problem[Problem.DURATION], True, family)
             count = tempered_form(trial, family, axis)
             if count < 0:
                 break
-            lowered = lowered or family[Family.HIGHEST] < axis[Axis.ACCELERATION]
             keep_nearest(count, problem, axis, cell, work)
 
 
