@@ -69,8 +69,9 @@ def build(
     ] = None,
     waypoints: Annotated[
         int | None,
-        typer.Option(help="Maximum number of waypoints; default: 16, or that of the mission.",
-                     min=2, max=256),
+        typer.Option(
+            help="Maximum number of waypoints, to 256; default: 16, or that of the mission."
+        ),
     ] = None,
     enumerations: Annotated[
         str, typer.Option(help="Type of choices: enumeration, or integer for importers without.")

@@ -135,7 +135,9 @@ def plan_actuated(
         "axis_names": axis_names,
     }
     timing: dict[str, Any] = {"sample_time": sample_time, "duration": duration}
-    request = checked_request(waypoints, limits or ANY_LIMITS, **options, **timing)
+    request = checked_request(
+        waypoints, ANY_LIMITS if limits is None else limits, **options, **timing
+    )
     require_flat(crane, len(request.axis_names), smoothness)
     options |= {"position_min": position_min, "position_max": position_max}
     if limits is not None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from sys import float_info
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.arrays import FloatArray, finite_vector, shown
 
 LARGEST_SEED = 2**31 - 1
 
@@ -16,26 +16,26 @@ LARGEST_SEED = 2**31 - 1
 def require_finite(name: str, value: object) -> None:
     """Raise InputError unless `value` is a finite number."""
     if not _finite(value):
-        raise InputError(f"{name} must be a finite number, got {value!r}")
+        raise InputError(f"{name} must be a finite number, got {shown(value)}")
 
 
 def require_positive(name: str, value: object) -> None:
     """Raise InputError unless `value` is a finite number above 0."""
     if not _finite(value) or value <= 0:  # type: ignore[operator]
-        raise InputError(f"{name} must be a finite number > 0, got {value!r}")
+        raise InputError(f"{name} must be a finite number > 0, got {shown(value)}")
 
 
 def require_not_negative(name: str, value: object) -> None:
     """Raise InputError unless `value` is a finite number of at least 0."""
     if not _finite(value) or value < 0:  # type: ignore[operator]
-        raise InputError(f"{name} must be a finite number >= 0, got {value!r}")
+        raise InputError(f"{name} must be a finite number >= 0, got {shown(value)}")
 
 
 def require_seed(name: str, value: object) -> None:
     """Raise InputError unless `value` is an integer from 0 to 2^31 - 1."""
     integer = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not integer or not 0 <= value <= LARGEST_SEED:  # type: ignore[operator]
-        raise InputError(f"{name} must be an integer from 0 to {LARGEST_SEED}, got {value!r}")
+        raise InputError(f"{name} must be an integer from 0 to {LARGEST_SEED}, got {shown(value)}")
 
 
 def sized(name: str, value: ArrayLike, size: int) -> FloatArray:
@@ -48,4 +48,6 @@ def sized(name: str, value: ArrayLike, size: int) -> FloatArray:
 
 def _finite(value: object) -> bool:
     number = isinstance(value, int | float | np.integer | np.floating)
-    return number and not isinstance(value, bool) and isfinite(value)  # type: ignore[arg-type]
+    # an integer can be too large for a float
+    largest = float_info.max
+    return number and not isinstance(value, bool) and -largest <= value <= largest  # type: ignore[operator]

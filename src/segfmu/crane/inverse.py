@@ -44,7 +44,7 @@ class FlatInverse:
     """
 
     def __init__(self, crane: Crane, trajectory: LoadTrajectory) -> None:
-        if not hasattr(trajectory, "axes"):
+        if isinstance(trajectory, type) or not hasattr(trajectory, "axes"):
             raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
         require_flat(crane, trajectory.axes, trajectory.smoothness)
         self.crane = crane

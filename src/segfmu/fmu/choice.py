@@ -9,6 +9,7 @@ from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import sources
 from segfmu.fmu.native.binaries import packaged
 from segfmu.fmu.native.compilers import PLATFORMS, available, host
+from segfmu.planning.arrays import shown
 
 BACKENDS = ("native", "python")
 ENUMERATIONS = ("enumeration", "integer")
@@ -63,12 +64,8 @@ def chosen(
     """
     if fmi not in (2, 3):
         raise InputError(f"fmi must be 2 or 3, got {fmi}")
-    if backend not in BACKENDS:
-        raise InputError(f"backend must be one of {', '.join(BACKENDS)}, got {backend!r}")
-    if enumerations not in ENUMERATIONS:
-        raise InputError(
-            f"enumerations must be one of {', '.join(ENUMERATIONS)}, got {enumerations!r}"
-        )
+    _require_one_of("backend", backend, BACKENDS)
+    _require_one_of("enumerations", enumerations, ENUMERATIONS)
     numbered = enumerations == "integer"
     names = tuple(PLATFORMS) if platforms == "all" else tuple(
         n.strip() for n in platforms.split(",") if n.strip()
@@ -92,3 +89,8 @@ def chosen(
         note="no C compiler found; built with the Python backend. Install a C compiler, or the "
         "extra segfmu[platforms]",
     )
+
+
+def _require_one_of(name: str, value: object, known: tuple[str, ...]) -> None:
+    if not isinstance(value, str) or value not in known:
+        raise InputError(f"{name} must be one of {', '.join(known)}, got {shown(value)}")

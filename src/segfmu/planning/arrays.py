@@ -77,16 +77,16 @@ def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
         raise InputError(f"{name} must be a sequence, got {shown(value)}") from None
 
 
-def as_index(name: str, value: Any, most: float = inf) -> int:
-    """Return `value` as an integer from 0 to `most`."""
+def as_index(name: str, value: Any, most: float = inf, *, least: int = 0) -> int:
+    """Return `value` as an integer from `least` to `most`."""
     try:
         number = None if isinstance(value, bool) else index(value)
     except TypeError:
         number = None
     if number is None:
         raise InputError(f"{name} must be an integer, got {shown(value)}")
-    if not 0 <= number <= most:
-        bounds = "at least 0" if most == inf else f"from 0 to {most}"
+    if not least <= number <= most:
+        bounds = f"at least {least}" if most == inf else f"from {least} to {most}"
         raise InputError(f"{name} must be {bounds}, got {shown(number)}")
     return number
 

@@ -10,8 +10,10 @@ from pathlib import Path
 from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe
 from segfmu.fmu.choice import Choice, chosen, require_native
+from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
 from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
+from segfmu.planning.arrays import as_index, shown
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.output import about, folder, require_folder
 from segfmu.validation.planned import planned
@@ -112,9 +114,13 @@ def build(
     >>> archives.crane.name
     'GantryCrane.fmu'
     """
+    if not isinstance(platforms, str | None):
+        raise InputError(f"platforms must be all, or names with commas, got {shown(platforms)}")
     if platforms is not None and not platforms.strip(", "):
         raise InputError("platforms is empty; name some, or all, or omit it for those available")
-    choice = chosen(fmi, backend, platforms or "", enumerations=enumerations)
+    choice = chosen(as_index("fmi", fmi), backend, platforms or "", enumerations=enumerations)
+    if waypoints is not None:
+        waypoints = as_index("waypoints", waypoints, MOST_WAYPOINTS, least=2)
     for option, wanted in (("modelica", modelica), ("ssp", ssp)):
         if wanted:
             require_native(choice, option)

@@ -107,7 +107,9 @@ def folder(name: str | Path) -> Path:
     return path
 
 
-def _named(name: str | Path) -> Path:
+def _named(name: Any) -> Path:
+    if not isinstance(name, str | os.PathLike):
+        raise InputError(f"output must be the path of a folder, got {shown(name)}")
     if not str(name).strip():
         raise InputError("output is empty; name a folder, . for this one")
     return Path(name)

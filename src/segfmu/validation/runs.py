@@ -17,7 +17,7 @@ from segfmu.crane import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray
+from segfmu.planning.arrays import FloatArray, finite_number
 from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.mission import Mission, Source, load_mission
@@ -196,8 +196,10 @@ def simulate(
     >>> run.report("report.html").name
     'report.html'
     """
-    if step is not None and not LEAST_STEP <= step <= MOST_STEP:
-        raise InputError(f"step must be from {LEAST_STEP:g} to {MOST_STEP:g} s, got {step}")
+    if step is not None:
+        step = finite_number("step", step)
+        if not LEAST_STEP <= step <= MOST_STEP:
+            raise InputError(f"step must be from {LEAST_STEP:g} to {MOST_STEP:g} s, got {step}")
     task = load_mission(mission)
     if step is not None:
         simulation = task.simulation.model_copy(update={"step": step})

@@ -107,6 +107,38 @@ def test_crane_that_leaves_its_range_reports_it(fmus: tuple[Path, Path]) -> None
                 unit.step(0.01 * i, 0.01 * (i + 1))
 
 
+@pytest.mark.parametrize("which", [0, 1])
+def test_steps_that_are_none_are_refused(fmus: tuple[Path, Path], which: int) -> None:
+    for steps, words in (
+        ([(0.0, 0.1), (0.1, 0.05)], "step size must be above 0 s"), ([(0.0, 0.0)], "above 0 s"),
+        ([(0.0, 0.1), (0.7, 0.8)], "a step from 0.7 s was asked for, the time is 0.1 s"),
+        ([(0.0, float("nan"))], "above 0 s and finite"),
+    ):
+        with load(fmus[which]) as unit:
+            unit.set({"force.hoist": -9.81} if which else {})
+            unit.enter_initialization(0.0, 1.0)
+            unit.exit_initialization()
+            for step in steps[:-1]:
+                unit.step(*step)
+            with pytest.raises(SimulationError, match=words):
+                unit.step(*steps[-1])
+
+
+@pytest.mark.parametrize(("name", "late", "words"), [
+    ("reference.load.position.x", False, "cannot be set at all"),
+    ("crane.payload_mass", True, "crane.payload_mass cannot be set now"),
+])
+def test_what_cannot_be_set_is_refused(
+    fmus: tuple[Path, Path], name: str, late: bool, words: str
+) -> None:
+    with load(fmus[0]) as unit:
+        if late:
+            unit.enter_initialization(0.0, 1.0)
+            unit.exit_initialization()
+        with pytest.raises(SimulationError, match=words):
+            unit.set({name: 2.0})
+
+
 def test_instances_can_follow_each_other(fmus: tuple[Path, Path]) -> None:
     for path in fmus:
         for _ in range(40):

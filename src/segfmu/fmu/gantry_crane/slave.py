@@ -119,8 +119,7 @@ class CraneSlave(SpecSlave):
 
     def _ready(self, step: float) -> tuple[Plant, Start]:
         """The plant, which starts again where the first step is the first to have a reference."""
-        if self._start is None:
-            raise AssertionError("a step before the end of initialisation")
+        assert self._start is not None
         late = not (self._stepped or self._given)
         self._stepped = True
         if late and self._start.is_late(self._reference(), step):

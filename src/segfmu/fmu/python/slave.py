@@ -12,9 +12,9 @@ from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
 from segfmu.crane.variables import filled
-from segfmu.errors import InputError, SegfmuError
+from segfmu.errors import InputError, SegfmuError, SimulationError
 from segfmu.fmu.python.release import release_at_exit
-from segfmu.fmu.standard.spec import Spec, Value
+from segfmu.fmu.standard.spec import Spec, Value, Variable
 from segfmu.kernels import backend
 from segfmu.kernels.messages import ACCESS, RANGE
 from segfmu.kernels.numerics.records import AccessStatus, RangeFault, RangeStatus
@@ -27,6 +27,8 @@ KINDS = {
     "boolean": ("Boolean",),
     "string": (),
 }
+# of times that are the same, relative
+SAME = 1e-9
 
 
 class SpecSlave(Fmi2Slave):  # type: ignore[misc]
@@ -53,6 +55,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         for name, value in self.starts.items():
             self._values[self.spec.references[name]] = value
         self.start_time = 0.0
+        # the communication point, from the end of initialisation on
+        self._now: float | None = None
 
     @abstractmethod
     def initialise(self) -> None:
@@ -94,14 +98,31 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         except SegfmuError as error:
             self.log(f"initialisation failed: {error}", Fmi2Status.error)
             raise
+        self._now = self.start_time
 
     def do_step(self, current_time: float, step_size: float) -> bool:
         try:
+            self._require_step(current_time, step_size)
             self.advance(current_time, step_size)
         except SegfmuError as error:
             self.log(str(error), Fmi2Status.error)
             return False
+        self._now = current_time + step_size
         return True
+
+    def _require_step(self, time: float, step: float) -> None:
+        """Raise SimulationError for a step that is none."""
+        now = self._now
+        if now is None:
+            raise SimulationError("a step before the end of initialisation")
+        if not abs(time - now) <= SAME * (1.0 + abs(now)):
+            raise SimulationError(
+                f"a step from {time:.9g} s was asked for, the time is {now:.9g} s"
+            )
+        if not 0.0 < step < inf:
+            raise SimulationError(
+                f"the communication step size must be above 0 s and finite, got {step:g} s"
+            )
 
     def _require_ranges(self) -> None:
         """Raise InputError for a parameter outside the range that the specification gives."""
@@ -122,8 +143,22 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def _set(self, kind: str, references: list[int], values: list[Any]) -> None:
         self._check(kind, references)
+        for reference in references:
+            self._require_settable(self.spec.variables[reference - 1])
         for reference, value in zip(references, values, strict=True):
             self._values[reference] = value
+
+    def _require_settable(self, variable: Variable) -> None:
+        when = None
+        if variable.causality not in ("input", "parameter"):
+            when = "at all"
+        elif variable.variability == "fixed" and self._now is not None:
+            when = "now"
+        if when is not None:
+            # PythonFMU makes every exception a fatal error; the log has the reason
+            reason = f"{variable.name} cannot be set {when}"
+            self.log(reason, Fmi2Status.error)
+            raise InputError(reason)
 
     def _check(self, kind: str, references: list[int]) -> None:
         for reference in references:

@@ -139,10 +139,10 @@ def find(paths: Iterable[Path]) -> list[Path]:
 
 def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     """The content of a file merged into that of its base."""
+    data = read(path)
     place = path.resolve()
     if place in below:
         raise InputError(f"{path} inherits from itself")
-    data = read(path)
     if not below:
         require_kind("scenario", data, path)
     data = located(path, data)

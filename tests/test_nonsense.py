@@ -1,0 +1,81 @@
+"""Every argument of the public face with values of every kind: one InputError, or a result."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from functools import partial
+from inspect import signature
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import segfmu
+
+MISSION = Path(__file__).parents[1] / "models" / "inteco.toml"
+NONSENSE = (
+    "x", "", "\0", None, [], {}, 10**400, -(10**400), float("nan"), float("inf"), -1, 0, True, 1j,
+    b"1", [1, 2], [1, 2, 3], [1, "a"], [None, None, None], [[1]], np.array(3.0), np.array([]),
+    np.array(["a"]), np.ma.array([1.0, 2.0, 3.0], mask=[1, 0, 0]), np.datetime64("now"), object(),
+    Decimal(1), Fraction(1, 2), Path(), range(3), {1, 2}, len, segfmu.Waypoint,
+)
+POINTS = [segfmu.Waypoint([0.0, 0.0, -1.0]), segfmu.Waypoint([1.0, 1.0, -1.0])]
+LIMITS = segfmu.Limits(1.0, 1.0, 2.0, 20.0)
+PLAN = segfmu.plan(POINTS, LIMITS)
+CRANE = segfmu.Crane(2.0, 1.0, 1.0)
+BOUNDS = segfmu.ActuatorBounds(force=[20.0, 20.0, 30.0])
+CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
+    "Waypoint": (segfmu.Waypoint, {"position": [0.0, 0.0, 0.0]}),
+    "Limits": (segfmu.Limits, {"velocity": 1.0, "acceleration": 1.0, "jerk": 2.0}),
+    "plan": (segfmu.plan, {"waypoints": POINTS, "limits": LIMITS}),
+    "state": (PLAN.state, {"t": 0.5}),
+    "replan": (segfmu.replan, {"trajectory": PLAN, "time": 0.1, "targets": POINTS[1]}),
+    "stop": (segfmu.stop, {"start": PLAN, "time": 0.1}),
+    "reach_velocity": (
+        segfmu.reach_velocity, {"start": PLAN, "velocity": [0.1, 0.1, 0.0], "time": 0.1}
+    ),
+    "verify": (segfmu.verify, {"trajectory": PLAN}),
+    "excursions": (segfmu.excursions, {"trajectory": PLAN}),
+    "Obstacle": (
+        segfmu.Obstacle, {"name": "box", "minimum": [0.0, 0.0, 0.0], "maximum": [1.0, 1.0, 1.0]}
+    ),
+    "Clearance": (segfmu.Clearance, {}),
+    "Crane": (segfmu.Crane, {"bridge_mass": 2.0, "trolley_mass": 1.0, "payload_mass": 1.0}),
+    "FlatInverse": (segfmu.FlatInverse, {"crane": CRANE, "trajectory": PLAN}),
+    "ActuatorBounds": (segfmu.ActuatorBounds, {}),
+    "plan_actuated": (
+        segfmu.plan_actuated,
+        {"crane": CRANE, "waypoints": POINTS, "limits": LIMITS, "bounds": BOUNDS},
+    ),
+    "simulate": (segfmu.simulate, {"mission": MISSION, "step": 0.05}),
+    "build": (segfmu.build, {"mission": MISSION, "output": "fmus"}),
+    "load_mission": (segfmu.load_mission, {"source": MISSION}),
+    "validate": (segfmu.validate, {"scenarios": [MISSION]}),
+}
+
+
+def cases() -> list[Any]:
+    """Each argument of each call."""
+    return [
+        pytest.param(partial(call, **{n: v for n, v in usual.items() if n != name}), name,
+                     id=f"{which}-{name}")
+        for which, (call, usual) in CALLS.items()
+        for name in signature(call).parameters
+        # a truth value is taken of anything
+        if name not in ("progress", "modelica", "ssp")
+    ]
+
+
+@pytest.mark.parametrize(("call", "name"), cases())
+def test_nonsense_is_one_error(
+    call: Callable[..., Any], name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for value in NONSENSE:
+        try:
+            call(**{name: value})
+        except segfmu.SegfmuError as error:
+            assert str(error) and "\n" not in str(error), value
