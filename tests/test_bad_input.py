@@ -302,7 +302,7 @@ def test_names_and_files_that_are_none(tmp_path: Path) -> None:
 
 def test_wrong_commands_and_values_of_options(tmp_path: Path) -> None:
     assert "did you mean 'plan'" in refused(tmp_path, "plann").lower()
-    assert "step must be from" in refused(tmp_path, "simulate", "m.toml", "--step", "nan")
+    assert "step must be finite" in refused(tmp_path, "simulate", "m.toml", "--step", "nan")
     assert "--waypoints" in refused(tmp_path, "build", "--waypoints", "1")
     assert "platforms is empty; name some" in refused(tmp_path, "build", "--platforms", "")
 

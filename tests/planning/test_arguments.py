@@ -89,7 +89,7 @@ def test_the_same_waypoint_with_a_dwell(dwells: tuple[float, float]) -> None:
     points = [Waypoint([0.0], dwell=d) for d in dwells]
     with pytest.raises(InputError, match=r"omit one, and give the other the whole dwell, 2 s"):
         plan(points, ONE)
-    with pytest.raises(InputError, match=r"omit one, or give the first a dwell"):
+    with pytest.raises(InputError, match=r"omit one, and give the other a dwell to rest there"):
         plan([Waypoint([0.0]), Waypoint([0.0])], ONE)
 
 

@@ -56,3 +56,10 @@ def test_platforms_are_named_or_left_out(platforms: str, tmp_path: Path) -> None
     with pytest.raises(InputError, match="platforms is empty; name some, or all, or omit it"):
         build(output=tmp_path / "fmus", platforms=platforms)
     assert not (tmp_path / "fmus").exists()
+
+
+@pytest.mark.parametrize("waypoints", [1, 257, 10**400])
+def test_there_is_room_for_2_to_256_waypoints(waypoints: int, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="waypoints must be from 2 to 256, got"):
+        build(output=tmp_path / "fmus", waypoints=waypoints)
+    assert not (tmp_path / "fmus").exists()

@@ -32,6 +32,15 @@ def test_a_shift_in_time_needs_a_tube_as_wide() -> None:
     assert found.signal == "a" and found.largest == pytest.approx(0.75 - 0.6)
 
 
+def test_what_is_no_number_is_named() -> None:
+    hole = ramp()
+    hole["a"] = np.where(np.arange(TIMES.size) == 700, np.nan, hole["a"])
+    (found,) = compare(hole, ramp(), tube_time=0.0, tube_value=0.1)
+    assert str(found) == "a is not a number at 0.7 s"
+    with pytest.raises(InputError, match=r"the reference has no number for a at 0\.7 s"):
+        compare(ramp(), hole, tube_time=0.0, tube_value=0.1)
+
+
 def test_the_first_signal_its_time_and_excess() -> None:
     reference = {"time": TIMES, "a": np.zeros(2001), "b": np.zeros(2001)}
     result = {"time": TIMES, "a": np.where(TIMES > 1.5, 0.4, 0.0),

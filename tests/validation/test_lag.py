@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 import segfmu
-from segfmu.validation.planned import beyond_drives, planned
-from tests.compiler import needs_native
+from segfmu.cosim.load import load
+from segfmu.validation.planned import beyond_drives, planned, unknown_wind
+from tests.compiler import needs_native, require_native
 
 LAG = {"lag": 0.2}
 STS = {
@@ -55,3 +56,30 @@ def test_setpoints_beyond_a_drive_are_told() -> None:
     assert " 0.13 m/s" in told
     forced = segfmu.load_mission({**slow, "simulation": {"drive": "force"}})
     assert beyond_drives(forced, planned(task)) == ""
+
+
+@pytest.mark.parametrize("backend", ["native", "python"])
+def test_a_lag_that_no_run_could_follow_is_refused(backend: str, tmp_path) -> None:
+    if backend == "native":
+        require_native()
+    words = r"drive\.hoist\.lag must be 0 or at least 1e-05 s, got 1e-06 s; 0 is an ideal drive"
+    paths = segfmu.build(output=tmp_path, backend=backend)
+    with load(paths.crane) as unit:
+        unit.set({"drive.mode": 2, "drive.hoist.lag": 1e-6})
+        unit.enter_initialization(0.0, 1.0)
+        with pytest.raises(segfmu.SimulationError, match=words):
+            unit.exit_initialization()
+
+
+@pytest.mark.parametrize(("source", "enabled", "wind", "told"), [
+    ("state", True, {"constant": [0.0, 200.0, 0.0]}, True),
+    ("state", True, {"speed": [5.0, 0.0, 0.0]}, True),
+    ("measured", True, {"constant": [0.0, 200.0, 0.0]}, False),
+    ("state", False, {"constant": [0.0, 200.0, 0.0]}, False), ("state", True, {}, False),
+])
+def test_a_feedback_that_does_not_know_the_wind(
+    source: str, enabled: bool, wind: dict, told: bool
+) -> None:
+    changes = {"wind": wind, "controller": {"source": source, "enabled": enabled}}
+    said = unknown_wind(segfmu.load_mission({**HALL, "true_crane": changes}))
+    assert bool(said) == told and said.startswith("the feedback does not know the wind" * told)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -114,7 +115,7 @@ def _show(task: Campaign, result: CampaignResult) -> None:
 
 
 def _tell_replay(path: Path) -> None:
-    tell(f"segfmu validate {path}")
+    tell(f"segfmu validate {quote(str(path))}")
 
 
 class _Rate(ProgressColumn):

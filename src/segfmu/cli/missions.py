@@ -10,6 +10,7 @@ import typer
 from segfmu.cli.console import MissionFile, console, tell
 from segfmu.cli.work import warn, watched
 from segfmu.crane import ActuatorBounds, bound_uses
+from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
 from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
 from segfmu.validation.files.mission import Mission, load_mission
@@ -69,9 +70,8 @@ def build(
     ] = None,
     waypoints: Annotated[
         int | None,
-        typer.Option(
-            help="Maximum number of waypoints, to 256; default: 16, or that of the mission."
-        ),
+        typer.Option(help="Maximum number of waypoints; default: 16, or that of the mission.",
+                     min=2, max=MOST_WAYPOINTS),
     ] = None,
     enumerations: Annotated[
         str, typer.Option(help="Type of choices: enumeration, or integer for importers without.")

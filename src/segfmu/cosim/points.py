@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from math import ceil, isfinite
+from math import ceil
 
 import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.errors import InputError
+from segfmu.planning.arrays import finite_number
 
 # results of two FMUs take 0.7 kB a step
 MAX_STEPS = 2_000_000
@@ -31,14 +32,14 @@ def require_steps(duration: float, step: float) -> None:
 
 def require_step(step: float) -> None:
     """InputError for a step that is no time above zero."""
-    if not (isfinite(step) and step > 0.0):
+    if not finite_number("step", step) > 0.0:
         raise InputError(f"step must be a time > 0 s, got {step!r}")
 
 
 def communication_points(start: float, stop: float, step: float) -> NDArray[np.float64]:
     """Times start + i * step, the last one at stop."""
     require_step(step)
-    if not (isfinite(start) and isfinite(stop) and stop > start):
+    if not finite_number("stop_time", stop) > finite_number("start_time", start):
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
     require_steps(stop - start, step)
     count = ceil((stop - start) / step - 1e-9)

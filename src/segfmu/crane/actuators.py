@@ -147,7 +147,7 @@ def plan_actuated(
     task = _task(crane, request.waypoints, limits, bounds, options, clearance)
     _require_states(task, bounds)
     require_lift(task)
-    best = _search(task, bounds, progress)
+    best = _searched(task, bounds, progress)
     if duration is not None or sample_time is not None:
         best = _timed(best, replace(best.task, options=options | timing), bounds, progress)
     return _measured(crane, bounds, best.trajectory)
@@ -221,8 +221,38 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
             raise exceeded(f"waypoint {number}: ", found, "its state alone")
 
 
-def _search(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
-    """The shortest plan found, its peaks exact."""
+def _searched(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
+    """The shortest plan found; none with rest at the free states is shorter."""
+    if not task.free.any():
+        return _search(task, bounds, progress)
+    resting = replace(task, free=np.zeros_like(task.free))
+    found: list[Found] = []
+    for place, one in enumerate((resting, task)):
+        try:
+            found.append(_search(one, bounds, _part(progress, place / 3)))
+        except InfeasibleError:
+            # the reason of the last one counts
+            if not found and one is task:
+                raise
+    first, last = found[0], found[-1]
+    if first.task.free.any() or last.duration < first.duration:
+        return last
+    # the planner's own choice of states led nowhere: rest is the better start
+    rest = replace(first, task=replace(first.task, free=task.free))
+    found.append(_search(task, bounds, _part(progress, 2 / 3), rest))
+    return min(found, key=lambda one: one.duration)
+
+
+def _part(progress: Callable[[float], None], begin: float) -> Callable[[float], None]:
+    """Progress of a third of the work."""
+    return lambda share: progress(begin + share / 3)
+
+
+def _search(
+    task: Task, bounds: ActuatorBounds, progress: Callable[[float], None],
+    known: Found | None = None,
+) -> Found:
+    """The shortest plan found, its peaks exact; with free states from a plan that is known."""
     tables = starting_tables(task, bounds)
     starts = [(task, paced(task, table, 1.0)) for table in tables]
     calm: list[tuple[Task, FloatArray]] = []
@@ -231,6 +261,8 @@ def _search(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None
         starts += freed
         # the planner's own choice is at the edge of what has a plan
         calm = [(one.with_states(CALM[:, None] * one.states), table) for one, table in freed]
+    if known is not None:
+        calm.append((known.task, known.table))
     unknowns = SEARCHED * task.moving.size + int(task.free.sum())
     generations = GENERATIONS + MORE_GENERATIONS * unknowns
     for margin in (0.0, MARGIN):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.crane.checks import require_positive, sized
+from segfmu.crane.checks import require_positive, require_quantity, sized
 from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -36,7 +36,7 @@ class Crane:
     Raises
     ------
     InputError
-        For values that are not finite, masses that are not positive and an empty rope range.
+        For masses and a gravity that are not from 1e-9 to 1e9, and an empty rope range.
     """
 
     bridge_mass: float
@@ -48,7 +48,7 @@ class Crane:
 
     def __post_init__(self) -> None:
         for name in ("bridge_mass", "trolley_mass", "payload_mass", "gravity"):
-            require_positive(name, getattr(self, name))
+            require_quantity(name, getattr(self, name))
         for name in ("rope_min", "rope_max"):
             if getattr(self, name) is not None:
                 require_positive(name, getattr(self, name))

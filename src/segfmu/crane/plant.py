@@ -120,7 +120,7 @@ class Plant:
             known = self._settings[Settings.TRACKING]
             known[Tracking.PERIOD] = controller.sample_time
             backend.set_drives(self._settings[Settings.PLANT], known)
-        self._check_delays()
+        self._check_drives()
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(
             self._settings, self._changes, np.array(state, dtype=np.float64), setpoints.vector,
@@ -281,11 +281,11 @@ class Plant:
                 failure(status, time, memory[Memory.STATE], memory[Memory.PLANT])
             )
 
-    def _check_delays(self) -> None:
-        fault = np.zeros(SetupFault.SIZE)
-        status = backend.check_delays(
-            self._settings[Settings.PLANT], float(self._loop[Loop.PERIOD]), 0, fault
-        )
+    def _check_drives(self) -> None:
+        fault, plant = np.zeros(SetupFault.SIZE), self._settings[Settings.PLANT]
+        status = backend.check_lags(plant, 0, fault)
+        if status == SetupStatus.FITS:
+            status = backend.check_delays(plant, float(self._loop[Loop.PERIOD]), 0, fault)
         if status != SetupStatus.FITS:
             raise InputError(SETUP.text(status, fault.tolist()))
 

@@ -554,6 +554,7 @@ def check_travel(
 
 def check_lags(
     plant: Floats,
+    exchange: int,
     fault: Floats,
     /,
 ) -> int: ...

@@ -117,7 +117,7 @@ PLAN = Messages(
         PlanStatus.CHECK_FAILED: "the plan breaks a limit or misses a waypoint by more than 1e-9 "
         "(relative): the problem is badly scaled; choose limits and distances of similar size",
         PlanStatus.SAME_WAYPOINTS: "waypoints {INTERVAL+1} and {INTERVAL+2} are the same; "
-        "omit one, or give the first a dwell",
+        "omit one, and give the other a dwell to rest there",
         PlanStatus.NO_VELOCITY_LIMIT: _limit("velocity"),
         PlanStatus.NO_ACCELERATION_LIMIT: _limit("acceleration"),
     },
@@ -186,6 +186,8 @@ SETUP = Messages(
         SetupStatus.NO_LAG: "in model exchange with drive.mode velocity, drive.{DRIVE}.lag "
         "must be above 0 s (without lag the setpoints do not determine the acceleration); "
         "set a lag, or use co-simulation",
+        SetupStatus.SHORT_LAG: "drive.{DRIVE}.lag must be 0 or at least {BOUND:g} s, got "
+        "{VALUE:g} s; 0 is an ideal drive",
         SetupStatus.NOT_SAMPLED: "sensor noise and dead_time need sampled signals: set "
         "sensor.sample_time above 0 s",
         SetupStatus.SHORT_SAMPLE: "sensor.sample_time must be 0 or at least {BOUND:g} s, got "

@@ -63,10 +63,13 @@ def finite_number(name: str, value: ArrayLike) -> float:
     """Return `value` as a finite number; an array of one is one."""
     if isinstance(value, float) and isfinite(value):
         return float(value)
-    vector = finite_vector(name, value)
-    if vector.size != 1:
-        raise InputError(f"{name} must be one number, got {vector.tolist()}")
-    return float(vector[0])
+    array = numbers(name, value, "one number")
+    if array.size != 1:
+        raise InputError(f"{name} must be one number, got {_given(value)}")
+    number = array.item()
+    if not isfinite(number):
+        raise InputError(f"{name} must be finite, got {number}")
+    return number
 
 
 def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
@@ -127,7 +130,7 @@ def _given(value: Any) -> str:
     return shown(value.tolist() if isinstance(value, np.ndarray | np.generic) else value)
 
 
-def numbers(name: str, value: Any) -> FloatArray:
+def numbers(name: str, value: Any, kind: str = "a number or a list of numbers") -> FloatArray:
     if type(value) is not np.ndarray and isinstance(value, np.ma.MaskedArray):
         raise InputError(f"{name} must not be a masked array; leave out or fill what is masked")
     try:
@@ -136,6 +139,4 @@ def numbers(name: str, value: Any) -> FloatArray:
             raise TypeError
         return np.array(raw, dtype=np.float64)
     except (TypeError, ValueError):
-        raise InputError(
-            f"{name} must be a number or a list of numbers, got {shown(value)}"
-        ) from None
+        raise InputError(f"{name} must be {kind}, got {shown(value)}") from None

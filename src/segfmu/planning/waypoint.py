@@ -88,8 +88,8 @@ class Waypoint(Frozen):
                 vector = finite_vector(name, given)
             if vector.size != values.size:
                 raise InputError(
-                    f"{name} has {vector.size} values, position has {values.size}; "
-                    "give one value per axis"
+                    f"{name} needs one value per axis, as position has them: {values.size}, got "
+                    f"{vector.size}"
                 )
             object.__setattr__(self, name, vector)
             vectors.append(vector)
@@ -136,7 +136,9 @@ def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
         vector = np.full(axes, np.nan)
         vector.flags.writeable = False
         return vector
-    if not isinstance(given, list | tuple) or None not in given:
+    if isinstance(given, np.ndarray) and given.dtype == object:
+        given = given.tolist()
+    if not isinstance(given, list | tuple) or not any(v is None for v in given):
         return finite_vector(name, given)
     try:
         vector = finite_vector(name, [0.0 if v is None else v for v in given]).copy()

@@ -35,6 +35,8 @@ class Excess:
     largest: float
 
     def __str__(self) -> str:
+        if np.isnan(self.excess):
+            return f"{self.signal} is not a number at {self.time:.6g} s"
         return (
             f"{self.signal} leaves its tube at {self.time:.6g} s by {self.excess:.4g} "
             f"(at most by {self.largest:.4g})"
@@ -94,6 +96,11 @@ def _require_alike(
     missing = [name for name in reference if name not in result]
     if missing:
         raise InputError(f"the result has no signal {missing[0]}, which the reference has")
+    for name, values in reference.items():
+        wrong = np.flatnonzero(np.isnan(values))
+        if wrong.size:
+            time = reference["time"][wrong[0]]
+            raise InputError(f"the reference has no number for {name} at {time:.6g} s")
     ends = np.array([table["time"][[0, -1]] for table in (result, reference)])
     if np.abs(ends[0] - ends[1]).max() > tube_time + INSTANT:
         raise InputError(

@@ -106,6 +106,23 @@ def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
     )
 
 
+def unknown_wind(task: Mission) -> str:
+    """What is said of a feedback from the state against a lasting wind; else empty.
+
+    Its gains hold the load's place by the carriage's, which the wind's swing is no part of.
+    """
+    crane, settings = task.simulated, task.simulation
+    acts = crane.controller.enabled if settings.feedback is None else settings.feedback
+    source = settings.feedback_source or crane.controller.source
+    wind = [*(crane.wind.constant or ()), *(crane.wind.speed or ())]
+    if not acts or source != "state" or not any(wind):
+        return ""
+    return (
+        "the feedback does not know the wind, from the state alone, and can enlarge its lasting "
+        'error; source = "measured" in the crane file\'s [controller] estimates the wind'
+    )
+
+
 def require_memory(task: Mission, trajectory: Trajectory) -> None:
     """Refuse missions whose results would not fit in memory.
 

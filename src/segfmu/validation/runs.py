@@ -23,7 +23,7 @@ from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.frames import frame
 from segfmu.validation.output import about, file_path, folder, note, stride, thinned
-from segfmu.validation.planned import beyond_drives, planned, require_memory
+from segfmu.validation.planned import beyond_drives, planned, require_memory, unknown_wind
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario import ending, run
 from segfmu.validation.units import signal_units
@@ -220,5 +220,5 @@ def simulate(
         rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
         task.build_bounds(),
     )
-    notes = (archives.note, beyond_drives(task, trajectory))
+    notes = (archives.note, beyond_drives(task, trajectory), unknown_wind(task))
     return Run(task, trajectory, rows, found, "; ".join(filter(None, notes)))

@@ -124,19 +124,28 @@ def test_steps_that_are_none_are_refused(fmus: tuple[Path, Path], which: int) ->
                 unit.step(*steps[-1])
 
 
-@pytest.mark.parametrize(("name", "late", "words"), [
-    ("reference.load.position.x", False, "cannot be set at all"),
-    ("crane.payload_mass", True, "crane.payload_mass cannot be set now"),
+@pytest.mark.parametrize(("which", "name", "late", "words"), [
+    (0, "reference.load.position.x", False, "reference.load.position.x cannot be set at all"),
+    (0, "crane.payload_mass", True, "crane.payload_mass cannot be set now"),
+    (1, "rope.length", True, "rope.length cannot be set now"),
 ])
-def test_what_cannot_be_set_is_refused(
-    fmus: tuple[Path, Path], name: str, late: bool, words: str
+def test_a_variable_that_cannot_be_set_keeps_its_value_and_refuses_the_next_step(
+    fmus: tuple[Path, Path], which: int, name: str, late: bool, words: str
 ) -> None:
-    with load(fmus[0]) as unit:
-        if late:
-            unit.enter_initialization(0.0, 1.0)
-            unit.exit_initialization()
-        with pytest.raises(SimulationError, match=words):
+    with load(fmus[which]) as unit:
+        channel = unit.channel([name])
+        if not late:
             unit.set({name: 2.0})
+        unit.enter_initialization(0.0, 1.0)
+        unit.exit_initialization()
+        channel.read()
+        before = channel.values[0]
+        if late:
+            unit.set({name: 2.0})
+        channel.read()
+        assert channel.values[0] == before != 2.0
+        with pytest.raises(SimulationError, match=words):
+            unit.step(0.0, 0.1)
 
 
 def test_instances_can_follow_each_other(fmus: tuple[Path, Path]) -> None:

@@ -57,6 +57,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         self.start_time = 0.0
         # the communication point, from the end of initialisation on
         self._now: float | None = None
+        # why a variable was not set: PythonFMU would make an error of that a fatal one
+        self._refusal: str | None = None
 
     @abstractmethod
     def initialise(self) -> None:
@@ -113,6 +115,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     def _require_step(self, time: float, step: float) -> None:
         """Raise SimulationError for a step that is none."""
         now = self._now
+        if self._refusal is not None:
+            raise SimulationError(self._refusal)
         if now is None:
             raise SimulationError("a step before the end of initialisation")
         if not abs(time - now) <= SAME * (1.0 + abs(now)):
@@ -143,22 +147,23 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def _set(self, kind: str, references: list[int], values: list[Any]) -> None:
         self._check(kind, references)
-        for reference in references:
-            self._require_settable(self.spec.variables[reference - 1])
         for reference, value in zip(references, values, strict=True):
-            self._values[reference] = value
+            if self._is_settable(self.spec.variables[reference - 1]):
+                self._values[reference] = value
 
-    def _require_settable(self, variable: Variable) -> None:
-        when = None
-        if variable.causality not in ("input", "parameter"):
+    def _is_settable(self, variable: Variable) -> bool:
+        """Whether a variable may be set now; if not, the next step is refused for it."""
+        when = ""
+        if variable.causality != "input" and variable.start is None:
             when = "at all"
-        elif variable.variability == "fixed" and self._now is not None:
+        elif self._now is not None and (
+            variable.causality == "output" or variable.variability == "fixed"
+        ):
             when = "now"
-        if when is not None:
-            # PythonFMU makes every exception a fatal error; the log has the reason
-            reason = f"{variable.name} cannot be set {when}"
-            self.log(reason, Fmi2Status.error)
-            raise InputError(reason)
+        if when:
+            self._refusal = f"{variable.name} cannot be set {when}"
+            self.log(self._refusal, Fmi2Status.error)
+        return not when
 
     def _check(self, kind: str, references: list[int]) -> None:
         for reference in references:

@@ -17283,17 +17283,25 @@ int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, arr
     }
     return INT64_C(0);
 }
-int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault)
+int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, array_double_1d fault)
 {
     int64_t axis;
+    double lag;
+    (*cspan_at(&fault, INT64_C(3))) = 1e-05;
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            if ((*cspan_at(&plant, INT64_C(5) + axis)) == 0.0)
+            lag = (*cspan_at(&plant, INT64_C(5) + axis));
+            (*cspan_at(&fault, INT64_C(1))) = axis;
+            (*cspan_at(&fault, INT64_C(2))) = lag;
+            if ((lag == 0.0) && (exchange == INT64_C(1)))
             {
-                (*cspan_at(&fault, INT64_C(1))) = axis;
                 return INT64_C(2);
+            }
+            if ((lag > 0.0) && (lag < (*cspan_at(&fault, INT64_C(3)))))
+            {
+                return INT64_C(16);
             }
         }
     }

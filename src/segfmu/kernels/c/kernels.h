@@ -74,7 +74,7 @@ SEGFMU_API void segfmu_rig_outputs(array_double_1d target, array_double_2d memor
 SEGFMU_API void segfmu_tracking_estimates(array_double_1d parameters, array_double_2d tracker, array_double_1d estimates);
 SEGFMU_API bool segfmu_rig_partials(array_double_2d components, double time, array_double_2d memory, array_double_2d work, array_double_2d partials);
 SEGFMU_API int64_t segfmu_check_travel(array_double_1d least, array_double_1d greatest, array_double_1d fault);
-SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, array_double_1d fault);
+SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulomb, array_double_1d fault);
 SEGFMU_API double segfmu_wind_speed(array_double_1d speed);
 SEGFMU_API int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation, array_double_1d fault);

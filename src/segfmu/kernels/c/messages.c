@@ -113,7 +113,8 @@ bool segfmu_plan_message(
         return true;
     case -13:
         snprintf(text, size,
-            "waypoints %d and %d are the same; omit one, or give the first a dwell",
+            "waypoints %d and %d are the same; omit one, and give the other a dwell to "
+            "rest there",
             (int)report[REFUSAL_INTERVAL] + 1,
             (int)report[REFUSAL_INTERVAL] + 2);
         return true;
@@ -252,6 +253,13 @@ bool segfmu_setup_message(
             "(without lag the setpoints do not determine the acceleration); set a lag, "
             "or use co-simulation",
             drive[(int)report[SETUP_FAULT_DRIVE]]);
+        return true;
+    case 16:
+        snprintf(text, size,
+            "drive.%s.lag must be 0 or at least %g s, got %g s; 0 is an ideal drive",
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            report[SETUP_FAULT_BOUND],
+            report[SETUP_FAULT_VALUE]);
         return true;
     case 3:
         snprintf(text, size,

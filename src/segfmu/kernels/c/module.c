@@ -2069,15 +2069,18 @@ static PyObject *call_check_lags(
     arguments call = {.function = "check_lags", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_plant;
+    int64_t in_exchange;
     Py_buffer *in_fault;
     (void)self;
-    if (take_count(&call, count, 2)
+    if (take_count(&call, count, 3)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
+        && take_int(&call, 1, &in_exchange)
+        && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
         && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_exchange,
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
     }
     release_arguments(&call);

@@ -47,7 +47,7 @@ class SetupStatus(Codes):
     LONG_DELAY, LATE_EXCHANGE: dead time of a drive, longer than there is memory for, or in model
     exchange. LOW_STATIC: static friction below Coulomb friction. NO_WIND: turbulence
     without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange. UNSTABLE: the
-    gains of the feedback.
+    gains of the feedback. SHORT_LAG: a lag of a velocity drive so short that runs take hours.
     """
 
     FITS = 0
@@ -66,6 +66,7 @@ class SetupStatus(Codes):
     NO_WIND = 13
     SLACK_EXCHANGE = 14
     UNSTABLE = 15
+    SHORT_LAG = 16
 
 
 class SetupFault(Record):

@@ -19,13 +19,21 @@ def check_travel(least: 'float[:]', greatest: 'float[:]', fault: 'float[:]') -> 
     return SetupStatus.FITS
 
 
-def check_lags(plant: 'float[:]', fault: 'float[:]') -> int:
-    """Check that velocity drives have a lag, which model exchange needs."""
+def check_lags(plant: 'float[:]', exchange: int, fault: 'float[:]') -> int:
+    """Check that velocity drives have a lag that can be integrated; none only in co-simulation.
+
+    exchange: 1 in model exchange.
+    """
+    fault[SetupFault.BOUND] = 1e-5
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
         for axis in range(Axes.SIZE):
-            if plant[Plant.LAG + axis] == 0.0:
-                fault[SetupFault.DRIVE] = axis
+            lag = plant[Plant.LAG + axis]
+            fault[SetupFault.DRIVE] = axis
+            fault[SetupFault.VALUE] = lag
+            if lag == 0.0 and exchange == 1:
                 return SetupStatus.NO_LAG
+            if lag > 0.0 and lag < fault[SetupFault.BOUND]:
+                return SetupStatus.SHORT_LAG
     return SetupStatus.FITS
 
 

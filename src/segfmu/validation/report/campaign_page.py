@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -146,7 +147,8 @@ def _worst(result: CampaignResult) -> list[Section]:
         "Worst cases", "Each can be run again as a scenario of its own.",
         tables=[Table("Least margins", ("criterion", "run", "margin", "factors"), rows)],
         commands=[
-            f"segfmu validate {result.folder / f'run_{run}.toml'}" for run in result.worst()
+            f"segfmu validate {quote(str(result.folder / f'run_{run}.toml'))}"
+            for run in result.worst()
         ],
     )]
 

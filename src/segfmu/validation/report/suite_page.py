@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import inf
+from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 from segfmu.crane import ActuatorBounds
@@ -148,4 +149,4 @@ def _without_run(result: Result) -> Section:
 
 
 def _again(result: Result) -> str:
-    return f"segfmu validate {result.scenario.path}"
+    return f"segfmu validate {quote(str(result.scenario.path))}"

@@ -14,8 +14,9 @@ static bool set_parameters(crane *m, char message[MESSAGE])
     feed_record(&feeds_sensors, &m->base, sensors);
     int64_t status = segfmu_check_travel(vector(plant + PLANT_TRAVEL_MIN, AXES_SIZE),
                                          vector(plant + PLANT_TRAVEL_MAX, AXES_SIZE), report);
-    if (status == SETUP_STATUS_FITS && m->base.interface != CO_SIMULATION) {
-        status = segfmu_check_lags(vector(plant, PLANT_SIZE), report);
+    if (status == SETUP_STATUS_FITS) {
+        status = segfmu_check_lags(vector(plant, PLANT_SIZE), m->base.interface != CO_SIMULATION,
+                                   report);
     }
     if (status == SETUP_STATUS_FITS) {
         status = segfmu_check_slack(vector(plant, PLANT_SIZE), m->base.interface != CO_SIMULATION,
