@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -38,6 +39,20 @@ def test_what_is_left_goes_at_the_end(removal: str, code: int, tmp_path: Path) -
     )
     assert done.returncode == code
     assert done.stdout.startswith(str(tmp_path))
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_process_that_is_forked_leaves_the_folders_of_the_first(tmp_path: Path) -> None:
+    script = (
+        "import os, sys\nfrom segfmu import folders\nfolder = folders.make_folder()\n"
+        "child = os.fork()\nif child == 0:\n    sys.exit()\nos.waitpid(child, 0)\n"
+        "sys.exit(0 if folder.exists() else 1)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], env={"TMPDIR": str(tmp_path)}, timeout=60, check=False
+    )
+    assert done.returncode == 0
     assert not list(tmp_path.iterdir())
 
 

@@ -64,3 +64,8 @@ class BuildError(SegfmuError):
 
 class SimulationError(SegfmuError):
     """A co-simulation that an FMU or the master stopped."""
+
+
+def first_line(error: BaseException) -> str:
+    """What an error of another package says, in one line; its type where it says nothing."""
+    return next(iter(str(error).splitlines()), type(error).__name__)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import os
 import shutil
 import tempfile
 from collections.abc import Iterator
@@ -10,14 +11,15 @@ from contextlib import contextmanager
 from pathlib import Path
 from secrets import token_hex
 
-_present: set[Path] = set()
+# with the process that made it: one that is forked from it must leave it
+_present: set[tuple[Path, int]] = set()
 
 
 def make_folder(parent: Path | None = None) -> Path:
     """A new temporary folder, in `parent` or in the system's place for them."""
     folder = Path(parent or tempfile.gettempdir()) / f"segfmu_{token_hex(8)}"
     # known before it is there: a signal between the two would leave it
-    _present.add(folder)
+    _present.add((folder, os.getpid()))
     folder.mkdir(mode=0o700)
     return folder
 
@@ -27,7 +29,7 @@ def remove_folder(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     # a program that is still writing to it can keep it
     if not folder.exists():
-        _present.discard(folder)
+        _present.discard((folder, os.getpid()))
 
 
 @contextmanager
@@ -42,5 +44,6 @@ def work_folder(parent: Path | None = None) -> Iterator[Path]:
 
 @atexit.register
 def _remove_all() -> None:
-    for folder in tuple(_present):
-        remove_folder(folder)
+    for folder, process in tuple(_present):
+        if process == os.getpid():
+            remove_folder(folder)

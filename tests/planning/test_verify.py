@@ -257,6 +257,19 @@ TAMPERED = {
 }
 
 
+@pytest.mark.parametrize(("change", "words"), [
+    (lambda p: {"axis_durations": p.axis_durations[:1]}, "axis_durations must have the shape"),
+    (lambda p: {"waypoints": (), "axis_waypoint_times": p.axis_waypoint_times[:0]}, "0 waypoints"),
+    (lambda p: {"offsets": np.array([0, 0, p.offsets[-1]])}, "offsets that ascend from 0"),
+    (lambda p: {"offsets": np.add(p.offsets, [0, 0, 5])}, "timing must have the shape"),
+    (lambda p: {"timing": p.timing[:-1]}, "timing must have the shape"),
+    (lambda p: {"coefficients": p.coefficients[:-1]}, "coefficients must have the shape"),
+])
+def test_arrays_that_do_not_belong_together(change, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        verify(replace(planned(4), **change(planned(4))))
+
+
 @pytest.mark.parametrize("name", TAMPERED)
 def test_a_tampered_plan_fails(name: str) -> None:
     tampered = TAMPERED[name]()

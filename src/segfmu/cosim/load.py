@@ -11,7 +11,7 @@ from fmpy import extract, platform, platform_tuple, read_model_description
 from segfmu.cosim.unit import Unit
 from segfmu.cosim.unit2 import Unit2
 from segfmu.cosim.unit3 import Unit3
-from segfmu.errors import InputError
+from segfmu.errors import InputError, first_line
 from segfmu.folders import make_folder, remove_folder
 
 
@@ -52,7 +52,7 @@ def _describe(path: Path, folder: Path) -> Any:
         raise InputError(f"{path}: not a readable FMU: {error}") from None
     except Exception as error:
         # fmpy raises bare exceptions for descriptions it refuses
-        raise InputError(f"{path}: not a valid FMU: {str(error).splitlines()[0]}") from None
+        raise InputError(f"{path}: not a valid FMU: {first_line(error)}") from None
     version = description.fmiVersion
     if version not in ("2.0", "3.0") or description.coSimulation is None:
         raise InputError(

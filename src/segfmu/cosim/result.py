@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from secrets import token_hex
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,8 @@ def replacing(path: Path) -> Iterator[Path]:
     InputError
         If the file cannot be written.
     """
-    temporary = path.with_name(f"{path.name}.part")
+    # others may write to the same file
+    temporary = path.with_name(f"{path.name}.{token_hex(4)}.part")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         try:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.messages import ERROR, FATAL, OK, Messages
 from segfmu.cosim.values import Setter
-from segfmu.errors import InputError, SegfmuError, SimulationError
+from segfmu.errors import InputError, SegfmuError, SimulationError, first_line
 from segfmu.folders import remove_folder
 
 # s; times that differ by less are equal
@@ -81,7 +81,10 @@ class Unit(ABC):
         try:
             # fmpy goes to the library's folder, and stays there after an error
             with LOADING:
-                here = Path.cwd()
+                try:
+                    here = Path.cwd()
+                except FileNotFoundError:
+                    raise InputError("the working folder was removed; go to another one") from None
                 try:
                     self._instantiate()
                 finally:
@@ -90,7 +93,7 @@ class Unit(ABC):
             raise
         except Exception as problem:
             # fmpy raises bare exceptions
-            words = str(problem).splitlines()[0].replace(f"{self._folder}{os.sep}", "")
+            words = first_line(problem).replace(f"{self._folder}{os.sep}", "")
             raise InputError(f"{self.name} cannot be loaded: {words}") from None
 
     @abstractmethod

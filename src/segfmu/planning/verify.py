@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
+from segfmu.kernels.trajectory.records import Timing
+from segfmu.planning.arrays import FloatArray, shown
 from segfmu.planning.polynomials import derivative_pieces, extrema
 from segfmu.planning.problem import SYNCHRONIZATIONS
 from segfmu.planning.trajectory import Trajectory, require_plan
@@ -108,6 +109,8 @@ def _require_whole(trajectory: Trajectory) -> None:
             f"trajectory has {len(points)} waypoints of {trajectory.axes} axes, but the times of "
             f"{' x '.join(map(str, times.shape))}"
         )
+    if len(points) < 2:
+        raise InputError(f"trajectory has {len(points)} waypoints, at least 2 are needed")
     for number, point in enumerate(points, 1):
         if point.axes != trajectory.axes:
             raise InputError(
@@ -122,6 +125,27 @@ def _require_whole(trajectory: Trajectory) -> None:
             f"trajectory has synchronize {trajectory.synchronize!r}, not one of "
             f"{', '.join(SYNCHRONIZATIONS)}"
         )
+    _require_pieces(trajectory)
+
+
+def _require_pieces(trajectory: Trajectory) -> None:
+    """Raise InputError unless every axis has pieces, and all arrays have as many rows."""
+    offsets = trajectory.offsets
+    if offsets.ndim != 1 or offsets[0] != 0 or (np.diff(offsets) <= 0).any():
+        raise InputError(
+            f"trajectory needs offsets that ascend from 0, got {shown(offsets.tolist())}"
+        )
+    pieces = int(offsets[-1])
+    for name, array, shape in (
+        ("timing", trajectory.timing, (pieces, Timing.SIZE)),
+        ("coefficients", trajectory.coefficients, (pieces, trajectory.coefficients.shape[-1])),
+        ("axis_durations", trajectory.axis_durations, (trajectory.axes,)),
+    ):
+        if array.shape != shape:
+            raise InputError(
+                f"trajectory has {pieces} pieces of {trajectory.axes} axes; its {name} must have "
+                f"the shape {shape}, not {array.shape}"
+            )
 
 
 def _measured(trajectory: Trajectory) -> Verification:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.errors import InputError, SegfmuError
+from segfmu.folders import make_folder, remove_folder
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import shown
 
@@ -98,9 +99,7 @@ def folder(name: str | Path) -> Path:
     path = _named(name)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        probe = path / ".segfmu.part"
-        probe.touch()
-        probe.unlink()
+        remove_folder(make_folder(path))
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise InputError(f"output {name}: cannot create this folder: {reason}") from None

@@ -1,4 +1,4 @@
-"""Compilers: what is stopped ends whole."""
+"""Compilers: which is the machine's own, and what is stopped ends whole."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from segfmu.fmu.native import compilers
 from segfmu.fmu.native.compilers import PLATFORMS, Compiler
 
 # a compiler that runs another program, which goes on for long
@@ -39,6 +40,18 @@ def test_a_stopped_compiler_ends_the_programs_that_it_runs(tmp_path: Path) -> No
     while _runs(program):
         assert time.monotonic() < deadline
         time.sleep(0.01)
+
+
+@pytest.mark.parametrize(("configured", "name"), [
+    ("gcc", "gcc"), ("ccache gcc -pthread", "gcc"), ("clang -B /x", "cc"), ("", "cc"),
+])
+def test_the_compiler_that_python_was_built_with(
+    configured: str, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compilers.sysconfig, "get_config_var", lambda _: configured)
+    known = ("gcc", "cc", "clang", "ccache")
+    monkeypatch.setattr(compilers.shutil, "which", lambda n: f"/bin/{n}" if n in known else None)
+    assert compilers._own() == f"/bin/{name}"
 
 
 def _runs(program: int) -> bool:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import sys
+from errno import EAGAIN, ENOLCK
 from pathlib import Path
 
 import pytest
 
+from segfmu import InputError
 from segfmu.cli.app import run as segfmu
+from segfmu.validation.campaigns import store
+from segfmu.validation.campaigns.result import load_result
 from tests.compiler import require_native
 from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, write
 
@@ -134,6 +139,29 @@ def test_an_empty_name_of_a_folder(
     (tmp_path / "file").touch()
     for name, said in (("", "output is empty"), (str(tmp_path / "file" / "x"), "Not a directory")):
         assert said in refused(monkeypatch, capsys, "campaign", str(path), "-o", name)
+
+
+@pytest.mark.parametrize("about", ["[]", "{}", '{"name": "x"}', "{", ""])
+def test_a_folder_that_has_no_campaign(about: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"campaign\.json: cannot be read"):
+        load_result(tmp_path)
+    (tmp_path / "campaign.json").write_text(about, encoding="utf-8")
+    with pytest.raises(InputError, match=r"campaign\.json: "):
+        load_result(tmp_path)
+
+
+@pytest.mark.parametrize(("number", "words"), [
+    (EAGAIN, "another campaign is running"), (ENOLCK, "cannot be locked: "),
+])
+def test_why_a_folder_cannot_be_locked(
+    number: int, words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(_: int) -> None:
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(store, "_lock", refuse)
+    with pytest.raises(InputError, match=words), store.alone(tmp_path):
+        pass
 
 
 def test_a_run_that_there_is_not(

@@ -224,8 +224,9 @@ def _has_zig() -> bool:
 
 def _own() -> str | None:
     """The C compiler that Python was built with, or another one of the usual names."""
-    configured = str(sysconfig.get_config_var("CC") or "").split()
-    for name in (*configured[:1], "cc", "gcc", "clang"):
+    # the name may follow that of a program that runs it, such as ccache
+    configured = [w for w in str(sysconfig.get_config_var("CC") or "").split() if w[0] != "-"]
+    for name in (*configured[-1:], "cc", "gcc", "clang"):
         found: str | None = shutil.which(name)
         if found is not None:
             return found

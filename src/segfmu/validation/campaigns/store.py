@@ -9,12 +9,13 @@ import json
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from errno import EACCES, EAGAIN, EDEADLK
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from segfmu.cosim.result import replacing
-from segfmu.errors import InputError
+from segfmu.errors import InputError, first_line
 from segfmu.validation.campaigns.campaign import Campaign
 from segfmu.validation.campaigns.worker import Outcome
 from segfmu.validation.files.campaign_tables import FactorTable
@@ -181,7 +182,7 @@ def read_table(path: Path, schema: pyarrow.Schema | None = None) -> pyarrow.Tabl
     try:
         return pyarrow.parquet.read_table(path, schema=schema)
     except (OSError, pyarrow.ArrowException) as error:
-        reason = str(error).splitlines()[0]
+        reason = first_line(error)
         raise InputError(
             f"{path}: no table of runs: {reason}; without this file its runs are repeated"
         ) from None
@@ -218,8 +219,11 @@ def alone(folder: Path) -> Iterator[None]:
     with path.open("w", encoding="utf-8") as file:
         try:
             _lock(file.fileno())
-        except OSError:
-            raise InputError(f"{folder}: another campaign is running in this folder") from None
+        except OSError as error:
+            reason = f"cannot be locked: {error.strerror}"
+            if error.errno in (EACCES, EAGAIN, EDEADLK):
+                reason = "another campaign is running in this folder"
+            raise InputError(f"{folder}: {reason}") from None
         yield
     # another one may have opened it meanwhile; it stays
 
@@ -244,4 +248,7 @@ def names_in(folder: Path) -> tuple[str, Sequence[str], Sequence[str]]:
         If there is none.
     """
     found = _about(folder / ABOUT)
-    return found["name"], found["factors"], found["criteria"]
+    try:
+        return found["name"], found["factors"], found["criteria"]
+    except KeyError as key:
+        raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None

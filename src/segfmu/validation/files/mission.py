@@ -139,18 +139,6 @@ class Mission(Table):
         """The crane that is planned for."""
         return crane_parameters.nominal(self.crane)
 
-    def require_limits(self) -> LimitsTable:
-        """The limits of the load.
-
-        Raises
-        ------
-        InputError
-            If the mission has none.
-        """
-        if self.limits is None:
-            raise InputError("limits: this needs limits of the load; add [limits.x], .y and .z")
-        return self.limits
-
     def build_limits(self) -> Limits | None:
         """Limits of the axes x, y, z; None if the mission leaves them to the drives."""
         if self.limits is None:
