@@ -9,10 +9,12 @@ from benchmarks.drive_problems import drive_problems
 
 from segfmu import (
     ActuatorBounds,
+    Clearance,
     Crane,
     InfeasibleError,
     InputError,
     Limits,
+    Obstacle,
     Waypoint,
     excursions,
     plan,
@@ -204,3 +206,39 @@ def test_free_states_do_not_run_up_backwards() -> None:
     found = plan_actuated(crane, points, None, bounds)
     assert excursions(found.trajectory) == ()
     assert found.trajectory(found.trajectory.waypoint_times[1], 1)[1] > 0.0
+
+
+def test_free_states_are_never_slower_than_rest() -> None:
+    crane, bounds = Crane(1.2, 0.8, 0.5), ActuatorBounds(force=[8.0, 6.0, 8.0], velocity=0.3)
+    ends = [Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.4, -1.0])]
+    inner = ([0.1, 0.05, -1.0], [0.4, 0.1, -1.0])
+    shares: list[float] = []
+    resting, free = (
+        plan_actuated(
+            crane, [ends[0], *(Waypoint(p, *words) for p in inner), ends[1]], None, bounds,
+            progress=shares.append,
+        ).trajectory.duration
+        for words in ((), ("free", "free"))
+    )
+    assert free <= resting * (1.0 + 1e-6)
+    assert min(shares) > 0.0 and max(shares) <= 1.0
+
+
+@pytest.mark.parametrize("way", ["clearance", "range"])
+def test_a_wall_is_kept_whatever_the_limits(way: str) -> None:
+    crane = Crane(5e3, 1e3, 5e3)
+    bounds = ActuatorBounds(force=[8e4, 5e4, 6e5], velocity=[12.0, 8.0, 3.0])
+    points = [
+        Waypoint([0, 0, -8]), Waypoint([6, 2, -8], "free", "free"), Waypoint([5, 6, -8]),
+    ]
+    wall = {
+        "clearance": {"clearance": Clearance([Obstacle("wall", [6.01, -5, -20], [9, 20, 0])])},
+        "range": {"position_max": [6.01, 20.0, 0.0]},
+    }[way]
+    limits = Limits(1.0, 0.4, 0.4, 0.4)
+    limited, resting = (
+        plan_actuated(crane, [points[0], point, points[2]], limits, bounds, **wall)
+        for point in (points[1], Waypoint([6, 2, -8]))
+    )
+    assert limited.passed and limited.trajectory.extrema(0)[1][0] <= 6.01 + 1e-9
+    assert limited.trajectory.duration < resting.trajectory.duration

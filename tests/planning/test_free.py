@@ -225,3 +225,27 @@ def test_free_states_are_near_the_best_that_another_search_finds(places) -> None
     )
     _, passing = via(places)
     assert passing < 1.015 * best
+
+
+@pytest.mark.parametrize("overshoot", [0.0, 0.25, np.inf])
+@pytest.mark.parametrize("wall", [6.0, 6.0 + 1e-7, 6.01, 6.2, 9.0])
+def test_free_states_keep_the_range_of_the_positions(wall: float, overshoot: float) -> None:
+    limits = Limits(1.0, 0.4, 0.4, 0.4)
+    points = [Waypoint([0, 0]), Waypoint([6, 2], "free", "free"), Waypoint([5, 6])]
+    ranges = {"position_max": [wall, 20.0], "position_min": [-0.01, None]}
+    found = plan(points, limits, overshoot=overshoot, **ranges)
+    assert found.extrema(0)[1][0] <= wall * (1.0 + 1e-12)
+    resting = plan([points[0], Waypoint([6, 2]), points[2]], limits, **ranges)
+    assert found.duration < resting.duration
+    with pytest.raises(InfeasibleError, match=r"position_max is 5.9 m"):
+        plan(points, limits, overshoot=overshoot, position_max=[5.9, None])
+
+
+def test_rest_is_left_where_given_states_lead_to_the_bound() -> None:
+    limits = Limits(1.0, 0.5, 1.0, 4.0)
+    end = Waypoint([2.0], [0.5])
+    resting = plan([Waypoint([0.0]), Waypoint([1.9]), end], limits)
+    bound = resting.extrema(0)[1][0] * (1.0 + 1e-9)
+    found = plan([Waypoint([0.0]), Waypoint([1.9], "free", "free"), end], limits,
+                 position_max=bound, position_min=resting.extrema(0)[0][0] - 1e-9)
+    assert found.duration <= resting.duration * (1.0 + 1e-9)

@@ -140,14 +140,25 @@ def plan_actuated(
     )
     require_flat(crane, len(request.axis_names), smoothness)
     options |= {"position_min": position_min, "position_max": position_max}
+    refusal: InfeasibleError | None = None
     if limits is not None:
-        found = _as_limited(crane, bounds, plan(waypoints, limits, **options, **timing), clearance)
+        try:
+            whole = plan(waypoints, limits, **options, **timing)
+            found = _as_limited(crane, bounds, whole, clearance)
+        except InfeasibleError as error:
+            if not bounds.known:
+                raise
+            # slower plans, and others of free states, can be clear
+            found, refusal = None, error
         if found is not None:
             return found
     task = _task(crane, request.waypoints, limits, bounds, options, clearance)
-    _require_states(task, bounds)
-    require_lift(task)
-    best = _searched(task, bounds, progress)
+    try:
+        _require_states(task, bounds)
+        require_lift(task)
+        best = _searched(task, bounds, progress)
+    except InfeasibleError as error:
+        raise refusal or error from None
     if duration is not None or sample_time is not None:
         best = _timed(best, replace(best.task, options=options | timing), bounds, progress)
     return _measured(crane, bounds, best.trajectory)

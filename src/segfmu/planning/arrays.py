@@ -64,7 +64,7 @@ def finite_number(name: str, value: ArrayLike) -> float:
     if isinstance(value, float) and isfinite(value):
         return float(value)
     array = numbers(name, value, "one number")
-    if array.size != 1:
+    if array.size != 1 or array.ndim > 1:
         raise InputError(f"{name} must be one number, got {_given(value)}")
     number = array.item()
     if not isfinite(number):

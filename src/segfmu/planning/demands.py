@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from segfmu.errors import InfeasibleError
-from segfmu.planning.arrays import Range
-from segfmu.planning.limits import NAMES, UNITS
+from segfmu.planning.arrays import FloatArray
+from segfmu.planning.limits import NAMES, UNITS, Limits
 from segfmu.planning.messages import told_apart
 from segfmu.planning.polynomials import derivative_pieces, piece_turns
-from segfmu.planning.request import position_bounds
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE, Verification, piece_ends, verify
+from segfmu.planning.waypoint import Waypoint
 
 SCALE = "the problem is badly scaled; choose limits and distances of similar size"
 
@@ -37,21 +39,31 @@ def require(trajectory: Trajectory) -> None:
     raise _beyond(trajectory, axis, name, value, bound, time, text)
 
 
-def require_positions(
-    trajectory: Trajectory, position_min: Range, position_max: Range
-) -> None:
-    """Raise InfeasibleError when an axis leaves a range; InputError for bounds that are none."""
-    if position_min is None and position_max is None:
-        return
+def require_start(start: Waypoint, limits: Limits, axis_names: Sequence[str]) -> None:
+    """Raise InfeasibleError when a state that a plan begins with exceeds a limit."""
+    for name, unit in zip(NAMES, UNITS, strict=True):
+        values = np.abs(getattr(start, name))
+        bounds = np.broadcast_to(getattr(limits, name), values.shape)
+        broken = (bounds > 0.0) & (values > bounds * (1.0 + TOLERANCE))
+        for axis in np.flatnonzero(broken).tolist():
+            value, bound = float(values[axis]), float(bounds[axis])
+            digits = told_apart(value, bound, 9)
+            raise InfeasibleError(
+                f"axis {axis_names[axis]}, waypoint 1: the state that the plan begins with has "
+                f"{name} {value:.{digits}g} {unit}, limit {bound:.{digits}g} {unit}; raise "
+                f"limits.{name}, or begin where it is lower",
+                axis=axis, interval=1, limit=name, value=value, bound=bound, time=0.0,
+            )
+
+
+def require_positions(trajectory: Trajectory, allowed: FloatArray) -> None:
+    """Raise InfeasibleError when an axis leaves its range, (axes, 2), infinite for no bound."""
     low, high = trajectory.extrema(0)
-    for name, given, reached, sign in (
-        ("position_min", position_min, low, -1.0),
-        ("position_max", position_max, high, 1.0),
+    for name, bounds, reached, sign in (
+        ("position_min", allowed[:, 0], low, -1.0), ("position_max", allowed[:, 1], high, 1.0),
     ):
-        if given is None:
-            continue
-        bounds = position_bounds(name, given, trajectory.axes, sign * np.inf)
-        margin = 1e-12 * np.maximum(np.abs(bounds), 1.0)
+        known = np.where(np.isfinite(bounds), np.abs(bounds), 0.0)
+        margin = 1e-12 * np.maximum(known, 1.0)
         for axis in np.flatnonzero(sign * (reached - bounds) > margin).tolist():
             time = _reached(trajectory, axis, 0, sign)
             value, bound = float(reached[axis]), float(bounds[axis])

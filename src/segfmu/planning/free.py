@@ -47,27 +47,42 @@ SMOOTHSTEP = np.array([1.0, 1.0, 0.6, 0.5])
 
 
 def choose_states(
-    request: Request, overshoot: float = OVERSHOOT, progress: Progress | None = None
+    request: Request, overshoot: float = OVERSHOOT, progress: Progress | None = None,
+    allowed: FloatArray | None = None,
 ) -> Request:
     """A request with numbers for its free velocities and accelerations (NaN).
 
     Free states of the first and the last waypoint, and of those with a dwell, become rest.
+
+    allowed : ndarray, shape (axes, 2), optional
+        Range of the positions [m].
     """
     if not any(point.free for point in request.waypoints):
         return request
+    if allowed is None:
+        allowed = np.tile([-np.inf, np.inf], (len(request.axis_names), 1))
     problem = request.problem
     free = np.isnan(problem.states)
     resting = problem._replace(states=np.where(free, 0.0, problem.states))
     free[[0, -1]] = False
     free[problem.dwells > 0.0] = False
     states = resting.states
-    parts = list(passages(resting, free[:, :, WaypointState.VELOCITY:], overshoot))
+    parts = list(passages(resting, free[:, :, WaypointState.VELOCITY:], overshoot, allowed))
     for done, part in enumerate(parts):
         states[part.waypoints, part.axes, WaypointState.VELOCITY:] = _fastest(part)
         if progress is not None:
             progress(done + 1, len(parts))
     return request._replace(
         waypoints=with_states(request.waypoints, states), problem=resting
+    )
+
+
+def at_rest(request: Request) -> Request:
+    """A request whose free velocities and accelerations are zero."""
+    problem = request.problem
+    states = np.where(np.isnan(problem.states), 0.0, problem.states)
+    return request._replace(
+        waypoints=with_states(request.waypoints, states), problem=problem._replace(states=states)
     )
 
 

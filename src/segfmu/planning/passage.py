@@ -101,15 +101,19 @@ class Passage:
         if not phases.feasible:
             return np.ones(len(self.box), dtype=np.bool_)
         ranges = _ranges(problem, phases)
-        margin = MARGIN * np.ptp(self.box)
+        margin = MARGIN * np.ptp(self.box[np.isfinite(self.box)])
         low, high = self.box[..., 0] - margin, self.box[..., 1] + margin
         return np.asarray(((ranges[..., 0] < low) | (ranges[..., 1] > high)).any(axis=1))
 
 
 def passages(
-    problem: Problem, free: NDArray[np.bool_], overshoot: float
+    problem: Problem, free: NDArray[np.bool_], overshoot: float, allowed: FloatArray
 ) -> Iterator[Passage]:
-    """The passages of a problem whose free states, shape (waypoints, axes, 2), are at rest."""
+    """The passages of a problem whose free states, shape (waypoints, axes, 2), are at rest.
+
+    allowed : ndarray, shape (axes, 2)
+        Range of the positions [m].
+    """
     count = problem.states.shape[1]
     meeting = problem.options.synchronize == "waypoints"
     groups = [slice(0, count)] if meeting else [slice(axis, axis + 1) for axis in range(count)]
@@ -122,7 +126,7 @@ def passages(
         # nothing moves between two waypoints at the same place
         staying = np.flatnonzero((np.diff(positions, axis=0) == 0.0).all(axis=1))
         chosen[staying] = chosen[staying + 1] = False
-        box = _neighbourhoods(positions, overshoot)
+        box = _within(_neighbourhoods(positions, overshoot), allowed[axes], positions)
         given = np.flatnonzero(~chosen.any(axis=(1, 2)))
         for first, last in pairwise(given):
             if last == first + 1:
@@ -148,6 +152,16 @@ def _neighbourhoods(positions: FloatArray, overshoot: float) -> FloatArray:
     low, high = stacked.min(axis=0), stacked.max(axis=0)
     beyond = overshoot * (high - low)
     return np.stack([low - beyond, high + beyond], axis=2)
+
+
+def _within(box: FloatArray, allowed: FloatArray, positions: FloatArray) -> FloatArray:
+    """The part of the box that is allowed (axes, 2), its waypoints included."""
+    ends = np.stack([positions[:-1], positions[1:]])
+    # plans may leave the box by the margin
+    inwards = 2.0 * MARGIN * np.ptp(positions, axis=0)
+    low = np.minimum(np.maximum(box[..., 0], allowed[:, 0] + inwards), ends.min(axis=0))
+    high = np.maximum(np.minimum(box[..., 1], allowed[:, 1] - inwards), ends.max(axis=0))
+    return np.stack([low, high], axis=2)
 
 
 def _admitted(

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
-from segfmu.errors import InputError
-from segfmu.planning.arrays import Range, finite_number, shown
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.planning.arrays import FloatArray, Range, finite_number, shown
 from segfmu.planning.demands import require, require_positions
-from segfmu.planning.free import OVERSHOOT, Progress, choose_states
+from segfmu.planning.free import OVERSHOOT, Progress, at_rest, choose_states
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
-from segfmu.planning.request import Request, checked_request
+from segfmu.planning.request import Request, checked_request, position_range
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE
@@ -85,9 +85,21 @@ def plan(
     )
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function, got {shown(progress)}")
-    request = choose_states(request, _share("overshoot", overshoot), progress)
-    trajectory = planned(request)
-    require_positions(trajectory, position_min, position_max)
+    allowed = position_range(position_min, position_max, len(request.axis_names))
+    chosen = choose_states(request, _share("overshoot", overshoot), progress, allowed)
+    trajectory = planned(chosen)
+    return trajectory if allowed is None else _within(allowed, trajectory, request)
+
+
+def _within(allowed: FloatArray, trajectory: Trajectory, request: Request) -> Trajectory:
+    """The trajectory if it keeps the range of the positions, else the one with rest in between."""
+    try:
+        require_positions(trajectory, allowed)
+    except InfeasibleError:
+        if not any(point.free for point in request.waypoints):
+            raise
+        trajectory = planned(at_rest(request))
+        require_positions(trajectory, allowed)
     return trajectory
 
 

@@ -84,7 +84,19 @@ def with_states(points: tuple[Waypoint, ...], states: FloatArray) -> tuple[Waypo
     )
 
 
-def position_bounds(name: str, given: Range, axes: int, absent: float) -> FloatArray:
+def position_range(
+    position_min: Range, position_max: Range, axes: int
+) -> FloatArray | None:
+    """Range of the positions [m], shape (axes, 2), infinite for no bound; None for no range."""
+    if position_min is None and position_max is None:
+        return None
+    return np.stack([
+        _position_bounds("position_min", position_min, axes, -np.inf),
+        _position_bounds("position_max", position_max, axes, np.inf),
+    ], axis=1)
+
+
+def _position_bounds(name: str, given: Range, axes: int, absent: float) -> FloatArray:
     """Bounds of the position [m], one per axis; `absent`, -inf or inf, for no bound."""
     bounds = range_bounds(name, given, absent)
     if bounds.ndim == 1 and bounds.size not in (1, axes):
