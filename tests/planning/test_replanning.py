@@ -419,3 +419,16 @@ def test_rounding_of_a_long_motion_before_its_last_nanometres(
     old = soak_replan.random_plan(random, more, 4, int(random.integers(1, 4)))
     new = replan(old, t, old.waypoints[-1], synchronize=synchronize)
     assert verify(new).passed
+
+
+@pytest.mark.parametrize(("time", "limits", "limit"), [
+    (0.05, Limits(1.0, 0.8, 4.0, 10.0), "snap"), (0.15, Limits(1.0, 1.0, 1.0, 20.0), "jerk"),
+    (0.6, Limits(1.0, 0.8, 4.0, 20.0), "acceleration"),
+    (0.6, Limits(0.2, 1.0, 4.0, 20.0), "velocity"),
+])
+def test_a_refusal_names_the_limit_that_the_state_breaks(
+    time: float, limits: Limits, limit: str
+) -> None:
+    old = plan([Waypoint(0.0), Waypoint(1.0)], Limits(1.0, 1.0, 4.0, 20.0))
+    with pytest.raises(InfeasibleError, match=rf"axis x, waypoint 1: {limit} .* exceeds the limit"):
+        replan(old, time, Waypoint(2.0), limits)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from benchmarks.stopping import shortest_stop
 
-from segfmu import Limits, Waypoint, reach_velocity, stop, verify
+from segfmu import InfeasibleError, Limits, Waypoint, plan, reach_velocity, stop, verify
 
 # limits c_1 .. c_n, and velocity, acceleration and so on; smoothness n
 STATES = (
@@ -73,3 +73,21 @@ def test_another_velocity_is_reached_as_well(
     moving = (state[0] + 0.3, *state[1:])
     reached = reach_velocity(Waypoint(0.0, *moving), 0.3, limits=limits, smoothness=n)
     assert reached.duration == pytest.approx(stopped.duration, rel=1e-9)
+
+
+@pytest.mark.parametrize(("state", "limit", "value", "bound"), [
+    (([1.5], [0.0]), "velocity", 1.5, 1.0), (([0.5], [1.5]), "acceleration", 1.5, 1.0),
+    (([0.5], [0.5], [5.0]), "jerk", 5.0, 4.0), (([0.5], [0.5], [1.0], [30.0]), "snap", 30.0, 20.0),
+])
+def test_a_state_beyond_a_limit_is_named(
+    state: tuple[list[float], ...], limit: str, value: float, bound: float
+) -> None:
+    start, limits = Waypoint([0.0], *state), Limits(1.0, 1.0, 4.0, 20.0)
+    for call in (
+        lambda: stop(start, limits=limits), lambda: reach_velocity(start, 0.1, limits=limits),
+        lambda: plan([start, Waypoint([3.0])], limits),
+    ):
+        with pytest.raises(InfeasibleError, match=rf"{limit} {value:g} m.* exceeds") as refused:
+            call()
+        found = refused.value
+        assert (found.limit, found.value, found.bound) == (limit, value, bound)

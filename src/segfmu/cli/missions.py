@@ -43,7 +43,9 @@ def plan(
     target = None if output is None else folder(output)
     from segfmu.validation.tables import plan_table
 
-    console.print(plan_table(task.name, trajectory, verify(trajectory)))
+    console.print(plan_table(
+        task.name, trajectory, verify(trajectory), task.limits is not None
+    ))
     _show_bounds(task, trajectory)
     for found in excursions(trajectory):
         tell(str(found))

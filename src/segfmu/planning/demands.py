@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from segfmu.errors import InfeasibleError
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.limits import NAMES, UNITS, Limits
+from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.messages import told_apart
 from segfmu.planning.polynomials import derivative_pieces, piece_turns
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE, Verification, piece_ends, verify
-from segfmu.planning.waypoint import Waypoint
 
 SCALE = "the problem is badly scaled; choose limits and distances of similar size"
 
@@ -37,23 +34,6 @@ def require(trajectory: Trajectory) -> None:
         f"{bound:.{digits}g} {unit}; raise limits.{name}"
     )
     raise _beyond(trajectory, axis, name, value, bound, time, text)
-
-
-def require_start(start: Waypoint, limits: Limits, axis_names: Sequence[str]) -> None:
-    """Raise InfeasibleError when a state that a plan begins with exceeds a limit."""
-    for name, unit in zip(NAMES, UNITS, strict=True):
-        values = np.abs(getattr(start, name))
-        bounds = np.broadcast_to(getattr(limits, name), values.shape)
-        broken = (bounds > 0.0) & (values > bounds * (1.0 + TOLERANCE))
-        for axis in np.flatnonzero(broken).tolist():
-            value, bound = float(values[axis]), float(bounds[axis])
-            digits = told_apart(value, bound, 9)
-            raise InfeasibleError(
-                f"axis {axis_names[axis]}, waypoint 1: the state that the plan begins with has "
-                f"{name} {value:.{digits}g} {unit}, limit {bound:.{digits}g} {unit}; raise "
-                f"limits.{name}, or begin where it is lower",
-                axis=axis, interval=1, limit=name, value=value, bound=bound, time=0.0,
-            )
 
 
 def require_positions(trajectory: Trajectory, allowed: FloatArray) -> None:

@@ -15,7 +15,6 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.arrays import as_tuple, finite_number, shown
-from segfmu.planning.demands import require_start
 from segfmu.planning.free import choose_states
 from segfmu.planning.lead import Leads, Pieces
 from segfmu.planning.limits import Limits
@@ -166,5 +165,4 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
             found, proved = solve_after(chosen, Leads(pieces, states), TOLERANCE)
             if proved or verify(found).passed:
                 return found
-        require_start(request.waypoints[0], request.limits, request.axis_names)
         raise

@@ -11,11 +11,13 @@ from segfmu.kernels.planner.records import DelayedState, PlanStatus, WaypointSta
 from segfmu.kernels.trajectory.records import Check
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
-from segfmu.planning.messages import refusal
+from segfmu.planning.limits import NAMES, UNITS
+from segfmu.planning.messages import refusal, told_apart
 from segfmu.planning.motion import plan_motion
 from segfmu.planning.problem import Phases, Problem, expand_phases, plan_phases
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.verify import TOLERANCE
 
 
 def solve(
@@ -71,15 +73,27 @@ def _leads(request: Request, follow: Pieces | None) -> Leads:
         states = problem.states.copy()
         states[0, :, WaypointState.VELOCITY :] = 0.0
         _phases(request, problem._replace(states=states))
-        raise no_lead(request.axis_names[leads.failed], leads.failed)
+        raise no_lead(request, leads.failed)
     return leads
 
 
-def no_lead(name: str, axis: int) -> InfeasibleError:
-    """The error for an axis that cannot settle within its limits."""
+def no_lead(request: Request, axis: int) -> InfeasibleError:
+    """The error for an axis that cannot settle within its limits; what its state exceeds, if so."""
+    start, where = request.waypoints[0], f"axis {request.axis_names[axis]}, waypoint 1: "
+    for name, unit in zip(NAMES, UNITS, strict=True):
+        value = abs(float(getattr(start, name)[axis]))
+        bound = float(np.broadcast_to(getattr(request.limits, name), start.axes)[axis])
+        # not by rounding alone, as states of other plans can have it
+        if 0.0 < bound * (1.0 + TOLERANCE) < value:
+            digits = told_apart(value, bound, 6)
+            return InfeasibleError(
+                f"{where}{name} {value:.{digits}g} {unit} exceeds the limit {bound:.{digits}g} "
+                f"{unit}; raise limits.{name}, or begin where it is lower",
+                axis=axis, interval=1, limit=name, value=value, bound=bound,
+            )
     return InfeasibleError(
-        f"axis {name}, waypoint 1: no motion from its velocity, acceleration and higher "
-        "derivatives keeps the limits; raise the limits or lower the derivatives",
+        f"{where}no motion from its velocity, acceleration and higher derivatives keeps the "
+        "limits; raise the limits or lower the derivatives",
         axis=axis, interval=1,
     )
 

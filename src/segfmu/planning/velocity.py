@@ -123,7 +123,7 @@ def _reached(request: Request, shape: str, rest: Pieces) -> Trajectory:
         TO_VELOCITY, request.start, request.problem.states[1], request.problem.limits, shape, rest
     )
     if leads.failed >= 0:
-        raise no_lead(request.axis_names[leads.failed], leads.failed)
+        raise no_lead(request, leads.failed)
     return _held(request, leads, rest)
 
 

@@ -13,11 +13,18 @@ from segfmu.validation.criteria import DRIVES, Criteria
 from segfmu.validation.units import shown
 
 
-def plan_table(name: str, trajectory: Trajectory, found: Verification) -> Table:
-    """Peaks of every derivative against the limits, per axis."""
+def plan_table(
+    name: str, trajectory: Trajectory, found: Verification, given: bool = True
+) -> Table:
+    """Peaks of every derivative against the limits, per axis.
+
+    given: whether the limits are the mission's, not those of the search within the drives' bounds.
+    """
     times = ", ".join(f"{t:.3f}" for t in trajectory.waypoint_times)
     table = Table(title=f"{escape(name)}: {trajectory.duration:.3f} s, waypoints at {times} s")
     table.add_column("peak")
+    if not given:
+        table.caption = "the mission has no limits: these were found for the bounds of the drives"
     for axis in trajectory.axis_names:
         table.add_column(f"{axis}, of its limit", justify="right")
     for order, (quantity, unit) in enumerate(zip(NAMES, UNITS, strict=True)):

@@ -16,6 +16,7 @@ from segfmu.validation.report import campaign_page, run_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
 from segfmu.validation.report.motion import load_section, owned
 from segfmu.validation.report.page import render
+from segfmu.validation.tables import plan_table
 from segfmu.validation.units import length, pretty
 from tests.compiler import needs_native
 from tests.validation.stopped import stopped
@@ -108,6 +109,17 @@ def test_the_peak_of_a_short_ramp_shows() -> None:
     charts = load_section(segfmu.plan(far, limits, axis_names="xyz")).charts
     for chart in charts[1:]:
         assert max(chart.curves[0].y) == pytest.approx(100.0, abs=0.5)
+
+
+@pytest.mark.parametrize("given", [True, False])
+def test_limits_that_the_mission_does_not_have_are_told(given: bool) -> None:
+    limits = segfmu.Limits(1.0, 1.0, 4.0, 40.0)
+    points = [segfmu.Waypoint([0.0, 0.0, -1.0]), segfmu.Waypoint([1.0, 0.0, -1.0])]
+    trajectory = segfmu.plan(points, limits)
+    text = str(load_section(trajectory, given).text)
+    assert ("The mission has no limits: these were found" in text) == (not given)
+    table = plan_table("m", trajectory, segfmu.verify(trajectory), given)
+    assert (table.caption is None) == given
 
 
 @needs_native

@@ -36,11 +36,17 @@ FIRST = {
     "velocity": Demand.VELOCITY, "acceleration": Demand.ACCELERATION, "force": Demand.FORCE,
     "power": Demand.POWER,
 }
+FOUND = (
+    " The mission has no limits: these were found, so that the plan uses the bounds of the drives."
+)
 Rows = NDArray[np.void]
 
 
-def load_section(trajectory: Trajectory) -> Section:
-    """The planned motion of the load and its derivatives, against their limits."""
+def load_section(trajectory: Trajectory, given: bool = True) -> Section:
+    """The planned motion of the load and its derivatives, against their limits.
+
+    given: whether the limits are the mission's, not those of the search within the drives' bounds.
+    """
     # peaks of short ramps are at ends of pieces and between them
     ends = trajectory.events
     between = 0.5 * (ends[1:] + ends[:-1])
@@ -53,7 +59,8 @@ def load_section(trajectory: Trajectory) -> Section:
         charts.append(_derivative(trajectory, times, order, name, table[:, order - 1]))
     return Section(
         "Load against its limits",
-        "The planned motion of the load. Vertical lines: arrivals at the waypoints.",
+        "The planned motion of the load. Vertical lines: arrivals at the waypoints."
+        + ("" if given else FOUND),
         AXIS_LEGEND, charts,
     )
 

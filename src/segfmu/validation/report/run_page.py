@@ -41,7 +41,7 @@ def run_page(run: Run) -> Page:
         scenes=[scene(mission, rows, mission.name)],
         sections=[
             *(replace(part, scene=0, arrivals=times, end=float(rows["time"][-1])) for part in (
-                load_section(trajectory), drive_section(rows, bounds),
+                load_section(trajectory, mission.limits is not None), drive_section(rows, bounds),
                 sway_section(rows, bounds), error_section(rows),
             )),
             _task(mission, trajectory),
