@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -161,3 +162,9 @@ def test_what_is_free_at_the_ends_and_in_dwells_is_zero() -> None:
     ]
     found = [p.velocity[0] for p in plan(points, ONE).waypoints]
     assert found[0] == found[2] == found[3] == 0.0 and found[1] > 0.1
+
+
+def test_limits_with_one_of_them_changed() -> None:
+    found = replace(Limits(1.0, 1.0, 4.0), velocity=2.0)
+    assert repr(found) == "Limits(velocity=2.0, acceleration=1.0, jerk=4.0)"
+    assert plan([Waypoint(0.0), Waypoint(1.0)], found).duration > 0.0

@@ -102,7 +102,8 @@ def shown(value: Any) -> str:
 
 def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> FloatArray:
     """Return a limit as positive numbers, 0-d or (axes,); None or infinity becomes 0: absent."""
-    if value is None and not required:
+    # what is absent in other limits may be given again
+    if (value is None or value is ABSENT) and not required:
         return ABSENT
     array = numbers(name, _replaced(value, inf))
     if array.ndim > 1 or array.size == 0:
