@@ -142,14 +142,9 @@ def plan_actuated(
     options |= {"position_min": position_min, "position_max": position_max}
     refusal: InfeasibleError | None = None
     if limits is not None:
-        try:
-            whole = plan(waypoints, limits, **options, **timing)
-            found = _as_limited(crane, bounds, whole, clearance)
-        except InfeasibleError as error:
-            if not bounds.known:
-                raise
-            # slower plans, and others of free states, can be clear
-            found, refusal = None, error
+        found, refusal = _as_limited(
+            crane, bounds, clearance, lambda: plan(waypoints, limits, **options, **timing)
+        )
         if found is not None:
             return found
     task = _task(crane, request.waypoints, limits, bounds, options, clearance)
@@ -176,21 +171,22 @@ def _measured(crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory) -> A
 
 
 def _as_limited(
-    crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory, clearance: Clearance | None
-) -> ActuatedPlan | None:
-    """The plan with the given limits, if nothing needs a slower one."""
+    crane: Crane, bounds: ActuatorBounds, clearance: Clearance | None,
+    made: Callable[[], Trajectory],
+) -> tuple[ActuatedPlan | None, InfeasibleError | None]:
+    """The plan with the given limits, if nothing needs a slower one; why it was refused, if so."""
     try:
+        trajectory = made()
         require_rope(crane, trajectory)
-    except InfeasibleError:
-        if not bounds.known:
-            raise
-        return None
-    found = _measured(crane, bounds, trajectory)
-    if not found.passed:
-        return None
-    if clearance is not None:
-        clearance.require(trajectory)
-    return found
+        found = _measured(crane, bounds, trajectory)
+        if found.passed and clearance is not None:
+            clearance.require(trajectory)
+    except InfeasibleError as error:
+        # slower plans, and others of free states, can keep the rope, the range and the clearance
+        if bounds.known:
+            return None, error
+        raise
+    return (found if found.passed else None), None
 
 
 def _task(

@@ -53,8 +53,9 @@ class Finding:
     @property
     def normalised(self) -> float | None:
         """The margin over the bound; None for a bound of zero, or one of rounding alone."""
-        negligible = abs(self.bound) <= ROUNDING * abs(self.margin) if self.bound else True
-        return None if negligible else self.margin / abs(self.bound)
+        if self.bound == 0.0 or abs(self.bound) <= ROUNDING * abs(self.margin):
+            return None
+        return self.margin / abs(self.bound)
 
     @property
     def passed(self) -> bool:
