@@ -177,16 +177,28 @@ def _as_limited(
     """The plan with the given limits, if nothing needs a slower one; why it was refused, if so."""
     try:
         trajectory = made()
-        require_rope(crane, trajectory)
-        found = _measured(crane, bounds, trajectory)
-        if found.passed and clearance is not None:
+        found = _measured_taut(crane, bounds, trajectory)
+        if clearance is not None and found is not None and found.passed:
             clearance.require(trajectory)
     except InfeasibleError as error:
-        # slower plans, and others of free states, can keep the rope, the range and the clearance
+        # slower plans, and others of free states, can keep the range and the clearance
         if bounds.known:
             return None, error
         raise
-    return (found if found.passed else None), None
+    return (found if found is not None and found.passed else None), None
+
+
+def _measured_taut(
+    crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory
+) -> ActuatedPlan | None:
+    """A plan as it uses the bounds; None if the rope goes slack, which a slower one may avoid."""
+    try:
+        require_rope(crane, trajectory)
+    except InfeasibleError:
+        if bounds.known:
+            return None
+        raise
+    return _measured(crane, bounds, trajectory)
 
 
 def _task(

@@ -120,13 +120,9 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         if now is None:
             raise SimulationError("a step before the end of initialisation")
         if not abs(time - now) <= SAME * (1.0 + abs(now)):
-            raise SimulationError(
-                f"a step from {time:.9g} s was asked for, the time is {now:.9g} s"
-            )
+            raise SimulationError(f"the next step begins at {now:.9g} s, not at {time:.9g} s")
         if not 0.0 < step < inf:
-            raise SimulationError(
-                f"the communication step size must be above 0 s and finite, got {step:g} s"
-            )
+            raise SimulationError(f"a step lasts longer than 0 s and ends, got {step:g} s")
 
     def _require_ranges(self) -> None:
         """Raise InputError for a parameter outside the range that the specification gives."""
