@@ -7,6 +7,7 @@ demand.py measures what the result asks of the drives.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -244,27 +245,23 @@ def _searched(task: Task, bounds: ActuatorBounds, progress: Callable[[float], No
     """The shortest plan found; none with rest at the free states is shorter."""
     if not task.free.any():
         return _search(task, bounds, progress)
-    resting = replace(task, free=np.zeros_like(task.free))
-    found: list[Found] = []
-    for place, one in enumerate((resting, task)):
-        try:
-            found.append(_search(one, bounds, _part(progress, place / 3)))
-        except InfeasibleError:
-            # the reason of the last one counts
-            if not found and one is task:
-                raise
-    first, last = found[0], found[-1]
-    if first.task.free.any() or last.duration < first.duration:
-        return last
-    # the planner's own choice of states led nowhere: rest is the better start
-    rest = replace(first, task=replace(first.task, free=task.free))
-    found.append(_search(task, bounds, _part(progress, 2 / 3), rest))
-    return min(found, key=lambda one: one.duration)
+    try:
+        rest = _search(replace(task, free=np.zeros_like(task.free)), bounds, _part(progress, 0))
+    except InfeasibleError:
+        return _search(task, bounds, _part(progress, 1))
+    best = rest
+    # where the planner's own choice of states leads nowhere, rest is the better start
+    for part, known in ((1, None), (2, replace(rest, task=replace(rest.task, free=task.free)))):
+        with suppress(InfeasibleError):
+            found = _search(task, bounds, _part(progress, part), known)
+            if found.duration < best.duration:
+                return found
+    return best
 
 
-def _part(progress: Callable[[float], None], begin: float) -> Callable[[float], None]:
-    """Progress of a third of the work."""
-    return lambda share: progress(begin + share / 3)
+def _part(progress: Callable[[float], None], part: int) -> Callable[[float], None]:
+    """Progress of one of three parts of the work, from 0."""
+    return lambda share: progress((part + share) / 3.0)
 
 
 def _search(

@@ -61,11 +61,10 @@ def choose_states(
         return request
     if allowed is None:
         allowed = np.tile([-np.inf, np.inf], (len(request.axis_names), 1))
-    problem = request.problem
-    free = np.isnan(problem.states)
-    resting = problem._replace(states=np.where(free, 0.0, problem.states))
+    free = np.isnan(request.problem.states)
+    resting = at_rest(request).problem
     free[[0, -1]] = False
-    free[problem.dwells > 0.0] = False
+    free[resting.dwells > 0.0] = False
     states = resting.states
     parts = list(passages(resting, free[:, :, WaypointState.VELOCITY:], overshoot, allowed))
     for done, part in enumerate(parts):
