@@ -3,7 +3,7 @@
 N. Hansen, The CMA Evolution Strategy: A Tutorial, arXiv:1604.00772. Only the order of the values
 counts, so values may be of any kind that can be compared, and kinks and plateaus do no harm. Places
 without a value are sampled again. The random numbers are seeded: the same problem has the same
-result.
+result, also where linear algebra rounds in another way.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ SMALLEST_STEP = 1e-4
 # samples of a generation over its size, at most; and the step's factor where too few have a value
 SAMPLES = 3
 NARROWER = 0.7
+# decimals of moves in standard deviations: rounding errors of processors must not decide
+DIGITS = 6
 
 
 class Evolution:
@@ -43,7 +45,7 @@ class Evolution:
         self.covariance = np.eye(n)
         self.paths = np.zeros((2, n))
         self.generation = 0
-        self.random = np.random.default_rng(1)
+        self.random = np.random.default_rng(2)
         mass = self.mass
         self.fade = (4.0 + mass / n) / (n + 4.0 + 2.0 * mass / n)
         self.step_fade = (mass + 2.0) / (n + mass + 5.0)
@@ -62,9 +64,11 @@ class Evolution:
         n = self.mean.size
         spread, axes = np.linalg.eigh(self.covariance)
         spread = np.sqrt(np.maximum(spread, 1e-20))
+        # unlike its eigenvectors, the root of the covariance is unique
+        root = (axes * spread) @ axes.T
         moves, values = [], []
         for _ in range(SAMPLES * self.size):
-            move = (self.random.standard_normal(n) * spread) @ axes.T
+            move = np.round(root @ self.random.standard_normal(n), DIGITS)
             found = value(self.mean + self.step * move)
             if found is not None:
                 moves.append(move)
