@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import pickle
 from dataclasses import replace
 
@@ -153,6 +154,14 @@ def test_limits_are_what_their_repr_says() -> None:
         again = eval(repr(limits), {"Limits": Limits})
         assert repr(again) == repr(limits)
         assert np.array_equal(again.table(2, 4), limits.table(2, 4))
+
+
+def test_limits_absent_on_one_axis_can_be_given_again() -> None:
+    limits = Limits([1, 2], 0.5, None, [3, None])
+    assert limits.snap.tolist() == [3.0, np.inf] and limits.jerk == np.inf
+    faster = dataclasses.replace(limits, velocity=3.0)
+    assert np.array_equal(faster.table(2, 3)[:, 1:], limits.table(2, 3)[:, 1:])
+    assert np.array_equal(faster.table(2, 3)[:, 0], [3.0, 3.0])
 
 
 def test_what_is_free_at_the_ends_and_in_dwells_is_zero() -> None:

@@ -34,7 +34,7 @@ from segfmu.crane.starting_limits import starting_tables
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
-from segfmu.planning.limits import NAMES, Limits
+from segfmu.planning.limits import NAMES, Limits, limited
 from segfmu.planning.planner import plan
 from segfmu.planning.request import checked_request
 from segfmu.planning.trajectory import Trajectory
@@ -212,11 +212,10 @@ def _task(
     if limits is not None:
         for i, name in enumerate(NAMES):
             values = np.broadcast_to(getattr(limits, name), (3,))
-            present = np.where(values > 0.0, values, np.inf)
             if i < SEARCHED:
-                caps[:, i] = present
-            elif values.any():
-                higher[name] = present
+                caps[:, i] = values
+            elif limited(values):
+                higher[name] = values
     free = np.isnan([[p.velocity, p.acceleration] for p in waypoints])
     free[[0, -1]] = False
     free[[p.dwell > 0.0 for p in waypoints]] = False

@@ -15,7 +15,7 @@ from segfmu.errors import InputError
 FloatArray = NDArray[np.float64]
 # one bound, or one per axis of which some may be None
 Range = ArrayLike | Sequence[float | None] | None
-ABSENT = np.zeros(())
+ABSENT = np.array(inf)
 ABSENT.flags.writeable = False
 
 
@@ -101,9 +101,8 @@ def shown(value: Any) -> str:
 
 
 def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> FloatArray:
-    """Return a limit as positive numbers, 0-d or (axes,); None or infinity becomes 0: absent."""
-    # what is absent in other limits may be given again
-    if (value is None or value is ABSENT) and not required:
+    """Return a limit as positive numbers, 0-d or (axes,); None becomes infinity: absent."""
+    if value is None and not required:
         return ABSENT
     array = numbers(name, _replaced(value, inf))
     if array.ndim > 1 or array.size == 0:
@@ -111,10 +110,8 @@ def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> Float
     values = array.ravel().tolist()
     if not all(v > 0.0 for v in values):
         raise InputError(f"{name} must be greater than 0, got {_given(value)}")
-    if inf in values:
-        if required:
-            raise InputError(f"{name} must be finite, got {_given(value)}")
-        array[np.isinf(array)] = 0.0
+    if required and inf in values:
+        raise InputError(f"{name} must be finite, got {_given(value)}")
     array.flags.writeable = False
     return array
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,7 +24,7 @@ class Limits(Frozen):
     velocity, acceleration : array_like, scalar or shape (axes,)
         Required, finite and positive.
     jerk, snap, crackle, pop : array_like, scalar or shape (axes,), optional
-        Positive; None or infinity if a derivative is not limited.
+        Positive; None or infinity if a derivative is not limited, which is infinity afterwards.
 
     Raises
     ------
@@ -56,7 +57,7 @@ class Limits(Frozen):
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
 
     def __repr__(self) -> str:
-        given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if v.any())
+        given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if limited(v))
         return f"Limits({', '.join(f'{n}={_given(v)}' for n, v in given)})"
 
     def _all(self) -> tuple[FloatArray, ...]:
@@ -92,8 +93,8 @@ class Limits(Frozen):
                     "give one value, or one per axis"
                 )
             if i <= smoothness:
-                table[:, i] = values
-            elif values is not ABSENT and values.any():
+                table[:, i] = np.where(np.isinf(values), 0.0, values)
+            elif limited(values):
                 raise InputError(
                     f"limits.{name} cannot be kept with smoothness {smoothness}, which leaves this "
                     f"derivative unbounded; raise smoothness to {i} or omit the limit"
@@ -102,6 +103,11 @@ class Limits(Frozen):
         return table
 
 
+def limited(values: FloatArray) -> bool:
+    """Whether any axis has a limit."""
+    return values is not ABSENT and bool(np.isfinite(values).any())
+
+
 def _given(values: FloatArray) -> object:
     """A limit as `Limits` takes it, None where it is absent."""
-    return [v or None for v in values.tolist()] if values.ndim else values.tolist()
+    return [v if v < inf else None for v in values.tolist()] if values.ndim else values.tolist()

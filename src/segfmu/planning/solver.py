@@ -84,7 +84,7 @@ def no_lead(request: Request, axis: int) -> InfeasibleError:
         value = abs(float(getattr(start, name)[axis]))
         bound = float(np.broadcast_to(getattr(request.limits, name), start.axes)[axis])
         # not by rounding alone, as states of other plans can have it
-        if 0.0 < bound * (1.0 + TOLERANCE) < value:
+        if bound * (1.0 + TOLERANCE) < value:
             digits = told_apart(value, bound, 6)
             return InfeasibleError(
                 f"{where}{name} {value:.{digits}g} {unit} exceeds the limit {bound:.{digits}g} "

@@ -18,6 +18,7 @@ from segfmu.planning import Trajectory
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.objects import LIMITS
 
 QUANTITIES = ("position", "velocity", "acceleration")
 # parameters that the archive of a native FMU no longer has
@@ -69,10 +70,9 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     """
     known = gantry_feedforward.spec().references
     values = {n: v for n, v in crane_parameters.parameters(mission.crane).items() if n in known}
-    for name in ("velocity", "acceleration", "jerk", "snap"):
-        bounds = np.broadcast_to(getattr(trajectory.limits, name), (3,))
-        for axis, number in zip(AXES, bounds, strict=True):
-            values[f"limits.{axis}.{name}"] = float(number)
+    table = trajectory.limits.table(len(AXES), len(LIMITS))
+    for axis, row in zip(AXES, table.tolist(), strict=True):
+        values |= {f"limits.{axis}.{name}": row[i] for i, name in enumerate(LIMITS)}
     values["waypoint.count"] = len(trajectory.waypoints)
     for i, point in enumerate(trajectory.waypoints, 1):
         for quantity in QUANTITIES:

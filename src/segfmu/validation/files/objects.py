@@ -12,6 +12,7 @@ import numpy as np
 from segfmu.crane import Crane
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Obstacle, Waypoint
+from segfmu.planning.limits import limited
 from segfmu.validation.files.keys import AXES, Table
 
 MASSES = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
@@ -47,7 +48,7 @@ def _crane(crane: Crane) -> dict[str, Any]:
 
 
 def _limits(limits: Limits) -> dict[str, Any]:
-    if limits.crackle.any() or limits.pop.any():
+    if limited(limits.crackle) or limited(limits.pop):
         raise InputError("limits: a mission has limits up to the snap; leave out crackle and pop")
     table = limits.table(len(AXES), len(LIMITS))[:, : len(LIMITS)]
     return {
