@@ -33,3 +33,13 @@ def test_a_motion_along_y_is_seen_from_the_side_with_its_obstacle() -> None:
     assert curve[-1] == pytest.approx([5.0, -1.0])
     (box,) = side.patches
     assert (box.get_xy(), box.get_width(), box.get_height()) == ((2.0, -3.0), 1.0, 0.5)
+
+
+def test_waypoints_at_one_place_of_a_view_share_a_label() -> None:
+    points = [Waypoint([0.0, 0.0, -2.0]), Waypoint([0.0, 0.0, -1.0]), Waypoint([0.0, 1.0, -2.0])]
+    trajectory = plan(points, Limits(1.0, 1.0, 5.0, 50.0))
+    panels = plot_path(trajectory, "move", Clearance([])).axes
+    above, side = ([(t.get_text(), t.xy) for t in panel.texts] for panel in panels)
+    assert [text for text, _ in above] == ["1, 2", "3"]
+    assert [text for text, _ in side] == ["1", "2", "3"]
+    assert above[1][1] == pytest.approx([0.0, 1.0])

@@ -13,7 +13,7 @@ from segfmu.planning import Clearance, Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, panels_of
 
-# share of a motion across it, below which it is along an axis
+# share of a motion across it, below which it is along an axis, or waypoints share a label
 STRAIGHT = 0.02
 NEXT_TO: dict[str, Any] = {"xytext": (5, 6), "textcoords": "offset points"}
 
@@ -50,6 +50,18 @@ def motion(stops: FloatArray) -> tuple[FloatArray, str]:
     return np.append(along, 0.0), f"along the motion, {angle:.0f} deg from x"
 
 
+def labels(marks: FloatArray, size: float) -> list[tuple[str, FloatArray]]:
+    """Numbers of waypoints (n, 2) and their places; those that lie at one place have one label."""
+    found: list[tuple[list[str], FloatArray]] = []
+    for number, mark in enumerate(marks, 1):
+        near = [names for names, place in found if np.hypot(*(mark - place)) <= STRAIGHT * size]
+        if near:
+            near[0].append(str(number))
+        else:
+            found.append(([str(number)], mark))
+    return [(", ".join(names), place) for names, place in found]
+
+
 def _view(
     panel: Axes, points: FloatArray, stops: FloatArray, view: FloatArray, clearance: Clearance
 ) -> None:
@@ -64,8 +76,8 @@ def _view(
     path, marks = points @ view.T, stops @ view.T
     panel.plot(*path.T, color=COLOURS[0])
     panel.plot(*marks.T, "o", color=COLOURS[1])
-    for number, mark in enumerate(marks, 1):
-        panel.annotate(str(number), (mark[0], mark[1]), **NEXT_TO)
+    for text, (x, y) in labels(marks, float(np.ptp(points, axis=0).max())):
+        panel.annotate(text, (x, y), **NEXT_TO)
     for limits, values in ((panel.set_xlim, path[:, 0]), (panel.set_ylim, path[:, 1])):
         middle = 0.5 * float(values.min() + values.max())
         # a motion across the view is not enlarged to noise
