@@ -110,3 +110,19 @@ def test_phases_too_short_for_the_clock_are_left_out() -> None:
     motions = [smooth_motion(rng, 5) for _ in range(13)]
     points, limits = boundary(motions[-1], 5, 0.95)
     assert verify(plan(points, limits, smoothness=5, duration=1.0)).passed
+
+
+def test_levels_too_short_for_the_clock_are_holds() -> None:
+    """A level of this plan lasted 3e-9 s, after 1.6 s; the snap at its end was found wrong."""
+    points = [
+        Waypoint([1.4324191724870596, 0.5911205908913935], [1.115428647882691, 0.0],
+                 [0.2504264596547191, 1.7594654251279378]),
+        Waypoint([2.8257128345035123, 0.8516626006470869], [0.0, 0.9975663754391138],
+                 [-1.4383000002117357, 1.9702366428700657]),
+        Waypoint([2.1450434255657695, 2.941561488295503]),
+    ]
+    limits = Limits(
+        [1.1323803189238821, 1.5511765262325554], [1.4383000002117357, 1.9702366428700657],
+        [5.481958117517331, 7.509389387625421], [59.76100971701464, 81.86284581939998],
+    )
+    assert verify(plan(points, limits)).passed

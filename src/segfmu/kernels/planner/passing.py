@@ -17,7 +17,7 @@ from segfmu.kernels.planner.plateaus import (
     restore_sequence,
 )
 from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem, Tighten
-from segfmu.kernels.planner.sequence import run_sequence, sequence_duration
+from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
 from segfmu.kernels.planner.starts import first_solution, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
@@ -61,6 +61,23 @@ def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     run_sequence(problem, passing, axis, nodes, work[PlanWork.RESIDUAL, :])
 
 
+def is_idle(i: int, axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Whether a level between two of zero changes nothing that matters.
+
+    Its ramps can be too short for the clock of a long plan, and yet reach the limit of the snap.
+    """
+    passing = work[PlanWork.PASSING, :]
+    row = PlanWork.NODES + i
+    before = passing[Passing.START]
+    if i > 0:
+        before = work[row - 1, Node.LEVEL]
+    if before != 0.0 or work[row, Node.LEVEL] == 0.0 or work[row + 1, Node.LEVEL] != 0.0:
+        return False
+    spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
+    scale = residual_scale(int(passing[Passing.ABOVE]) + 1, passing, axis)
+    return abs(work[row, Node.LEVEL]) * spent <= 1e-12 * scale
+
+
 def write_sequence(
     phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
@@ -69,9 +86,20 @@ def write_sequence(
     above = work[PlanWork.PASSING, Passing.ABOVE]
     level = work[PlanWork.PASSING, Passing.START]
     used = 0
+    idle = False
     for i in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 1):
         row = PlanWork.NODES + i
-        if work[row, Node.RAMP] > 0.0:
+        after = idle
+        idle = is_idle(i, axis, work)
+        if idle:
+            # the derivative below the levels is held as long, with the ramp that follows
+            state = Node.STATE + int(above) + 1
+            spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
+            used = append_hold(phases, used, work[row, state], spent)
+            phases[used - 1, Phase.ABOVE] = above - 1.0
+            level = 0.0
+            continue
+        if work[row, Node.RAMP] > 0.0 and not after:
             phases[used, Phase.DURATION] = work[row, Node.RAMP]
             phases[used, Phase.BASIS] = work[row, Node.RAMP] * work[PlanWork.PASSING, Passing.PACE]
             phases[used, Phase.ACCELERATION] = level
