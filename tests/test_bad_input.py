@@ -119,6 +119,21 @@ def test_a_bad_scenario_names_its_key(name: str, tmp_path: Path) -> None:
     assert str(info.value).endswith(words)
 
 
+def test_two_criteria_of_one_name_are_refused_beside_those_of_the_base(tmp_path: Path) -> None:
+    files(tmp_path)
+    (tmp_path / "_base.toml").write_text(SCENARIO + CRITERION, encoding="utf-8")
+    own = CRITERION.replace("1.0", "0.5")
+    for count in (1, 2):
+        text = 'name = "s"\nbase = "_base.toml"\n' + count * own
+        (tmp_path / "sc.toml").write_text(text, encoding="utf-8")
+        if count == 1:
+            (criterion,) = load_scenario(tmp_path / "sc.toml").file.criteria
+            assert criterion.bound == 0.5
+            continue
+        with pytest.raises(InputError, match=r"criteria: two of them are called c$"):
+            load_scenario(tmp_path / "sc.toml")
+
+
 @pytest.mark.parametrize("state", ["velocity", "acceleration"])
 def test_the_load_rests_at_both_ends(state: str, tmp_path: Path) -> None:
     moving = f"{state} = [0.1, 0.0, 0.0]\n"

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from ctypes import string_at
+
 import numpy as np
 import pytest
 
 from segfmu.cosim import Change, System, native, profile
+from segfmu.cosim.load import load
 from segfmu.errors import InputError
 
 SINK = "GantryCrane"
@@ -44,6 +47,14 @@ def test_a_profile_holds_its_samples(one) -> None:
     assert rows["y"] == pytest.approx(held + rows["time"])
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_equal_texts_stay_until_their_times(probes, fmi: int) -> None:
+    with load(probes[fmi]) as unit:
+        first, again, other = (unit.assignment("text", t) for t in ("same", "same", "other"))
+        texts = [string_at(int(values[0])) for _, values in (first, again, other)]
+    assert texts == [b"same", b"same", b"other"]
+
+
 def test_texts_change_nothing_that_runs(one) -> None:
     with pytest.raises(InputError, match="text cannot change during a run, only inputs and"):
         one.run(stop_time=1.0, changes=[Change(0.5, "one", {"text": "x"})])
@@ -57,7 +68,9 @@ def test_texts_change_nothing_that_runs(one) -> None:
         (Change(0.5, "one", {"fail.time": 1.0}), "give it as a start value"),
         (Change(-0.1, "one", {"x": 1.0}), "outside of the run from 0 s to 1 s"),
         (Change(1.1, "one", {"x": 1.0}), "outside of the run"),
-        (Change(float("nan"), "one", {"x": 1.0}), "outside of the run"),
+        (Change(float("nan"), "one", {"x": 1.0}), "time of a change must be finite"),
+        (Change("1", "one", {"x": 1.0}), "one: the time of a change must be one number, got '1'"),
+        (Change(0.5, "one", None), "one: values of a change must be a mapping from names"),
         (Change(0.5, "one", {"n": 0.5}), "n takes an integer"),
     ],
 )

@@ -136,6 +136,8 @@ def test_values_of_all_kinds(pair, caplog) -> None:
     ("values", "words"),
     [
         ({"c": {}}, r"no FMU c in the system; it has a, b"),
+        ({"a": None}, "values of a must be a mapping from names, got None"),
+        (["a"], "values must be a mapping from names"),
         ({"a": {"z": 1}}, "a has no variable z"),
         ({"a": {"n": 0.5}}, "n takes an integer"), ({"a": {"n": float("nan")}}, "takes an integer"),
         ({"a": {"n": float("inf")}}, "takes an integer"), ({"a": {"n": 2**40}}, "of 32 bits"),
@@ -148,6 +150,11 @@ def test_bad_values_are_named(pair, values, words: str) -> None:
     with pytest.raises(InputError, match=words):
         pair.run(values, stop_time=1.0)
     assert pair.run(stop_time=1.0).size == 11
+
+
+def test_the_shortest_run_has_its_start_and_its_end(pair) -> None:
+    rows = pair.run(stop_time=1e-12)
+    assert rows["time"].tolist() == [0.0, 1e-12]
 
 
 def test_not_a_number_goes_to_the_fmu(pair) -> None:
@@ -179,6 +186,7 @@ def test_bad_connections_are_named(probes, connections, words: str) -> None:
     [
         ({"step": 0.0}, "step must be"), ({"coupling": "both"}, "coupling must be"),
         ({"engine": "fortran"}, "engine must be auto or c or python"),
+        ({"record": ["a"]}, "record must be a mapping from names"),
         ({"record": {"c": []}}, "no FMU c"), ({"record": {"a": ["q"]}}, "a has no variable q"),
         ({"record": {"a": ["text"]}}, "text is no number"),
         ({"coupling": "derivatives"}, "a tells no output derivatives"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any
 
 from numpy.typing import NDArray
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
+from segfmu.planning.arrays import finite_number, require_mapping
 
 
 @dataclass(frozen=True)
@@ -72,17 +72,19 @@ def due(
     for change in changes:
         if change.fmu not in units:
             raise InputError(f"no FMU {change.fmu} in the system; it has {', '.join(names)}")
-        if not (isfinite(change.time) and span[0] <= change.time <= span[1]):
+        time = finite_number(f"{change.fmu}: the time of a change", change.time)
+        if not span[0] <= time <= span[1]:
             raise InputError(
                 f"{change.fmu}: a change at {change.time!r} s is outside of the run from "
                 f"{span[0]:.6g} s to {span[1]:.6g} s"
             )
+        require_mapping(f"{change.fmu}: values of a change", change.values)
         unit = units[change.fmu]
         assignments = [
             unit.assignment(_changeable(unit, change.fmu, name, connected), value)
             for name, value in change.values.items()
         ]
-        found.append(Due(float(change.time), names.index(change.fmu), assignments))
+        found.append(Due(time, names.index(change.fmu), assignments))
     return sorted(found, key=lambda d: d.time)
 
 

@@ -42,7 +42,7 @@ def communication_points(start: float, stop: float, step: float) -> NDArray[np.f
     if not finite_number("stop_time", stop) > finite_number("start_time", start):
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
     require_steps(stop - start, step)
-    count = ceil((stop - start) / step - 1e-9)
+    count = max(ceil((stop - start) / step - 1e-9), 1)
     times: NDArray[np.float64] = start + np.arange(count + 1, dtype=np.float64) * step
     times[-1] = stop
     return times

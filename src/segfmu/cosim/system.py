@@ -20,6 +20,7 @@ from segfmu.cosim.schedule import Coupling, initialise, scheduled
 from segfmu.cosim.table import chosen, columns
 from segfmu.cosim.unit import NEXT_EVENT, Unit
 from segfmu.errors import InputError, SimulationError
+from segfmu.planning.arrays import require_mapping
 
 # parameter of a source by which its outputs are ahead of time
 LEAD = "setpoint.lead"
@@ -153,7 +154,7 @@ class System:
         SimulationError
             If an FMU reports an error, with its message; the system can run again.
         """
-        values = values or {}
+        values = {} if values is None else values
         self._require_units(values)
         times = communication_points(start_time, stop_time, self._step)
         if not self._running.acquire(blocking=False):
@@ -186,12 +187,14 @@ class System:
         connected = {(c.sink, c.input) for c in self.connections}
         due(self._units, changes, connected, (start_time, stop_time))
 
-    def _require_units(self, names: Iterable[str]) -> None:
+    def _require_units(self, values: Mapping[str, Mapping[str, Any]]) -> None:
         if not self._units:
             raise InputError("the system is closed")
-        for owner in names:
+        require_mapping("values", values)
+        for owner, own in values.items():
             if owner not in self._units:
                 raise InputError(f"no FMU {owner} in the system; it has {', '.join(self.names)}")
+            require_mapping(f"values of {owner}", own)
 
     def close(self) -> None:
         """Free all instances."""

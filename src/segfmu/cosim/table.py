@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
+from segfmu.planning.arrays import require_mapping
 
 # rows in a block before it is copied to the result's columns
 BLOCK = 256
@@ -54,6 +55,7 @@ def chosen(
     """
     if record is None:
         return {owner: unit.outputs() for owner, unit in units.items()}
+    require_mapping("record", record)
     for owner, names in record.items():
         if owner not in units:
             raise InputError(f"no FMU {owner} in the system; it has {', '.join(units)}")

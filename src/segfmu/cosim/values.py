@@ -109,9 +109,10 @@ class Setter:
             raise InputError(f"{self._unit.name}: {variable.name} takes a text, got {value!r}")
         if "\0" in value:
             raise InputError(f"{self._unit.name}: {variable.name} takes no text with a zero byte")
-        memory = ctypes.create_string_buffer(value.encode("utf-8"))
-        # texts of a change are needed until its time
-        self._texts[value] = memory
+        # texts of a change are needed until its time, by their addresses
+        memory = self._texts.get(value)
+        if memory is None:
+            memory = self._texts[value] = ctypes.create_string_buffer(value.encode("utf-8"))
         return ctypes.addressof(memory)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import inf, isfinite
 from operator import index
 from typing import Any, Self
@@ -92,6 +92,12 @@ def as_index(name: str, value: Any, most: float = inf, *, least: int = 0) -> int
         bounds = f"at least {least}" if most == inf else f"from {least} to {most}"
         raise InputError(f"{name} must be {bounds}, got {shown(number)}")
     return number
+
+
+def require_mapping(name: str, value: Any) -> None:
+    """InputError for what is no mapping."""
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name} must be a mapping from names, got {shown(value)}")
 
 
 def shown(value: Any) -> str:

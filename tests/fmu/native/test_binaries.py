@@ -62,6 +62,22 @@ def test_a_library_is_compiled_once(cache: Path, monkeypatch: pytest.MonkeyPatch
 
 
 @needs_native
+def test_the_cache_removes_old_libraries_alone(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    platform = compilers.host()
+    assert platform is not None
+    monkeypatch.setattr(binaries, "KEPT", 2)
+    cache.mkdir()
+    for i in range(3):
+        (cache / f"notes_{i}.txt").write_text("of somebody else")
+    for i in range(4):
+        binaries.binary("Some", SMALL | {"part.h": b"#define PART %d\n" % i}, platform)
+    names = sorted(p.name.partition("-")[0] for p in cache.iterdir())
+    assert names == ["Some", "Some", "notes_0.txt", "notes_1.txt", "notes_2.txt"]
+
+
+@needs_native
 def test_a_damaged_entry_is_made_again(cache: Path) -> None:
     platform = compilers.host()
     assert platform is not None

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import time
 from pathlib import Path
 
 import pytest
 
+from segfmu.errors import BuildError
 from segfmu.fmu.native import compilers
 from segfmu.fmu.native.compilers import PLATFORMS, Compiler
 
@@ -52,6 +54,20 @@ def test_the_compiler_that_python_was_built_with(
     known = ("gcc", "cc", "clang", "ccache")
     monkeypatch.setattr(compilers.shutil, "which", lambda n: f"/bin/{n}" if n in known else None)
     assert compilers._own() == f"/bin/{name}"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs permissions of POSIX")
+def test_a_compiler_that_cannot_be_run_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "cc"
+    broken.write_bytes(b"\x7fELF, of another machine")
+    broken.chmod(0o755)
+    monkeypatch.setattr(compilers, "_own", lambda: str(broken))
+    name = compilers.host()
+    assert name is not None
+    with pytest.raises(BuildError, match=rf"{broken} cannot be run: "):
+        compilers.compiler(name)
 
 
 def _runs(program: int) -> bool:

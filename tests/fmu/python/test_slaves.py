@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +57,20 @@ def test_outputs_are_there_in_initialisation_mode(fmus: tuple[Path, Path]) -> No
         unit.exit_initialization()
 
 
+@pytest.mark.parametrize(("name", "value"), [
+    ("planner.shape", 0), ("limits.x.jerk", -5.0), ("waypoint.count", 100), ("waypoint.count", 0),
+    ("planner.synchronization", 7),
+])
+def test_ranges_hold_in_initialisation_mode_too(
+    fmus: tuple[Path, Path], name: str, value: float
+) -> None:
+    with load(fmus[0]) as unit:
+        unit.set({name: value})
+        unit.enter_initialization(0.0, 1.0)
+        with pytest.raises(SimulationError, match=rf"{re.escape(name)} must be"):
+            unit.channel(["reference.rope.length"]).read()
+
+
 @pytest.mark.parametrize(
     ("values", "words"),
     [
@@ -97,7 +112,7 @@ def test_crane_stays_at_rest_and_swings_when_pushed(fmus: tuple[Path, Path]) -> 
     assert pushed["energy.work"].max() > 0.0
 
 
-def test_crane_that_leaves_its_range_reports_it(fmus: tuple[Path, Path]) -> None:
+def test_crane_that_leaves_its_range_reports_it(fmus: tuple[Path, Path], caplog) -> None:
     with load(fmus[1]) as unit:
         unit.set({"feedback.enabled": False, "force.hoist": -100.0})
         unit.enter_initialization(0.0, 1.0)
@@ -105,6 +120,11 @@ def test_crane_that_leaves_its_range_reports_it(fmus: tuple[Path, Path]) -> None
         with pytest.raises(SimulationError, match=r"rope length reached zero"):
             for i in range(100):
                 unit.step(0.01 * i, 0.01 * (i + 1))
+        # it is somewhere within the step that failed
+        unit.set({"force.hoist": -9.81})
+        with pytest.raises(SimulationError):
+            unit.step(0.01 * i, 0.01 * i + 0.001)
+    assert caplog.messages[-1] == "GantryCrane: no step is possible after one that failed"
 
 
 @pytest.mark.parametrize("which", [0, 1])

@@ -47,7 +47,7 @@ class FeedforwardSlave(SpecSlave):
         asked = (self.spec.variables[r - 1] for r in references if 0 < r <= self._size)
         causalities = {v.causality for v in asked}
         if self._initialising and not causalities.isdisjoint({"output", "calculatedParameter"}):
-            self._plan()
+            self.compute(self._plan)
         return super()._get(kind, references)
 
     def _set(self, kind: str, references: list[int], values: list[Any]) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from pathlib import Path
@@ -24,8 +25,9 @@ from segfmu.folders import work_folder
 UNIT = "fmu.c"
 # bytes of the digest that a file of the cache begins with
 DIGEST = hashlib.sha256().digest_size
-# newest files that the cache keeps
+# newest libraries that the cache keeps, and their names
 KEPT = 64
+OWN = re.compile(r"\w+-\w+-\w+-[0-9a-f]{32}")
 
 
 def binary(
@@ -131,10 +133,9 @@ def _keep(path: Path, library: bytes) -> None:
             whole = beside / path.name
             whole.write_bytes(hashlib.sha256(library).digest() + library)
             os.replace(whole, path)
-        entries = sorted(
-            (p for p in path.parent.iterdir() if p.is_file()), key=lambda p: p.stat().st_mtime
-        )
-        for old in entries[:-KEPT]:
+        # the folder may be one that has other files too
+        entries = [p for p in path.parent.iterdir() if OWN.fullmatch(p.name) and p.is_file()]
+        for old in sorted(entries, key=lambda p: p.stat().st_mtime)[:-KEPT]:
             old.unlink(missing_ok=True)
     except OSError:
         return

@@ -212,9 +212,12 @@ def portable(name: str) -> Compiler:
 
 def _version(command: str) -> str:
     """The version text of a compiler."""
-    done = subprocess.run(
-        [command, "--version"], capture_output=True, text=True, errors="replace", check=False
-    )
+    try:
+        done = subprocess.run(
+            [command, "--version"], capture_output=True, text=True, errors="replace", check=False
+        )
+    except OSError as error:
+        raise BuildError(f"{command} cannot be run: {error.strerror}") from None
     return done.stdout.strip()
 
 

@@ -19,6 +19,7 @@ from pathlib import Path
 from pythonfmu import FmuBuilder
 
 from segfmu.errors import BuildError
+from segfmu.fmu.gantry_feedforward.interface import WAYPOINTS
 from segfmu.fmu.models import named, registered
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.fmi2 import GENERATED, model_description
@@ -87,8 +88,8 @@ def _pack(spec: Spec, work: Path) -> Path:
     usual = model.spec()
     if len(usual.variables) != len(spec.variables):
         raise BuildError(
-            f"{spec.name}: FMUs of the Python backend have rows for the usual number of waypoints; "
-            "build it natively for more"
+            f"{spec.name}: FMUs of the Python backend have room for {WAYPOINTS} waypoints; build "
+            "it natively for another number"
         )
     starts = {
         v.name: v.start

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Callable
 from math import inf
 from pathlib import Path
 from typing import Any, ClassVar
@@ -57,7 +58,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         self.start_time = 0.0
         # the communication point, from the end of initialisation on
         self._now: float | None = None
-        # why a variable was not set: PythonFMU would make an error of that a fatal one
+        # why no step is possible: of a variable that is not set PythonFMU would make a fatal error
         self._refusal: str | None = None
 
     @abstractmethod
@@ -94,21 +95,28 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         self.start_time = start_time
 
     def exit_initialization_mode(self) -> None:
+        self.compute(self.initialise)
+        self._now = self.start_time
+
+    def compute(self, follow: Callable[[], None]) -> None:
+        """Check all ranges and compute what follows; the log says why that fails."""
         try:
             self._require_ranges()
-            self.initialise()
+            follow()
         except SegfmuError as error:
             self.log(f"initialisation failed: {error}", Fmi2Status.error)
             raise
-        self._now = self.start_time
 
     def do_step(self, current_time: float, step_size: float) -> bool:
         try:
             self._require_step(current_time, step_size)
+            # a step that fails leaves the model somewhere within it
+            self._refusal = "no step is possible after one that failed"
             self.advance(current_time, step_size)
         except SegfmuError as error:
             self.log(str(error), Fmi2Status.error)
             return False
+        self._refusal = None
         self._now = current_time + step_size
         return True
 

@@ -52,15 +52,18 @@ class ObserverTable(Table):
     position: Annotated[
         Quantity | None,
         Key("quantisation step of the carriages' positions", "m",
-            ("feedback.observer.position",)),
+            ("feedback.observer.position",),
+            "that of the sensors, or rope_max / 5000"),
     ] = None
     length: Annotated[
         Quantity | None,
-        Key("quantisation step of the rope's length", "m", ("feedback.observer.length",)),
+        Key("quantisation step of the rope's length", "m", ("feedback.observer.length",),
+            "that of the sensor, or rope_max / 5000"),
     ] = None
     angle: Annotated[
         Quantity | None,
-        Key("quantisation step of the sway angles", "deg", ("feedback.observer.angle",)),
+        Key("quantisation step of the sway angles", "deg", ("feedback.observer.angle",),
+            "that of the sensors, or 360 / 4096"),
     ] = None
     drift: Annotated[
         Quantity | None,

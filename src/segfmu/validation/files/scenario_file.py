@@ -166,11 +166,20 @@ def inherit(old: Mapping[str, Any], new: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _by_name(old: Any, new: Any) -> Any:
-    """Tables of a list that replace those of the same names, or stand behind them."""
+    """Tables of a list that replace those of the same names, or stand behind them.
+
+    What has the same name twice in one list stays there, to be refused.
+    """
     both = [*old, *new] if isinstance(old, list) and isinstance(new, list) else None
     if both is None or not all(isinstance(t, dict) and "name" in t for t in both):
         return new
-    return list({str(t["name"]): t for t in both}.values())
+    left = list(new)
+    found = []
+    for table in old:
+        same = [t for t in left if str(t["name"]) == str(table["name"])][:1]
+        found += same or [table]
+        left = [t for t in left if not any(t is s for s in same)]
+    return found + left
 
 
 def located(path: Path, data: Mapping[str, Any]) -> dict[str, Any]:
