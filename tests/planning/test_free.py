@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from benchmarks.free_missions import missions
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
@@ -112,6 +113,16 @@ def test_axes_stay_near_their_waypoints(seed: int, overshoot: float) -> None:
         path = trajectory(np.linspace(times[i], times[i + 1], 400))
         assert (path >= near.min(axis=0) - beyond).all()
         assert (path <= near.max(axis=0) + beyond).all()
+
+
+@pytest.mark.parametrize(("points", "seed", "place"), [((4, 8), 1, 80), ((3, 7), 21, 31)])
+def test_ramps_of_nanoseconds_do_not_matter(
+    points: tuple[int, int], seed: int, place: int
+) -> None:
+    """A clock of seconds does not tell them: these two missions were refused as badly scaled."""
+    mission = list(missions(place + 1, points, seed))[place]
+    found = plan(mission.waypoints("free", "free"), mission.bounds, overshoot=0.0)
+    assert verify(found).passed
 
 
 def test_overshoot_is_a_share() -> None:

@@ -526,6 +526,7 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
 static void clear_piece(array_double_2d coefficients, int64_t row);
 static void set_held(int64_t above, double level, array_double_1d state);
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis);
 static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -17848,6 +17849,16 @@ static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array
     }
     return row;
 }
+static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis)
+{
+    bool result;
+    if (((*cspan_at(&phase, INT64_C(4))) > 0.5) || ((*cspan_at(&phase, INT64_C(0))) > 1e-06 * time))
+    {
+        return 0;
+    }
+    result = fabs((*cspan_at(&phase, INT64_C(3)))) <= 1e-13 * (*cspan_at(&axis, INT64_C(3)));
+    return result;
+}
 int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
 {
     array_double_1d psi;
@@ -17858,6 +17869,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     double a;
     double change;
     int64_t above;
+    bool ramp;
     double duration;
     int64_t j;
     double scale;
@@ -17875,7 +17887,8 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
         change = (*cspan_at(&phases, i, INT64_C(3)));
         above = (int64_t)((*cspan_at(&phases, i, INT64_C(4))));
         set_held(above, a, state);
-        if (plateau && (change != 0.0))
+        ramp = (change != 0.0) && (!is_unnoticed(span_row(&phases, i), (*cspan_at(&state, INT64_C(8))), axis));
+        if (plateau && ramp)
         {
             row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, work);
         }
@@ -17883,7 +17896,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
         {
             duration = (*cspan_at(&phases, i, INT64_C(0)));
             clear_piece(coefficients, row);
-            if (change != 0.0)
+            if (ramp)
             {
                 for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
                 {

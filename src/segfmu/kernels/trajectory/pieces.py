@@ -99,6 +99,17 @@ def expand_plateau(
     return row
 
 
+def is_unnoticed(phase: 'float[:]', time: float, axis: 'float[:]') -> bool:
+    """Whether a ramp changes the acceleration by a rounding error only, faster than a clock tells.
+
+    Its snap would nevertheless reach the limit, and not come back to zero by that clock.
+    time: since the start of the plan [s].
+    """
+    if phase[Phase.ABOVE] > 0.5 or phase[Phase.DURATION] > 1e-6 * time:
+        return False
+    return abs(phase[Phase.CHANGE]) <= 1e-13 * axis[Axis.ACCELERATION]
+
+
 def expand_phases(
     phases: 'float[:,:]',
     count: int,
@@ -124,12 +135,13 @@ def expand_phases(
         change = phases[i, Phase.CHANGE]
         above = int(phases[i, Phase.ABOVE])
         set_held(above, a, state)
-        if plateau and change != 0.0:
+        ramp = change != 0.0 and not is_unnoticed(phases[i, :], state[PieceState.TIME], axis)
+        if plateau and ramp:
             row = expand_plateau(phases[i, :], axis, timing, coefficients, row, work)
         else:
             duration = phases[i, Phase.DURATION]
             clear_piece(coefficients, row)
-            if change != 0.0:
+            if ramp:
                 for j in range(order + 1, 2 * order + 2):
                     scale = change * psi[j] / ((j + 1.0) * (j + 2.0))
                     coefficients[row, Piece.ACCELERATION + j] = scale / duration**j
