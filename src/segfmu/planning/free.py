@@ -66,11 +66,19 @@ def choose_states(
     free[[0, -1]] = False
     free[resting.dwells > 0.0] = False
     states = resting.states
-    parts = list(passages(resting, free[:, :, WaypointState.VELOCITY:], overshoot, allowed))
-    for done, part in enumerate(parts):
-        states[part.waypoints, part.axes, WaypointState.VELOCITY:] = _fastest(part)
+    # with more room the search may end elsewhere, and later
+    rooms = (overshoot, OVERSHOOT) if overshoot > OVERSHOOT else (overshoot,)
+    parts = [
+        list(passages(resting, free[:, :, WaypointState.VELOCITY:], room, allowed))
+        for room in rooms
+    ]
+    for done, (part, *others) in enumerate(zip(*parts, strict=True)):
+        found = [_fastest(p) for p in (part, *others)]
+        states[part.waypoints, part.axes, WaypointState.VELOCITY:] = min(
+            found, key=lambda s: part.durations(s).sum()
+        )
         if progress is not None:
-            progress(done + 1, len(parts))
+            progress(done + 1, len(parts[0]))
     return request._replace(
         waypoints=with_states(request.waypoints, states), problem=resting
     )
