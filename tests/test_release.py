@@ -5,11 +5,12 @@ from __future__ import annotations
 import subprocess
 import sys
 import sysconfig
-from importlib.metadata import version
+from importlib.metadata import distributions, metadata, version
 from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from packaging.specifiers import SpecifierSet
 
 import segfmu
 from segfmu.fmu.native.compilers import available
@@ -115,6 +116,20 @@ def test_the_compiled_kernels_are_one_binary_for_all_versions_of_python() -> Non
     compiled = compiled_kernels()
     if sys.platform != "win32":
         assert Path(compiled.__file__).name == "_compiled.abi3.so"
+
+
+def test_locked_packages_are_for_the_oldest_python_too() -> None:
+    """Of those that are installed here; one was for Python 3.11.5 and newer."""
+    oldest = f"{metadata('segfmu')['Requires-Python'].removeprefix('>=')}.0"
+    locked = dict(
+        line.split("==") for line in (ROOT / "requirements-dev.lock").read_text().splitlines()
+    )
+    newer = [
+        f"{package.name} {package.version}" for package in distributions()
+        if locked.get(package.name) == package.version
+        and not SpecifierSet(package.metadata["Requires-Python"] or "").contains(oldest)
+    ]
+    assert locked and not newer
 
 
 def test_every_file_states_the_same_version() -> None:
