@@ -27,8 +27,7 @@ def shortest_stop(
     longest : float
         A time that suffices [s].
     """
-    scale = np.where(limits[:-1] > 0.0, limits[:-1], 1.0)
-    return _shortest(state, limits, scale, longest, intervals, tolerance)
+    return _shortest(state, limits, _scale(limits, longest), longest, intervals, tolerance)
 
 
 def shortest_motion(
@@ -36,11 +35,20 @@ def shortest_motion(
     tolerance: float = 1e-3,
 ) -> float | None:
     """`shortest_stop` that covers a distance [m]."""
-    scale = np.where(limits[:-1] > 0.0, limits[:-1], 1.0)
     return _shortest(
         np.array([-distance, *state]), np.array([0.0, *limits]),
-        np.array([max(abs(distance), 1e-9), *scale]), longest, intervals, tolerance,
+        np.array([max(abs(distance), 1e-9), *_scale(limits, longest)]), longest, intervals,
+        tolerance,
     )
+
+
+def _scale(limits: FloatArray, longest: float) -> FloatArray:
+    """What each state is measured in: its limit, or less where the motion is too short for that.
+
+    The program's tolerance would take a state of a millionth of its limit for rest.
+    """
+    reached: FloatArray = limits[-1] * longest ** np.arange(limits.size - 1.0, 0.0, -1.0)
+    return np.where(limits[:-1] > 0.0, np.minimum(limits[:-1], reached), reached)
 
 
 def _shortest(
