@@ -367,7 +367,7 @@ static void loosen(double share, array_double_1d axis, array_double_2d work);
 static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool slow_down(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void flush_levels(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool is_idle(int64_t i, array_double_1d axis, array_double_2d work);
+static double idle_time(int64_t i, array_double_1d axis, array_double_2d work);
 static int64_t write_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -12890,14 +12890,13 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
     }
     run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(130)));
 }
-static bool is_idle(int64_t i, array_double_1d axis, array_double_2d work)
+static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     int64_t row;
     double before;
-    double spent;
     double scale;
-    bool result;
+    double spent;
     passing = span_row(&work, INT64_C(48));
     row = INT64_C(49) + i;
     before = (*cspan_at(&passing, INT64_C(8)));
@@ -12907,23 +12906,25 @@ static bool is_idle(int64_t i, array_double_1d axis, array_double_2d work)
     }
     if ((before != 0.0) || ((*cspan_at(&work, row, INT64_C(9))) == 0.0) || ((*cspan_at(&work, row + INT64_C(1), INT64_C(9))) != 0.0))
     {
-        return 0;
+        return 0.0;
     }
     spent = (*cspan_at(&work, row, INT64_C(11))) + (*cspan_at(&work, row, INT64_C(10))) + (*cspan_at(&work, row + INT64_C(1), INT64_C(11)));
     scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(1), passing, axis);
-    result = fabs((*cspan_at(&work, row, INT64_C(9)))) * spent <= 1e-12 * scale;
-    return result;
+    if (fabs((*cspan_at(&work, row, INT64_C(9)))) * spent > 1e-12 * scale)
+    {
+        return 0.0;
+    }
+    return spent;
 }
 static int64_t write_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     double above;
     double level;
-    bool idle;
+    double idle;
     int64_t i;
     int64_t row;
-    bool after;
+    double after;
     int64_t state;
-    double spent;
     double held;
     double order;
     int64_t kind;
@@ -12932,22 +12933,21 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
     above = (*cspan_at(&work, INT64_C(48), INT64_C(1)));
     level = (*cspan_at(&work, INT64_C(48), INT64_C(8)));
     used = INT64_C(0);
-    idle = 0;
+    idle = 0.0;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         row = INT64_C(49) + i;
         after = idle;
-        idle = is_idle(i, axis, work);
-        if (idle)
+        idle = idle_time(i, axis, work);
+        if (idle > 0.0)
         {
             state = INT64_C(0) + (int64_t)(above) + INT64_C(1);
-            spent = (*cspan_at(&work, row, INT64_C(11))) + (*cspan_at(&work, row, INT64_C(10))) + (*cspan_at(&work, row + INT64_C(1), INT64_C(11)));
-            used = append_hold(phases, used, (*cspan_at(&work, row, state)), spent);
+            used = append_hold(phases, used, (*cspan_at(&work, row, state)), idle);
             (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = above - 1.0;
             level = 0.0;
             continue;
         }
-        if (((*cspan_at(&work, row, INT64_C(11))) > 0.0) && (!after))
+        if (((*cspan_at(&work, row, INT64_C(11))) > 0.0) && (after == 0.0))
         {
             (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
             (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(48), INT64_C(2)));

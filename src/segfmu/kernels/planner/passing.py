@@ -61,8 +61,8 @@ def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     run_sequence(problem, passing, axis, nodes, work[PlanWork.RESIDUAL, :])
 
 
-def is_idle(i: int, axis: 'float[:]', work: 'float[:,:]') -> bool:
-    """Whether a level between two of zero changes nothing that matters.
+def idle_time(i: int, axis: 'float[:]', work: 'float[:,:]') -> float:
+    """Time [s] of a level between two of zero that changes nothing that matters; 0: it does.
 
     Its ramps can be too short for the clock of a long plan, and yet reach the limit of the snap.
     """
@@ -72,10 +72,12 @@ def is_idle(i: int, axis: 'float[:]', work: 'float[:,:]') -> bool:
     if i > 0:
         before = work[row - 1, Node.LEVEL]
     if before != 0.0 or work[row, Node.LEVEL] == 0.0 or work[row + 1, Node.LEVEL] != 0.0:
-        return False
+        return 0.0
     spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
     scale = residual_scale(int(passing[Passing.ABOVE]) + 1, passing, axis)
-    return abs(work[row, Node.LEVEL]) * spent <= 1e-12 * scale
+    if abs(work[row, Node.LEVEL]) * spent > 1e-12 * scale:
+        return 0.0
+    return spent
 
 
 def write_sequence(
@@ -86,20 +88,19 @@ def write_sequence(
     above = work[PlanWork.PASSING, Passing.ABOVE]
     level = work[PlanWork.PASSING, Passing.START]
     used = 0
-    idle = False
+    idle = 0.0
     for i in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 1):
         row = PlanWork.NODES + i
         after = idle
-        idle = is_idle(i, axis, work)
-        if idle:
+        idle = idle_time(i, axis, work)
+        if idle > 0.0:
             # the derivative below the levels is held as long, with the ramp that follows
             state = Node.STATE + int(above) + 1
-            spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
-            used = append_hold(phases, used, work[row, state], spent)
+            used = append_hold(phases, used, work[row, state], idle)
             phases[used - 1, Phase.ABOVE] = above - 1.0
             level = 0.0
             continue
-        if work[row, Node.RAMP] > 0.0 and not after:
+        if work[row, Node.RAMP] > 0.0 and after == 0.0:
             phases[used, Phase.DURATION] = work[row, Node.RAMP]
             phases[used, Phase.BASIS] = work[row, Node.RAMP] * work[PlanWork.PASSING, Passing.PACE]
             phases[used, Phase.ACCELERATION] = level

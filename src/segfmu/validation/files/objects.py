@@ -12,12 +12,12 @@ import numpy as np
 from segfmu.crane import Crane
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Obstacle, Waypoint
-from segfmu.planning.limits import limited
+from segfmu.planning.limits import NAMES, limited
 from segfmu.validation.files.keys import AXES, Table
 
 MASSES = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
 STATES = ("velocity", "acceleration")
-LIMITS = ("velocity", "acceleration", "jerk", "snap")
+LIMITS = NAMES[:4]
 
 
 def plain(value: Any) -> Any:

@@ -168,18 +168,17 @@ def inherit(old: Mapping[str, Any], new: Mapping[str, Any]) -> dict[str, Any]:
 def _by_name(old: Any, new: Any) -> Any:
     """Tables of a list that replace those of the same names, or stand behind them.
 
-    What has the same name twice in one list stays there, to be refused.
+    Names that stand twice in one list stay there, to be refused.
     """
     both = [*old, *new] if isinstance(old, list) and isinstance(new, list) else None
     if both is None or not all(isinstance(t, dict) and "name" in t for t in both):
         return new
-    left = list(new)
-    found = []
-    for table in old:
-        same = [t for t in left if str(t["name"]) == str(table["name"])][:1]
-        found += same or [table]
-        left = [t for t in left if not any(t is s for s in same)]
-    return found + left
+    given = {str(t["name"]): t for t in new}
+    if len(given) < len(new):
+        return new
+    kept = [str(t["name"]) for t in old]
+    replaced = [given.get(name, t) for name, t in zip(kept, old, strict=True)]
+    return replaced + [t for name, t in given.items() if name not in kept]
 
 
 def located(path: Path, data: Mapping[str, Any]) -> dict[str, Any]:
