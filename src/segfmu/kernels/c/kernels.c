@@ -302,6 +302,8 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
+static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis);
+static bool has_dip(array_double_2d phases, int64_t count);
 static void stretch_phases(array_double_2d phases, int64_t count, double factor);
 static int64_t fit_duration(array_double_2d phases, int64_t count, double target);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
@@ -348,13 +350,22 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void begin_dip(int64_t above, double v, double a, array_double_2d work);
+static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work);
+static double last_jerk(double second, array_double_1d axis, array_double_2d work);
+static void balance_jerk(array_double_1d axis, array_double_2d work);
+static double last_acceleration(double time, array_double_1d axis, array_double_2d work);
+static bool close_dip(double first, array_double_1d axis, array_double_2d work);
+static bool find_dip(double least, array_double_1d axis, array_double_2d work);
+static int64_t write_dip(array_double_2d phases, array_double_2d work);
+static int64_t brake_by_dip(int64_t* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
 static double deep_level(double v, double a, array_double_1d axis);
 static double level_past_zero(double v, double a, array_double_1d axis);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool nearly_brakes(double v, double a, array_double_1d axis);
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest);
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -435,7 +446,7 @@ static double earlier_feasible(double start, double end, array_double_2d cell, a
 static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
 static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static void note_shortest(double time, array_double_2d cell);
+static void note_shortest(double time, array_double_1d axis, array_double_2d cell);
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
 static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
@@ -7292,10 +7303,10 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(131));
-    end = span_row(&work, INT64_C(131) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(124), INT64_C(130));
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    state = span_row(&work, INT64_C(147));
+    end = span_row(&work, INT64_C(147) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(140), INT64_C(146));
+    q = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2);
     top = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
     rest = length;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
@@ -7344,9 +7355,9 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double basis;
     double length;
     double peak;
-    passing = span_row(&work, INT64_C(48));
-    excess = span_rows(&work, INT64_C(124), INT64_C(130));
-    state = span_row(&work, INT64_C(131));
+    passing = span_row(&work, INT64_C(64));
+    excess = span_rows(&work, INT64_C(140), INT64_C(146));
+    state = span_row(&work, INT64_C(147));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -7357,7 +7368,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
         {
             (*cspan_at(&state, order)) = 0.0;
@@ -8565,17 +8576,17 @@ static void pace_column(int64_t count, array_double_1d problem, array_double_1d 
     double change;
     int64_t i;
     double slope;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    residual = span_row(&work, INT64_C(146));
     change = 1e-07;
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(131) + i, count - INT64_C(1))) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(147) + i, count - INT64_C(1))) = slope;
     }
     run_sequence(problem, passing, axis, nodes, residual);
 }
@@ -8599,15 +8610,15 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     double slope;
     int64_t k;
     double difference;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
-    slopes = span_row(&work, INT64_C(163));
-    before = span_rows(&work, INT64_C(164), INT64_C(167));
-    moved = span_row(&work, INT64_C(167));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    residual = span_row(&work, INT64_C(146));
+    slopes = span_row(&work, INT64_C(179));
+    before = span_rows(&work, INT64_C(180), INT64_C(183));
+    moved = span_row(&work, INT64_C(183));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     following = column + INT64_C(2);
-    base = span_row(&work, INT64_C(164) + INT64_C(2));
+    base = span_row(&work, INT64_C(180) + INT64_C(2));
     spent = 0.0;
     for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
@@ -8632,7 +8643,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = begin; i < row; i += INT64_C(1))
     {
-        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)));
         (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
     }
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
@@ -8661,7 +8672,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(131) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(147) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
     }
 }
 static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8673,9 +8684,9 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     double change;
     int64_t i;
     double slope;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    residual = span_row(&work, INT64_C(146));
     time = (*cspan_at(&nodes, column, INT64_C(6)));
     change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
     (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
@@ -8683,8 +8694,8 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     (*cspan_at(&nodes, column, INT64_C(6))) = time;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(131) + i, column)) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(147) + i, column)) = slope;
     }
 }
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8697,17 +8708,17 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     double added;
     double diagonal;
     array_double_2d matrix;
-    passing = span_row(&work, INT64_C(48));
-    residual = span_row(&work, INT64_C(130));
+    passing = span_row(&work, INT64_C(64));
+    residual = span_row(&work, INT64_C(146));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(147) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(163) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if (has_pace(passing))
     {
         pace_column(count, problem, axis, work);
     }
-    (*cspan_at(&work, INT64_C(128), INT64_C(4))) = (*cspan_at(&work, INT64_C(128), INT64_C(4))) + 1.0;
+    (*cspan_at(&work, INT64_C(144), INT64_C(4))) = (*cspan_at(&work, INT64_C(144), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
         if (((*cspan_at(&passing, INT64_C(13))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) > 0.5))
@@ -8724,22 +8735,22 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
         largest = 0.0;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(131) + i, j))));
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(147) + i, j))));
         }
         added = 1e-12 * largest;
         if (largest == 0.0)
         {
             added = 1.0;
         }
-        diagonal = (*cspan_at(&work, INT64_C(131) + j, j));
+        diagonal = (*cspan_at(&work, INT64_C(147) + j, j));
         if (diagonal < 0.0)
         {
             added = -added;
         }
-        (*cspan_at(&work, INT64_C(131) + j, j)) = diagonal + added;
+        (*cspan_at(&work, INT64_C(147) + j, j)) = diagonal + added;
     }
-    matrix = span_rows(&work, INT64_C(131), INT64_C(147));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(147), INT64_C(163)));
+    matrix = span_rows(&work, INT64_C(147), INT64_C(163));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(163), INT64_C(179)));
 }
 static double longest_step(array_double_2d work)
 {
@@ -8751,13 +8762,13 @@ static double longest_step(array_double_2d work)
     double time;
     double most;
     double share;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
     share = 1.0;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -8780,7 +8791,7 @@ static double longest_step(array_double_2d work)
     }
     if (has_pace(passing))
     {
-        change = fabs((*cspan_at(&work, INT64_C(147) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(163) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -8794,16 +8805,16 @@ static void take_step(double share, array_double_2d work)
     int64_t i;
     int64_t row;
     double pace;
-    count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
+    count = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(147) + i, INT64_C(0)));
+        row = INT64_C(65) + i;
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)));
     }
-    if (has_pace(span_row(&work, INT64_C(48))))
+    if (has_pace(span_row(&work, INT64_C(64))))
     {
-        pace = (*cspan_at(&work, INT64_C(48), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(147) + count, INT64_C(0)));
-        (*cspan_at(&work, INT64_C(48), INT64_C(2))) = pace;
+        pace = (*cspan_at(&work, INT64_C(64), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(163) + count, INT64_C(0)));
+        (*cspan_at(&work, INT64_C(64), INT64_C(2))) = pace;
     }
 }
 static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8819,9 +8830,9 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     double share;
     double reached;
     int64_t j;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    residual = span_row(&work, INT64_C(130));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    residual = span_row(&work, INT64_C(146));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if (has_pace(passing))
     {
@@ -8879,13 +8890,13 @@ static void keep_sequence(int64_t row, array_double_2d work)
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
-        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(48), i));
+        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(64), i));
     }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(49) + j, i));
+            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(65) + j, i));
         }
     }
 }
@@ -8895,13 +8906,13 @@ static void restore_sequence(int64_t row, array_double_2d work)
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(48), i)) = (*cspan_at(&work, row, i));
+        (*cspan_at(&work, INT64_C(64), i)) = (*cspan_at(&work, row, i));
     }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(49) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
+            (*cspan_at(&work, INT64_C(65) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
         }
     }
 }
@@ -8912,18 +8923,18 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     int64_t j;
     int64_t row;
     int64_t i;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     shift_instants(place, INT64_C(1), passing);
     for (j = INT64_C(0); j < count - place; j += INT64_C(1))
     {
-        row = INT64_C(49) + count - j;
+        row = INT64_C(65) + count - j;
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
             (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
         }
     }
-    row = INT64_C(49) + place;
+    row = INT64_C(65) + place;
     (*cspan_at(&work, row, INT64_C(4))) = kind;
     (*cspan_at(&work, row, INT64_C(5))) = sign;
     (*cspan_at(&work, row, INT64_C(6))) = time;
@@ -8934,8 +8945,8 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
 static void set_alternating(double sign, double time, array_double_2d work)
 {
     int64_t i;
-    (*cspan_at(&work, INT64_C(48), INT64_C(0))) = 0.0;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); i += INT64_C(1))
+    (*cspan_at(&work, INT64_C(64), INT64_C(0))) = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2); i += INT64_C(1))
     {
         insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), time, 0, work);
     }
@@ -8946,9 +8957,9 @@ static void remove_node(int64_t place, array_double_2d work)
     int64_t count;
     int64_t row;
     int64_t i;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    for (row = INT64_C(49) + place; row < INT64_C(49) + count - INT64_C(1); row += INT64_C(1))
+    for (row = INT64_C(65) + place; row < INT64_C(65) + count - INT64_C(1); row += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
@@ -8988,7 +8999,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess,
     double before;
     double depth;
     double after;
-    row = INT64_C(49) + place;
+    row = INT64_C(65) + place;
     if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
     {
         return 0;
@@ -9012,8 +9023,8 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
     double before;
     double after;
     double hold;
-    first = INT64_C(49) + place - INT64_C(1);
-    last = INT64_C(49) + place;
+    first = INT64_C(65) + place - INT64_C(1);
+    last = INT64_C(65) + place;
     plateau = kind + INT64_C(2);
     if (holding)
     {
@@ -9059,8 +9070,8 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
     bool here;
     bool inside;
     bool result;
-    passing = span_row(&work, INT64_C(48));
-    excess = span_row(&work, INT64_C(124) + kind);
+    passing = span_row(&work, INT64_C(64));
+    excess = span_row(&work, INT64_C(140) + kind);
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
@@ -9074,7 +9085,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
     {
         if (!holding)
         {
-            row = INT64_C(49) + place;
+            row = INT64_C(65) + place;
             here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
             if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
             {
@@ -9094,7 +9105,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
         result = split_ramp(place, kind, sign, touching, holding, work);
         return result;
     }
-    row = INT64_C(49) + place;
+    row = INT64_C(65) + place;
     if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
     {
         return 0;
@@ -9111,10 +9122,10 @@ static bool rotate_levels(array_double_2d work)
     double tiny;
     double at_first;
     double at_last;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    first = INT64_C(49);
-    last = INT64_C(49) + count - INT64_C(1);
+    first = INT64_C(65);
+    last = INT64_C(65) + count - INT64_C(1);
     tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
     if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
     {
@@ -9161,12 +9172,12 @@ static int64_t overlong_plateau(array_double_2d work)
     int64_t kind;
     bool held;
     int64_t found;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     found = -INT64_C(1);
     least = (-1e-12) * (*cspan_at(&passing, INT64_C(3)));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
         held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
         if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
@@ -9197,9 +9208,9 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
 {
     int64_t kind;
     bool result;
-    keep_sequence(INT64_C(67), work);
+    keep_sequence(INT64_C(83), work);
     kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-    if (kind == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
+    if (kind == (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(1))
     {
         if (shorten_hold(row, INT64_C(2), INT64_C(1), problem, axis, work))
         {
@@ -9210,7 +9221,7 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     {
         return 1;
     }
-    restore_sequence(INT64_C(67), work);
+    restore_sequence(INT64_C(83), work);
     result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
     return result;
 }
@@ -9218,9 +9229,9 @@ static bool release_touch(int64_t kind, array_double_2d work)
 {
     int64_t i;
     int64_t row;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
         {
             (*cspan_at(&work, row, INT64_C(7))) = 0.0;
@@ -9235,7 +9246,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
     int64_t j;
     int64_t kind;
     int64_t lowest;
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2);
     for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
     {
         kind = q - INT64_C(1) - j;
@@ -9243,7 +9254,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         {
             kind = j + INT64_C(1);
         }
-        if ((*cspan_at(&work, INT64_C(124) + kind, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&work, INT64_C(140) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, INT64_C(0), axis, work))
             {
@@ -9252,7 +9263,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
     }
     lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(124) + lowest, INT64_C(0))) > 0.0))
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(140) + lowest, INT64_C(0))) > 0.0))
     {
         if (release_touch(lowest, work))
         {
@@ -9269,7 +9280,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
     int64_t attempt;
     int64_t place;
     int64_t row;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     added = INT64_C(0);
     for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
@@ -9280,7 +9291,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
             {
                 return 0;
             }
-            restore_sequence(INT64_C(67), work);
+            restore_sequence(INT64_C(83), work);
             added = INT64_C(0);
             if (!insert_plateau(q - INT64_C(3), 1, INT64_C(0), axis, work))
             {
@@ -9291,7 +9302,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
                 return 0;
             }
         }
-        if (sequence_duration(passing, span_rows(&work, INT64_C(49), INT64_C(67))) >= longest)
+        if (sequence_duration(passing, span_rows(&work, INT64_C(65), INT64_C(83))) >= longest)
         {
             return 0;
         }
@@ -9299,7 +9310,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
         place = overlong_plateau(work);
         if (place >= INT64_C(0))
         {
-            row = INT64_C(49) + place;
+            row = INT64_C(65) + place;
             if (!touch_limit(row, problem, axis, work))
             {
                 return 0;
@@ -9311,7 +9322,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
         }
         else
         {
-            keep_sequence(INT64_C(67), work);
+            keep_sequence(INT64_C(83), work);
             added = add_plateau(upward, axis, work);
             if (added == INT64_C(0))
             {
@@ -9324,7 +9335,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
 static bool may_go_on(array_double_2d work)
 {
     bool result;
-    result = (*cspan_at(&work, INT64_C(128), INT64_C(4))) < (*cspan_at(&work, INT64_C(128), INT64_C(5)));
+    result = (*cspan_at(&work, INT64_C(144), INT64_C(4))) < (*cspan_at(&work, INT64_C(144), INT64_C(5)));
     return result;
 }
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -9337,8 +9348,8 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     double sign;
     int64_t row;
     bool result;
-    passing = span_row(&work, INT64_C(48));
-    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
+    passing = span_row(&work, INT64_C(64));
+    node = (int64_t)((*cspan_at(&work, INT64_C(140) + order, INT64_C(1))));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = node;
     beside = node;
@@ -9372,14 +9383,14 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     {
         return 0;
     }
-    row = INT64_C(49) + beside;
+    row = INT64_C(65) + beside;
     if (((*cspan_at(&passing, INT64_C(13))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
     {
         return 0;
     }
     sign = sign * (*cspan_at(&work, row, INT64_C(5)));
     insert_node(place, INT64_C(0), sign, 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
-    add_instant(order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
+    add_instant(order, (*cspan_at(&work, INT64_C(140) + order, INT64_C(3))), node, passing);
     result = solve_rotated(problem, axis, work);
     return result;
 }
@@ -9388,18 +9399,18 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
     array_double_1d passing;
     int64_t node;
     int64_t peak;
-    passing = span_row(&work, INT64_C(48));
-    node = (int64_t)((*cspan_at(&work, INT64_C(124) + order, INT64_C(1))));
+    passing = span_row(&work, INT64_C(64));
+    node = (int64_t)((*cspan_at(&work, INT64_C(140) + order, INT64_C(1))));
     for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
     {
         if (((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))) == order) && may_go_on(work))
         {
-            place_instant(peak, order, (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))), node, passing);
+            place_instant(peak, order, (*cspan_at(&work, INT64_C(140) + order, INT64_C(3))), node, passing);
             if (solve_rotated(problem, axis, work))
             {
                 return 1;
             }
-            restore_sequence(INT64_C(67), work);
+            restore_sequence(INT64_C(83), work);
         }
     }
     return 0;
@@ -9407,7 +9418,7 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t variant;
-    if (((*cspan_at(&work, INT64_C(128), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
+    if (((*cspan_at(&work, INT64_C(144), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
     {
         return 1;
     }
@@ -9417,7 +9428,7 @@ static bool insert_instant(int64_t order, array_double_1d problem, array_double_
         {
             return 1;
         }
-        restore_sequence(INT64_C(67), work);
+        restore_sequence(INT64_C(83), work);
     }
     return 0;
 }
@@ -9431,18 +9442,18 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
     int64_t guesses;
     int64_t guess;
     bool result;
-    q = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2);
     order = q - INT64_C(1);
     for (j = INT64_C(1); j < q - INT64_C(1); j += INT64_C(1))
     {
         lower = q - INT64_C(1) - j;
-        excess = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
-        if ((*cspan_at(&work, INT64_C(124) + lower, INT64_C(0))) > excess)
+        excess = (*cspan_at(&work, INT64_C(140) + order, INT64_C(0)));
+        if ((*cspan_at(&work, INT64_C(140) + lower, INT64_C(0))) > excess)
         {
             order = lower;
         }
     }
-    keep_sequence(INT64_C(67), work);
+    keep_sequence(INT64_C(83), work);
     if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
     {
         return 1;
@@ -9461,7 +9472,7 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
                 return 1;
             }
         }
-        restore_sequence(INT64_C(67), work);
+        restore_sequence(INT64_C(83), work);
     }
     result = (order >= q - INT64_C(2)) && insert_instant(order, problem, axis, work);
     return result;
@@ -9473,11 +9484,11 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
     double sign;
     int64_t side;
     bool result;
-    row = INT64_C(49) + place;
+    row = INT64_C(65) + place;
     order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
     sign = (*cspan_at(&work, row, INT64_C(5)));
-    keep_sequence(INT64_C(67), work);
-    if (order == (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(1))
+    keep_sequence(INT64_C(83), work);
+    if (order == (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(1))
     {
         (*cspan_at(&work, row, INT64_C(7))) = 2.0;
         (*cspan_at(&work, row, INT64_C(8))) = 0.0;
@@ -9485,11 +9496,11 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
         {
             return 1;
         }
-        restore_sequence(INT64_C(67), work);
+        restore_sequence(INT64_C(83), work);
         remove_node(place, work);
-        (*cspan_at(&work, INT64_C(124) + order, INT64_C(1))) = place;
-        (*cspan_at(&work, INT64_C(124) + order, INT64_C(3))) = sign;
-        keep_sequence(INT64_C(67), work);
+        (*cspan_at(&work, INT64_C(140) + order, INT64_C(1))) = place;
+        (*cspan_at(&work, INT64_C(140) + order, INT64_C(3))) = sign;
+        keep_sequence(INT64_C(83), work);
         result = insert_instant(order, problem, axis, work);
         return result;
     }
@@ -9497,12 +9508,12 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
     {
         remove_node(place, work);
         remove_node(place - side, work);
-        add_instant(order, sign, place - side, span_row(&work, INT64_C(48)));
+        add_instant(order, sign, place - side, span_row(&work, INT64_C(64)));
         if (solve_rotated(problem, axis, work))
         {
             return 1;
         }
-        restore_sequence(INT64_C(67), work);
+        restore_sequence(INT64_C(83), work);
     }
     return 0;
 }
@@ -9538,12 +9549,12 @@ static int64_t vanishing_level(int64_t step, array_double_2d work)
     int64_t i;
     int64_t row;
     int64_t found;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     found = -INT64_C(1);
     least = 0.1 * (*cspan_at(&passing, INT64_C(3)));
     for (i = INT64_C(0); (step > 0) ? (i < (int64_t)((*cspan_at(&passing, INT64_C(0))))) : (i > (int64_t)((*cspan_at(&passing, INT64_C(0))))); i += step)
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
         {
             found = i;
@@ -9561,7 +9572,7 @@ static bool release_plateau(array_double_2d work)
     int64_t i;
     int64_t row;
     bool touches;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     kind = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     end = vanishing_level(span_max_int(count - INT64_C(1), INT64_C(1)), work);
@@ -9571,7 +9582,7 @@ static bool release_plateau(array_double_2d work)
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         touches = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && ((*cspan_at(&work, row, INT64_C(6))) < 0.0);
         if (touches && ((int64_t)((*cspan_at(&work, row, INT64_C(4)))) == kind))
         {
@@ -9593,8 +9604,8 @@ static bool flip_level(array_double_2d work)
     {
         return 0;
     }
-    row = INT64_C(49) + found;
-    time = span_max(fabs((*cspan_at(&work, row, INT64_C(6)))), 0.03 * (*cspan_at(&work, INT64_C(48), INT64_C(3))));
+    row = INT64_C(65) + found;
+    time = span_max(fabs((*cspan_at(&work, row, INT64_C(6)))), 0.03 * (*cspan_at(&work, INT64_C(64), INT64_C(3))));
     if ((*cspan_at(&work, row, INT64_C(6))) > 0.0)
     {
         time = -time;
@@ -9608,9 +9619,9 @@ static bool follow(double target, array_double_1d problem, array_double_1d axis,
     bool changed;
     for (change = INT64_C(0); change < INT64_C(3); change += INT64_C(1))
     {
-        restore_sequence(INT64_C(105), work);
-        (*cspan_at(&work, INT64_C(48), INT64_C(12))) = 1.0;
-        (*cspan_at(&work, INT64_C(48), INT64_C(5))) = target;
+        restore_sequence(INT64_C(121), work);
+        (*cspan_at(&work, INT64_C(64), INT64_C(12))) = 1.0;
+        (*cspan_at(&work, INT64_C(64), INT64_C(5))) = target;
         changed = 1;
         if (change == INT64_C(1))
         {
@@ -10426,6 +10437,34 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
         return -1.0;
     }
     return duration;
+}
+static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis)
+{
+    int64_t i;
+    bool found;
+    found = 0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if ((*cspan_at(&phases, i, INT64_C(3))) != 0.0)
+        {
+            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(35)))))
+            {
+                return 0;
+            }
+            found = 1;
+        }
+    }
+    return found;
+}
+static bool has_dip(array_double_2d phases, int64_t count)
+{
+    bool result;
+    if (count == INT64_C(0))
+    {
+        return 0;
+    }
+    result = ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) > 0.5) || ((*cspan_at(&phases, count - INT64_C(1), INT64_C(4))) > 0.5);
+    return result;
 }
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
 {
@@ -11680,8 +11719,8 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     {
         return;
     }
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    nearest = span_row(&work, INT64_C(42));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    nearest = span_row(&work, INT64_C(58));
     distance = (*cspan_at(&problem, INT64_C(4)));
     target = (*cspan_at(&problem, INT64_C(5)));
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
@@ -11718,7 +11757,7 @@ static bool is_enclosed(array_double_2d work)
 {
     array_double_1d nearest;
     bool result;
-    nearest = span_row(&work, INT64_C(42));
+    nearest = span_row(&work, INT64_C(58));
     result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
     return result;
 }
@@ -11728,7 +11767,7 @@ static double keep_cruise(double cruise, array_double_1d problem, array_double_1
     int64_t count;
     double hold;
     double y;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
     keep_nearest(count, problem, axis, cell, work);
     return y;
@@ -11862,7 +11901,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     double e_lower;
     double upper;
     double e_upper;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     distance = (*cspan_at(&problem, INT64_C(4)));
     samples = INT64_C(24);
     inside = 0;
@@ -12135,8 +12174,8 @@ static int64_t loop_form(int64_t last, int64_t count, double longest, array_doub
     int64_t sample;
     double duration;
     int64_t used;
-    family = span_row(&work, INT64_C(45));
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    family = span_row(&work, INT64_C(61));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     missing = set_loop(problem, axis, family);
     given = longest;
     for (arc = INT64_C(0); arc < last + INT64_C(1); arc += INT64_C(1))
@@ -12173,7 +12212,7 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
     int64_t sample;
     double duration;
     int64_t used;
-    family = span_row(&work, INT64_C(45));
+    family = span_row(&work, INT64_C(61));
     target = (*cspan_at(&problem, INT64_C(5)));
     missing = set_loop(problem, axis, family);
     (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -12186,7 +12225,7 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
             arc_root(&sample, &duration, arc, sample, missing, target, family, axis);
             if (sample >= INT64_C(0))
             {
-                used = write_member(span_rows(&work, INT64_C(0), INT64_C(13)), family, axis);
+                used = write_member(span_rows(&work, INT64_C(0), INT64_C(21)), family, axis);
                 keep_nearest(used, problem, axis, cell, work);
             }
         }
@@ -12203,8 +12242,8 @@ static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t 
     double missing;
     double duration;
     int64_t used;
-    family = span_row(&work, INT64_C(45));
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    family = span_row(&work, INT64_C(61));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     missing = set_loop(problem, axis, family);
     arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
     if (sample < INT64_C(0))
@@ -12216,6 +12255,315 @@ static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t 
     used = write_member(trial, family, axis);
     (*result_0_0001) = sample;
     (*result_1_0001) = valid_duration(trial, used, problem, axis);
+    return 0;
+}
+static void begin_dip(int64_t above, double v, double a, array_double_2d work)
+{
+    array_double_1d passing;
+    double sign;
+    int64_t i;
+    int64_t column;
+    passing = span_row(&work, INT64_C(64));
+    (*cspan_at(&passing, INT64_C(0))) = above + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(1))) = above;
+    (*cspan_at(&passing, INT64_C(2))) = 1.0;
+    (*cspan_at(&passing, INT64_C(8))) = 0.0;
+    sign = -1.0;
+    for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(12); column += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(65) + i, column)) = 0.0;
+        }
+        (*cspan_at(&work, INT64_C(65) + i, INT64_C(5))) = sign;
+        sign = -sign;
+    }
+    (*cspan_at(&work, INT64_C(65), INT64_C(0) + INT64_C(1))) = v;
+    (*cspan_at(&work, INT64_C(65), INT64_C(0) + INT64_C(2))) = a;
+}
+static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t above;
+    int64_t i;
+    double hold;
+    double result;
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
+    {
+        if (i <= above)
+        {
+            set_level(span_row(&nodes, i), passing, axis);
+        }
+        pass_node(i, passing, axis, nodes);
+        if ((*cspan_at(&nodes, i, INT64_C(10))) > 0.0)
+        {
+            hold = (*cspan_at(&nodes, i, INT64_C(10)));
+            advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, above, span_row(&nodes, i + INT64_C(1)));
+        }
+    }
+    result = (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + order));
+    return result;
+}
+static double last_jerk(double second, array_double_1d axis, array_double_2d work)
+{
+    double result;
+    (*cspan_at(&work, INT64_C(65) + INT64_C(1), INT64_C(6))) = second;
+    result = follow_dip(INT64_C(3), axis, work);
+    return result;
+}
+static void balance_jerk(array_double_1d axis, array_double_2d work)
+{
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
+    int64_t i;
+    double share;
+    double second;
+    double error;
+    bool crossed;
+    newest = (*cspan_at(&work, INT64_C(65), INT64_C(6)));
+    e_newest = last_jerk(newest, axis, work);
+    if (e_newest >= 0.0)
+    {
+        return;
+    }
+    other = 2.0 * newest;
+    e_other = last_jerk(other, axis, work);
+    while(e_other < 0.0)
+    {
+        newest = other;
+        e_newest = e_other;
+        other = 2.0 * other;
+        e_other = last_jerk(other, axis, work);
+    }
+    before = other;
+    e_before = e_other;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        second = newest + share * (other - newest);
+        if ((second == newest) || (second == other) || (e_newest == 0.0))
+        {
+            break;
+        }
+        error = last_jerk(second, axis, work);
+        crossed = error * e_newest <= 0.0;
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = second;
+        e_newest = error;
+    }
+    (*cspan_at(&work, INT64_C(65) + INT64_C(1), INT64_C(6))) = newest;
+}
+static double last_acceleration(double time, array_double_1d axis, array_double_2d work)
+{
+    int64_t above;
+    double result;
+    above = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1))));
+    (*cspan_at(&work, INT64_C(65) + above, INT64_C(6))) = time;
+    if (above == INT64_C(2))
+    {
+        balance_jerk(axis, work);
+    }
+    result = follow_dip(INT64_C(2), axis, work);
+    return result;
+}
+static bool close_dip(double first, array_double_1d axis, array_double_2d work)
+{
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
+    int64_t i;
+    double share;
+    double time;
+    double error;
+    bool crossed;
+    (*cspan_at(&work, INT64_C(65), INT64_C(6))) = first;
+    newest = 0.0;
+    e_newest = last_acceleration(newest, axis, work);
+    if (e_newest > 0.0)
+    {
+        return 0;
+    }
+    other = first;
+    e_other = last_acceleration(other, axis, work);
+    before = other;
+    e_before = e_other;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        time = newest + share * (other - newest);
+        if ((time == newest) || (time == other) || (e_newest == 0.0))
+        {
+            break;
+        }
+        error = last_acceleration(time, axis, work);
+        crossed = error * e_newest <= 0.0;
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = time;
+        e_newest = error;
+    }
+    last_acceleration(newest, axis, work);
+    return 1;
+}
+static bool find_dip(double least, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d excess;
+    double shallow;
+    double deep;
+    double found;
+    int64_t i;
+    double first;
+    bool high;
+    bool low;
+    bool fast;
+    int64_t order;
+    bool result;
+    excess = span_rows(&work, INT64_C(140), INT64_C(146));
+    shallow = least;
+    deep = 1e+300;
+    found = -1.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        first = 2.0 * shallow;
+        if (deep < 1e+300)
+        {
+            first = 0.5 * (shallow + deep);
+        }
+        high = !close_dip(first, axis, work);
+        low = 0;
+        if ((!high) && measure_excess(axis, work))
+        {
+            fast = (*cspan_at(&excess, INT64_C(1), INT64_C(0))) > 0.0;
+            high = fast && ((*cspan_at(&excess, INT64_C(1), INT64_C(3))) > 0.0);
+            low = fast && (!high);
+            for (order = INT64_C(2); order < INT64_C(4); order += INT64_C(1))
+            {
+                low = low || ((*cspan_at(&excess, order, INT64_C(0))) > 0.0);
+            }
+        }
+        if (high && low)
+        {
+            break;
+        }
+        if (high)
+        {
+            shallow = first;
+        }
+        else
+        {
+            deep = first;
+            if (!low)
+            {
+                found = first;
+            }
+        }
+        if ((deep - shallow <= 1e-12 * deep) || ((found > 0.0) && (deep - shallow <= 0.001 * deep)))
+        {
+            break;
+        }
+    }
+    if (found < 0.0)
+    {
+        return 0;
+    }
+    result = close_dip(found, axis, work);
+    return result;
+}
+static int64_t write_dip(array_double_2d phases, array_double_2d work)
+{
+    double above;
+    double level;
+    int64_t i;
+    int64_t row;
+    int64_t used;
+    above = (*cspan_at(&work, INT64_C(64), INT64_C(1)));
+    level = 0.0;
+    used = INT64_C(0);
+    for (i = INT64_C(0); i < (int64_t)(above) + INT64_C(2); i += INT64_C(1))
+    {
+        row = INT64_C(65) + i;
+        if ((*cspan_at(&work, row, INT64_C(11))) > 0.0)
+        {
+            (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
+            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11)));
+            (*cspan_at(&phases, used, INT64_C(2))) = level;
+            (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
+            (*cspan_at(&phases, used, INT64_C(4))) = above;
+            used = used + INT64_C(1);
+        }
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        {
+            used = append_hold(phases, used, level, (*cspan_at(&work, row, INT64_C(10))));
+            (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = above;
+        }
+    }
+    return used;
+}
+static int64_t brake_by_dip(int64_t* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    double limit;
+    double sign;
+    double duration;
+    double slope;
+    int64_t above;
+    array_double_2d nodes;
+    double end;
+    int64_t count;
+    double spent;
+    limit = (*cspan_at(&axis, INT64_C(2)));
+    sign = 1.0;
+    if (a < 0.0)
+    {
+        sign = -1.0;
+    }
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    if (((*cspan_at(&axis, INT64_C(35))) < 1.5) || (sign * v + 0.3 * fabs(a) * duration > limit))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = 0.0;
+        (*result_2_0001) = 0.0;
+        (*result_3_0001) = 0.0;
+        return 0;
+    }
+    for (above = INT64_C(1); above < INT64_C(3); above += INT64_C(1))
+    {
+        begin_dip(above, sign * v, fabs(a), work);
+        if (find_dip(0.02 * duration, axis, work))
+        {
+            nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+            end = (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1)));
+            if (fabs(end) > limit * (1.0 + 1e-12))
+            {
+                continue;
+            }
+            count = write_dip(phases, work);
+            if (sign < 0.0)
+            {
+                mirror_phases(phases, count);
+            }
+            spent = sequence_duration(span_row(&work, INT64_C(64)), nodes);
+            (*result_0) = count;
+            (*result_1) = spent;
+            (*result_2_0001) = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0)));
+            (*result_3_0001) = sign * end;
+            return 0;
+        }
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2_0001) = 0.0;
+    (*result_3_0001) = 0.0;
     return 0;
 }
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
@@ -12331,7 +12679,7 @@ static double level_past_zero(double v, double a, array_double_1d axis)
     }
     return inside;
 }
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases)
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     double velocity_limit;
     int64_t count;
@@ -12376,10 +12724,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
         segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
         level = past;
     }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = 0.0;
-    (*result_2) = 0.0;
-    (*result_3) = 0.0;
+    brake_by_dip(result_0, result_1, result_2, result_3, v, a, axis, phases, work);
     return 0;
 }
 static bool nearly_brakes(double v, double a, array_double_1d axis)
@@ -12395,8 +12740,10 @@ static bool nearly_brakes(double v, double a, array_double_1d axis)
     result = (fabs(v + gain) > velocity_limit) && (fabs(v + (1.0 - saving(axis)) * gain) <= velocity_limit);
     return result;
 }
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial, array_double_1d rest)
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
+    array_double_2d trial;
+    array_double_1d rest;
     int64_t first;
     int64_t last;
     double spent;
@@ -12407,6 +12754,8 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     double distance;
     double duration;
     double y;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    rest = span_row(&work, INT64_C(60));
     first = INT64_C(0);
     last = INT64_C(0);
     spent = 0.0;
@@ -12423,7 +12772,7 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     }
     if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
     {
-        brake(&first, &duration, &y, &v, v, a, axis, trial);
+        brake(&first, &duration, &y, &v, v, a, axis, trial, work);
         if (first < INT64_C(0))
         {
             (*result_0_0001) = -INT64_C(1);
@@ -12436,7 +12785,7 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     }
     if (variant >= INT64_C(2))
     {
-        brake(&last, &duration, &y, &w, w, -b, axis, trial);
+        brake(&last, &duration, &y, &w, w, -b, axis, trial, work);
         if (last < INT64_C(0))
         {
             (*result_0_0001) = -INT64_C(2);
@@ -12457,8 +12806,10 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     (*result_1) = spent;
     return 0;
 }
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d trial)
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
+    array_double_2d trial;
+    double v;
     int64_t first;
     double duration;
     double y;
@@ -12466,10 +12817,13 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     int64_t j;
     int64_t i;
     int64_t column;
+    double w;
     int64_t last;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
     {
-        brake(&first, &duration, &y, &end, (*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, trial);
+        v = (*cspan_at(&problem, INT64_C(0)));
+        brake(&first, &duration, &y, &end, v, (*cspan_at(&problem, INT64_C(1))), axis, trial, work);
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             i = count - INT64_C(1) - j;
@@ -12483,7 +12837,8 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     }
     if (variant >= INT64_C(2))
     {
-        brake(&last, &duration, &y, &end, (*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, trial);
+        w = (*cspan_at(&problem, INT64_C(2)));
+        brake(&last, &duration, &y, &end, w, -(*cspan_at(&problem, INT64_C(3))), axis, trial, work);
         reverse_phases(trial, INT64_C(0), last);
         for (i = INT64_C(0); i < last; i += INT64_C(1))
         {
@@ -12501,10 +12856,10 @@ static void append_level(double sign, double time, array_double_2d work)
     int64_t count;
     int64_t row;
     double last;
-    count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
+    count = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0))));
     if (count > INT64_C(0))
     {
-        row = INT64_C(49) + count - INT64_C(1);
+        row = INT64_C(65) + count - INT64_C(1);
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && ((*cspan_at(&work, row, INT64_C(5))) == sign))
         {
             last = (*cspan_at(&work, row, INT64_C(6)));
@@ -12535,7 +12890,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     segfmu_ramp_duration(&duration, &slope, fabs(change), axis);
     rise = inner_rise(duration, INT64_C(0), axis);
     hold = span_max(duration - 2.0 * rise, 0.0);
-    if ((*cspan_at(&work, INT64_C(48), INT64_C(1))) < 1.5)
+    if ((*cspan_at(&work, INT64_C(64), INT64_C(1))) < 1.5)
     {
         append_level(sign, rise + hold, work);
         return;
@@ -12544,7 +12899,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     append_level(sign, time, work);
     if (hold > 1e-09 * duration)
     {
-        count = (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0))));
+        count = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0))));
         insert_node(count, INT64_C(3), sign, hold, 0, work);
     }
     append_level(-sign, time, work);
@@ -12585,7 +12940,7 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     double duration;
     int64_t order;
     double sign;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     (*cspan_at(&passing, INT64_C(0))) = 0.0;
     pending = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -12621,7 +12976,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     double a;
     double factor;
     int64_t row;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
@@ -12638,12 +12993,12 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
         a = fabs((*cspan_at(&phases, i, INT64_C(2))));
         (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
     }
-    if ((*cspan_at(&passing, INT64_C(4))) == 0.0)
+    if (((*cspan_at(&passing, INT64_C(4))) == 0.0) || has_dip(phases, count))
     {
         return 0;
     }
     copy_levels(count, phases, (*cspan_at(&problem, INT64_C(0))), axis, work);
-    if (!is_square(passing, span_rows(&work, INT64_C(49), INT64_C(67))))
+    if (!is_square(passing, span_rows(&work, INT64_C(65), INT64_C(83))))
     {
         set_alternating(1.0, 0.7 * (*cspan_at(&passing, INT64_C(3))) / q, work);
     }
@@ -12662,7 +13017,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         if ((*cspan_at(&work, row, INT64_C(4))) < 0.5)
         {
             (*cspan_at(&work, row, INT64_C(6))) = factor * (*cspan_at(&work, row, INT64_C(6)));
@@ -12689,7 +13044,7 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
         }
         if (solve_rotated(problem, axis, work))
         {
-            keep_sequence(INT64_C(105), work);
+            keep_sequence(INT64_C(121), work);
             return 1;
         }
     }
@@ -12702,9 +13057,9 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
     largest = 0.0;
     if (measure_excess(axis, work))
     {
-        for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+        for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
         {
-            largest = span_max(largest, (*cspan_at(&work, INT64_C(124) + order, INT64_C(0))));
+            largest = span_max(largest, (*cspan_at(&work, INT64_C(140) + order, INT64_C(0))));
         }
     }
     return largest;
@@ -12719,8 +13074,8 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     double sign;
     int64_t attempt;
     bool shorter;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     if (ramps_suffice(axis) || is_resting(problem, axis))
     {
@@ -12732,7 +13087,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
         most = 1e+300;
     }
     duration = sequence_duration(passing, nodes);
-    sign = (*cspan_at(&work, INT64_C(49), INT64_C(5)));
+    sign = (*cspan_at(&work, INT64_C(65), INT64_C(5)));
     (*cspan_at(&passing, INT64_C(12))) = 1.0;
     for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
     {
@@ -12744,7 +13099,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
             if (shorter && (largest_excess(axis, work) < most))
             {
                 (*cspan_at(&passing, INT64_C(12))) = 0.0;
-                keep_sequence(INT64_C(105), work);
+                keep_sequence(INT64_C(121), work);
                 return 1;
             }
         }
@@ -12757,15 +13112,15 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     int64_t i;
     int64_t order;
     double excess;
-    loose = span_row(&work, INT64_C(129));
+    loose = span_row(&work, INT64_C(145));
     for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
     {
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
     }
-    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
         i = INT64_C(2) + order - INT64_C(1);
-        excess = (*cspan_at(&work, INT64_C(128), INT64_C(0) + order));
+        excess = (*cspan_at(&work, INT64_C(144), INT64_C(0) + order));
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
     }
 }
@@ -12781,16 +13136,16 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
     double reached;
     double step;
     double share;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
-    steps = span_row(&work, INT64_C(128));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    steps = span_row(&work, INT64_C(144));
     measure_excess(axis, work);
     for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
-        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(124) + order, INT64_C(0)));
+        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(140) + order, INT64_C(0)));
     }
     (*cspan_at(&passing, INT64_C(3))) = sequence_duration(passing, nodes);
-    keep_sequence(INT64_C(105), work);
+    keep_sequence(INT64_C(121), work);
     most = 150.0;
     least = 0.1;
     if (longest > 1.4 * (*cspan_at(&passing, INT64_C(3))))
@@ -12808,7 +13163,7 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
         (*cspan_at(&steps, INT64_C(5))) = span_min((*cspan_at(&steps, INT64_C(4))) + 40.0, most);
         share = span_min(reached + step, 1.0);
         loosen(share, axis, work);
-        if (follow(target, problem, span_row(&work, INT64_C(129)), work))
+        if (follow(target, problem, span_row(&work, INT64_C(145)), work))
         {
             if (sequence_duration(passing, nodes) >= longest)
             {
@@ -12818,7 +13173,7 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
             {
                 return 1;
             }
-            keep_sequence(INT64_C(105), work);
+            keep_sequence(INT64_C(121), work);
             reached = share;
         }
         else
@@ -12835,8 +13190,8 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     double fast;
     double slow;
     int64_t i;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
     fast = 1.0;
     slow = 0.0;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
@@ -12856,7 +13211,7 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
         }
         if ((overlong_plateau(work) < INT64_C(0)) && (!measure_excess(axis, work)))
         {
-            keep_sequence(INT64_C(67), work);
+            keep_sequence(INT64_C(83), work);
             slow = (*cspan_at(&passing, INT64_C(2)));
         }
         else
@@ -12870,7 +13225,7 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     }
     if (slow > 0.0)
     {
-        restore_sequence(INT64_C(67), work);
+        restore_sequence(INT64_C(83), work);
     }
     return slow > 0.0;
 }
@@ -12879,8 +13234,8 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
     array_double_1d passing;
     array_double_2d nodes;
     int64_t i;
-    passing = span_row(&work, INT64_C(48));
-    nodes = span_rows(&work, INT64_C(49), INT64_C(67));
+    passing = span_row(&work, INT64_C(64));
+    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
         if (((*cspan_at(&nodes, i, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&nodes, i, INT64_C(6)))) < 1e-13 * (*cspan_at(&passing, INT64_C(3)))))
@@ -12888,7 +13243,7 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
             (*cspan_at(&nodes, i, INT64_C(6))) = 0.0;
         }
     }
-    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(130)));
+    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(146)));
 }
 static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
 {
@@ -12897,8 +13252,8 @@ static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
     double before;
     double scale;
     double spent;
-    passing = span_row(&work, INT64_C(48));
-    row = INT64_C(49) + i;
+    passing = span_row(&work, INT64_C(64));
+    row = INT64_C(65) + i;
     before = (*cspan_at(&passing, INT64_C(8)));
     if (i > INT64_C(0))
     {
@@ -12930,13 +13285,13 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
     int64_t kind;
     int64_t used;
     flush_levels(problem, axis, work);
-    above = (*cspan_at(&work, INT64_C(48), INT64_C(1)));
-    level = (*cspan_at(&work, INT64_C(48), INT64_C(8)));
+    above = (*cspan_at(&work, INT64_C(64), INT64_C(1)));
+    level = (*cspan_at(&work, INT64_C(64), INT64_C(8)));
     used = INT64_C(0);
     idle = 0.0;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        row = INT64_C(49) + i;
+        row = INT64_C(65) + i;
         after = idle;
         idle = idle_time(i, axis, work);
         if (idle > 0.0)
@@ -12950,7 +13305,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
         if (((*cspan_at(&work, row, INT64_C(11))) > 0.0) && (after == 0.0))
         {
             (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
-            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(48), INT64_C(2)));
+            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(64), INT64_C(2)));
             (*cspan_at(&phases, used, INT64_C(2))) = level;
             (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
             (*cspan_at(&phases, used, INT64_C(4))) = above;
@@ -12980,9 +13335,9 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
 static bool stays_below(array_double_2d work)
 {
     int64_t i;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))); i += INT64_C(1))
     {
-        if ((*cspan_at(&work, INT64_C(49) + i, INT64_C(7))) > 1.5)
+        if ((*cspan_at(&work, INT64_C(65) + i, INT64_C(7))) > 1.5)
         {
             return 1;
         }
@@ -12993,7 +13348,7 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
 {
     bool found;
     double result;
-    restore_sequence(INT64_C(105), work);
+    restore_sequence(INT64_C(121), work);
     if (way == INT64_C(3))
     {
         found = tighten(longest, problem, axis, work);
@@ -13010,7 +13365,7 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     {
         return -1.0;
     }
-    result = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
+    result = sequence_duration(span_row(&work, INT64_C(64)), span_rows(&work, INT64_C(65), INT64_C(83)));
     return result;
 }
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -13023,7 +13378,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
     used = INT64_C(0);
     few = ramps_suffice(axis);
     ways = INT64_C(3);
-    if ((*cspan_at(&work, INT64_C(48), INT64_C(11))) < 0.5)
+    if ((*cspan_at(&work, INT64_C(64), INT64_C(11))) < 0.5)
     {
         ways = INT64_C(4);
     }
@@ -13040,11 +13395,11 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
             if (found < longest)
             {
                 used = write_sequence(phases, problem, axis, work);
-                keep_sequence(INT64_C(86), work);
+                keep_sequence(INT64_C(102), work);
             }
             if ((way == INT64_C(3)) || ((way < INT64_C(2)) && (!stays_below(work))))
             {
-                (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 1.0;
+                (*cspan_at(&work, INT64_C(64), INT64_C(10))) = 1.0;
                 break;
             }
         }
@@ -13058,7 +13413,7 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     array_double_1d passing;
     int64_t used;
     int64_t others;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     (*cspan_at(&passing, INT64_C(10))) = 0.0;
     if (!first_solution(count, ramps, problem, axis, work))
     {
@@ -13090,11 +13445,11 @@ static bool pace_down(int64_t moving, double shortest, array_double_1d problem, 
     double step;
     double least;
     double duration;
-    restore_sequence(INT64_C(86), work);
-    passing = span_row(&work, INT64_C(48));
-    taken = span_row(&work, INT64_C(128));
+    restore_sequence(INT64_C(102), work);
+    passing = span_row(&work, INT64_C(64));
+    taken = span_row(&work, INT64_C(144));
     target = (*cspan_at(&problem, INT64_C(5)));
-    keep_sequence(INT64_C(105), work);
+    keep_sequence(INT64_C(121), work);
     (*cspan_at(&taken, INT64_C(4))) = 0.0;
     (*cspan_at(&taken, INT64_C(6))) = moving;
     reached = shortest;
@@ -13106,7 +13461,7 @@ static bool pace_down(int64_t moving, double shortest, array_double_1d problem, 
         duration = span_min(reached + step, target);
         if (follow(duration, problem, axis, work) && ((*cspan_at(&passing, INT64_C(2))) <= 1.0))
         {
-            keep_sequence(INT64_C(105), work);
+            keep_sequence(INT64_C(121), work);
             reached = duration;
         }
         else
@@ -13126,14 +13481,14 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     int64_t ways;
     int64_t moving;
     int64_t result;
-    restore_sequence(INT64_C(86), work);
-    shortest = sequence_duration(span_row(&work, INT64_C(48)), span_rows(&work, INT64_C(49), INT64_C(67)));
+    restore_sequence(INT64_C(102), work);
+    shortest = sequence_duration(span_row(&work, INT64_C(64)), span_rows(&work, INT64_C(65), INT64_C(83)));
     if ((*cspan_at(&problem, INT64_C(5))) < shortest)
     {
         return INT64_C(0);
     }
     ways = INT64_C(1);
-    if ((*cspan_at(&work, INT64_C(48), INT64_C(13))) > 0.5)
+    if ((*cspan_at(&work, INT64_C(64), INT64_C(13))) > 0.5)
     {
         ways = INT64_C(2);
     }
@@ -13154,7 +13509,7 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     int64_t i;
     double acceleration;
     int64_t q;
-    passing = span_row(&work, INT64_C(48));
+    passing = span_row(&work, INT64_C(64));
     duration = (*cspan_at(&problem, INT64_C(5)));
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
@@ -13182,7 +13537,7 @@ static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sig
         (*result_1_0001) = 0.0;
         return 0;
     }
-    keep_sequence(INT64_C(105), work);
+    keep_sequence(INT64_C(121), work);
     if (!tighten(1e+300, problem, axis, work))
     {
         (*result_0) = INT64_C(0);
@@ -13190,7 +13545,7 @@ static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sig
         return 0;
     }
     count = write_sequence(phases, problem, axis, work);
-    end = INT64_C(49) + (int64_t)((*cspan_at(&work, INT64_C(48), INT64_C(0)))) + INT64_C(1);
+    end = INT64_C(65) + (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(1);
     (*result_0) = count;
     (*result_1_0001) = (*cspan_at(&work, end, INT64_C(0)));
     return 0;
@@ -13209,8 +13564,8 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
     double pace;
     int64_t count;
     double reached;
-    problem = span_row(&work, INT64_C(43));
-    nearest = span_row(&work, INT64_C(42));
+    problem = span_row(&work, INT64_C(59));
+    nearest = span_row(&work, INT64_C(58));
     distance = (*cspan_at(&problem, INT64_C(4)));
     known = (*cspan_at(&nearest, INT64_C(4)));
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -13481,8 +13836,8 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     int64_t found;
     int64_t branch;
     double duration;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    family = span_row(&work, INT64_C(45));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    family = span_row(&work, INT64_C(61));
     if (attempt == INT64_C(0))
     {
         count = fastest_between(phases, problem, axis);
@@ -13557,10 +13912,10 @@ static bool is_done(array_double_1d problem)
 }
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    boundary_problem(problem, axis, span_row(&work, INT64_C(43)));
-    (*cspan_at(&work, INT64_C(45), INT64_C(18))) = 0.0;
-    (*cspan_at(&work, INT64_C(45), INT64_C(17))) = 1e+300;
-    (*cspan_at(&work, INT64_C(48), INT64_C(11))) = 0.0;
+    boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
+    (*cspan_at(&work, INT64_C(61), INT64_C(18))) = 0.0;
+    (*cspan_at(&work, INT64_C(61), INT64_C(17))) = 1e+300;
+    (*cspan_at(&work, INT64_C(64), INT64_C(11))) = 0.0;
 }
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
@@ -13575,9 +13930,9 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     double spent;
     int64_t count;
     double duration;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    candidate = span_rows(&work, INT64_C(13), INT64_C(26));
-    rest = span_row(&work, INT64_C(44));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    candidate = span_rows(&work, INT64_C(21), INT64_C(42));
+    rest = span_row(&work, INT64_C(60));
     best = INT64_C(0);
     shortest = 0.0;
     usual = usual_duration(problem, axis);
@@ -13587,7 +13942,7 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
         {
             break;
         }
-        braked(&taken, &spent, span_floor_mod(variant, INT64_C(4)), problem, axis, trial, rest);
+        braked(&taken, &spent, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
         if (taken == -INT64_C(3))
         {
             continue;
@@ -13605,13 +13960,13 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
         {
             continue;
         }
-        count = surround(candidate, count, span_floor_mod(variant, INT64_C(4)), problem, axis, trial);
-        duration = valid_duration(candidate, count, problem, axis);
-        if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
+        duration = valid_duration(candidate, count, rest, axis);
+        if ((duration >= 0.0) && ((best == INT64_C(0)) || (spent + duration < shortest)))
         {
+            count = surround(candidate, count, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
             copy_phases(candidate, phases, count);
             best = count;
-            shortest = duration;
+            shortest = spent + duration;
         }
     }
     if (best == INT64_C(0))
@@ -13624,7 +13979,7 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
 {
     array_double_1d asked;
     int64_t count;
-    asked = span_row(&work, INT64_C(43));
+    asked = span_row(&work, INT64_C(59));
     begin_search(problem, axis, work);
     if (is_done(asked))
     {
@@ -13647,8 +14002,8 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     double settled;
     int64_t result;
     int64_t backwards;
-    ramps = span_rows(&work, INT64_C(0), INT64_C(13));
-    passing = span_row(&work, INT64_C(48));
+    ramps = span_rows(&work, INT64_C(0), INT64_C(21));
+    passing = span_row(&work, INT64_C(64));
     (*cspan_at(&passing, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(9))) = 0.0;
     copy_phases(phases, ramps, count);
@@ -13694,7 +14049,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     int64_t count;
     double window;
     int64_t result;
-    free = (*cspan_at(&work, INT64_C(45), INT64_C(17)));
+    free = (*cspan_at(&work, INT64_C(61), INT64_C(17)));
     status = braked_ramps(asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
@@ -13703,7 +14058,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         if ((*cspan_at(&axis, INT64_C(35))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(48), INT64_C(10))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(64), INT64_C(10))) > 0.5) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
         if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
@@ -13718,7 +14073,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     }
     last = INT64_C(6);
     count = span_max_int(status, INT64_C(0));
-    window = short_window(longest, asked, axis, span_row(&work, INT64_C(44)));
+    window = short_window(longest, asked, axis, span_row(&work, INT64_C(60)));
     if (window > 0.0)
     {
         count = loop_form(last, count, window, phases, asked, axis, work);
@@ -13771,9 +14126,9 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     bool linear;
     array_double_2d trial;
     int64_t count;
-    asked = span_row(&work, INT64_C(43));
-    family = span_row(&work, INT64_C(45));
-    (*cspan_at(&work, INT64_C(48), INT64_C(10))) = 1.0;
+    asked = span_row(&work, INT64_C(59));
+    family = span_row(&work, INT64_C(61));
+    (*cspan_at(&work, INT64_C(64), INT64_C(10))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -13784,7 +14139,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     {
         free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(48), INT64_C(10))) < 0.5)
+        if ((*cspan_at(&work, INT64_C(64), INT64_C(10))) < 0.5)
         {
             missed = span_max(missed, 1.0);
         }
@@ -13795,7 +14150,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     }
     else
     {
-        rest = span_row(&work, INT64_C(44));
+        rest = span_row(&work, INT64_C(60));
         longest = short_window(total_duration(phases, count), asked, axis, rest);
         if (longest > 0.0)
         {
@@ -13813,7 +14168,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     linear = (*cspan_at(&axis, INT64_C(12))) <= (*cspan_at(&axis, INT64_C(3)));
     if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5) && linear)
     {
-        trial = span_rows(&work, INT64_C(0), INT64_C(13));
+        trial = span_rows(&work, INT64_C(0), INT64_C(21));
         count = shorter_cruise(count, phases, asked, axis, trial);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
@@ -13834,7 +14189,7 @@ static int64_t plain_profile(array_double_1d problem, array_double_1d axis, arra
 {
     int64_t result;
     begin_search(problem, axis, work);
-    (*cspan_at(&work, INT64_C(48), INT64_C(11))) = 1.0;
+    (*cspan_at(&work, INT64_C(64), INT64_C(11))) = 1.0;
     result = begun_profile(axis, phases, work);
     return result;
 }
@@ -13956,8 +14311,8 @@ static int64_t insert_turn(int64_t sample, bool covering, double least, double s
     {
         return count;
     }
-    phases = span_rows(&work, INT64_C(0), INT64_C(13));
-    ends = span_rows(&work, INT64_C(26), INT64_C(42));
+    phases = span_rows(&work, INT64_C(0), INT64_C(21));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
     lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), axis);
     upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), axis);
     turn = turning_time(lower, upper, covering, problem, axis, phases);
@@ -13975,7 +14330,7 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     double third;
     double third_covered;
     double cruise;
-    phases = span_rows(&work, INT64_C(0), INT64_C(13));
+    phases = span_rows(&work, INT64_C(0), INT64_C(21));
     first = 1e+300;
     second = 1e+300;
     first_covered = 1e+300;
@@ -14034,9 +14389,9 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     double cruise;
     int64_t branch;
     int64_t member;
-    phases = span_rows(&work, INT64_C(0), INT64_C(13));
-    ends = span_rows(&work, INT64_C(26), INT64_C(42));
-    family = span_row(&work, INT64_C(45));
+    phases = span_rows(&work, INT64_C(0), INT64_C(21));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    family = span_row(&work, INT64_C(61));
     usual = usual_duration(problem, axis);
     for (form = INT64_C(0); form < INT64_C(5); form += INT64_C(1))
     {
@@ -14082,7 +14437,7 @@ static int64_t loop_ends(double after, array_double_1d problem, array_double_1d 
     int64_t arc;
     int64_t sample;
     double duration;
-    ends = span_rows(&work, INT64_C(26), INT64_C(42));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
     longest = usual_duration(problem, axis);
     for (arc = INT64_C(0); arc < INT64_C(5); arc += INT64_C(1))
     {
@@ -14100,18 +14455,16 @@ static int64_t loop_ends(double after, array_double_1d problem, array_double_1d 
 }
 static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    array_double_2d trial;
     array_double_1d rest;
     int64_t variant;
     int64_t taken;
     double spent;
     int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    rest = span_row(&work, INT64_C(44));
+    rest = span_row(&work, INT64_C(60));
     count = INT64_C(0);
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
-        braked(&taken, &spent, variant, problem, axis, trial, rest);
+        braked(&taken, &spent, variant, problem, axis, work);
         if (taken < INT64_C(0))
         {
             continue;
@@ -14451,8 +14804,8 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
     int64_t branch;
     int64_t member;
     int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    family = span_row(&work, INT64_C(45));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    family = span_row(&work, INT64_C(61));
     for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
         if (same_members(branch, problem, family))
@@ -14484,7 +14837,7 @@ static void usual_cruise(array_double_1d problem, array_double_1d axis, array_do
     double hold;
     double edge;
     double y_edge;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     v = (*cspan_at(&problem, INT64_C(0)));
     w = (*cspan_at(&problem, INT64_C(2)));
     distance = (*cspan_at(&problem, INT64_C(4)));
@@ -14516,7 +14869,7 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
 static void note_known(array_double_2d work)
 {
     array_double_1d nearest;
-    nearest = span_row(&work, INT64_C(42));
+    nearest = span_row(&work, INT64_C(58));
     (*cspan_at(&nearest, INT64_C(4))) = 0.0;
     if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
     {
@@ -14529,8 +14882,8 @@ static void note_known(array_double_2d work)
 }
 static void clear_nearest(array_double_2d work)
 {
-    (*cspan_at(&work, INT64_C(42), INT64_C(0))) = 0.0;
-    (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
 }
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
@@ -14547,8 +14900,8 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     double end;
     double lowest;
     double highest;
-    problem = span_row(&work, INT64_C(43));
-    gentle = span_row(&work, INT64_C(47));
+    problem = span_row(&work, INT64_C(59));
+    gentle = span_row(&work, INT64_C(63));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     target = (*cspan_at(&problem, INT64_C(5)));
     velocity = (*cspan_at(&axis, INT64_C(2)));
@@ -14574,8 +14927,8 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
         {
             return 0;
         }
-        (*cspan_at(&work, INT64_C(42), INT64_C(0))) = count;
-        (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+        (*cspan_at(&work, INT64_C(58), INT64_C(0))) = count;
+        (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
         return 1;
     }
     return 0;
@@ -14592,8 +14945,8 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
     array_double_1d nearest;
     int64_t below;
     int64_t above;
-    problem = span_row(&work, INT64_C(43));
-    rest = span_row(&work, INT64_C(44));
+    problem = span_row(&work, INT64_C(59));
+    rest = span_row(&work, INT64_C(60));
     velocity = (*cspan_at(&axis, INT64_C(2)));
     factor = pow((shortest / (*cspan_at(&problem, INT64_C(5)))), 2.0);
     steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3)))));
@@ -14614,7 +14967,7 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
             (*cspan_at(&axis, INT64_C(2))) = velocity;
             if (is_enclosed(work))
             {
-                nearest = span_row(&work, INT64_C(42));
+                nearest = span_row(&work, INT64_C(58));
                 below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
                 above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
                 stretch_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), below, 1.0 / factor);
@@ -14648,39 +15001,35 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
 }
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
-    array_double_2d trial;
     array_double_1d problem;
     array_double_1d nearest;
     array_double_2d below;
     array_double_2d above;
     int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    problem = span_row(&work, INT64_C(43));
-    nearest = span_row(&work, INT64_C(42));
+    problem = span_row(&work, INT64_C(59));
+    nearest = span_row(&work, INT64_C(58));
     below = span_rows(&cell, INT64_C(0), INT64_C(33));
     above = span_rows(&cell, INT64_C(33), INT64_C(66));
     count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
-    count = surround(below, count, variant, problem, axis, trial);
+    count = surround(below, count, variant, problem, axis, work);
     (*cspan_at(&nearest, INT64_C(0))) = fit_duration(below, count, (*cspan_at(&problem, INT64_C(5))));
     count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
-    count = surround(above, count, variant, problem, axis, trial);
+    count = surround(above, count, variant, problem, axis, work);
     (*cspan_at(&nearest, INT64_C(2))) = fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
 }
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
-    array_double_2d trial;
     array_double_1d problem;
     array_double_1d rest;
     int64_t variant;
     int64_t taken;
     double spent;
     double weight;
-    trial = span_rows(&work, INT64_C(0), INT64_C(13));
-    problem = span_row(&work, INT64_C(43));
-    rest = span_row(&work, INT64_C(44));
+    problem = span_row(&work, INT64_C(59));
+    rest = span_row(&work, INT64_C(60));
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
     {
-        braked(&taken, &spent, variant, problem, axis, trial, rest);
+        braked(&taken, &spent, variant, problem, axis, work);
         if (taken == -INT64_C(3))
         {
             continue;
@@ -14702,7 +15051,7 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
         }
         if (is_enclosed(work))
         {
-            weight = nearest_weight(rest, axis, span_row(&work, INT64_C(42)));
+            weight = nearest_weight(rest, axis, span_row(&work, INT64_C(58)));
             surround_nearest(variant, axis, cell, work);
             return weight;
         }
@@ -14712,11 +15061,11 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     bool backwards;
-    if ((count <= INT64_C(0)) || ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) < 0.5))
+    if (!is_passing(phases, count, axis))
     {
         return INT64_C(0);
     }
-    backwards = (*cspan_at(&work, INT64_C(48), INT64_C(7))) > 0.5;
+    backwards = (*cspan_at(&work, INT64_C(64), INT64_C(7))) > 0.5;
     if (backwards)
     {
         reverse_problem(problem);
@@ -14738,7 +15087,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     {
         return -1.0;
     }
-    problem = span_row(&work, INT64_C(43));
+    problem = span_row(&work, INT64_C(59));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     count = INT64_C(0);
     if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) > 0.5)
@@ -14756,15 +15105,15 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
         return -1.0;
     }
     count = fit_duration(phases, count, (*cspan_at(&problem, INT64_C(5))));
-    (*cspan_at(&work, INT64_C(42), INT64_C(0))) = count;
-    (*cspan_at(&work, INT64_C(42), INT64_C(2))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = count;
+    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
     return 0.0;
 }
 static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
     double result;
-    problem = span_row(&work, INT64_C(43));
+    problem = span_row(&work, INT64_C(59));
     if (!timed_extremes(axis, cell, work))
     {
         return -1.0;
@@ -14779,7 +15128,7 @@ static double between_extremes(array_double_1d axis, array_double_2d cell, array
         return -1.0;
     }
     surround_nearest(INT64_C(0), axis, cell, work);
-    result = nearest_weight(problem, axis, span_row(&work, INT64_C(42)));
+    result = nearest_weight(problem, axis, span_row(&work, INT64_C(58)));
     return result;
 }
 double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
@@ -14788,8 +15137,8 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     array_double_1d nearest;
     double shortest;
     double weight;
-    problem = span_row(&work, INT64_C(43));
-    nearest = span_row(&work, INT64_C(42));
+    problem = span_row(&work, INT64_C(59));
+    nearest = span_row(&work, INT64_C(58));
     boundary_problem(span_row(&cell, INT64_C(66)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
     shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
@@ -14895,8 +15244,8 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
         return 0;
     }
     (*cspan_at(&cell, INT64_C(67), INT64_C(2))) = weight;
-    (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = (*cspan_at(&work, INT64_C(42), INT64_C(0)));
-    (*cspan_at(&cell, INT64_C(67), INT64_C(4))) = (*cspan_at(&work, INT64_C(42), INT64_C(2)));
+    (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = (*cspan_at(&work, INT64_C(58), INT64_C(0)));
+    (*cspan_at(&cell, INT64_C(67), INT64_C(4))) = (*cspan_at(&work, INT64_C(58), INT64_C(2)));
     return 1;
 }
 static double first_feasible(double accuracy, double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
@@ -14968,7 +15317,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
         count = gap_ends(after - delay, shortest, span_row(&cell, INT64_C(66)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            duration = delay + (*cspan_at(&work, INT64_C(26) + i, INT64_C(0))) * (1.0 + 1e-09);
+            duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
                 if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
@@ -14980,7 +15329,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
             }
             after = duration;
         }
-        if (count < INT64_C(42) - INT64_C(26))
+        if (count < INT64_C(58) - INT64_C(42))
         {
             break;
         }
@@ -15062,12 +15411,16 @@ static double common_duration(double start, double sample_time, int64_t first, i
     }
     return -1.0;
 }
-static void note_shortest(double time, array_double_2d cell)
+static void note_shortest(double time, array_double_1d axis, array_double_2d cell)
 {
+    int64_t count;
+    bool passing;
     time = time + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
     (*cspan_at(&cell, INT64_C(67), INT64_C(0))) = time;
     (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = time;
-    (*cspan_at(&cell, INT64_C(67), INT64_C(6))) = (*cspan_at(&cell, INT64_C(0), INT64_C(4))) > 0.5;
+    count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
+    passing = is_passing(span_rows(&cell, INT64_C(0), INT64_C(33)), count, axis);
+    (*cspan_at(&cell, INT64_C(67), INT64_C(6))) = passing;
 }
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -15076,7 +15429,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
     int64_t j;
     double time;
     int64_t status;
-    report = span_row(&work, INT64_C(46));
+    report = span_row(&work, INT64_C(62));
     (*cspan_at(&report, INT64_C(0))) = axis;
     missed = 0.0;
     if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
@@ -15097,10 +15450,10 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        missed = span_max(missed, (*cspan_at(&work, INT64_C(45), INT64_C(18))));
-        note_shortest(time, span_matrix(&cells, j));
+        missed = span_max(missed, (*cspan_at(&work, INT64_C(61), INT64_C(18))));
+        note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
     }
-    (*cspan_at(&work, INT64_C(45), INT64_C(18))) = missed;
+    (*cspan_at(&work, INT64_C(61), INT64_C(18))) = missed;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -15140,7 +15493,7 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
         count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(5))));
         copy_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), phases, count);
         (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = count;
-        note_shortest(total_duration(phases, count), cell);
+        note_shortest(total_duration(phases, count), span_row(&axes, axis), cell);
     }
 }
 static double smoothness_share(double usual, double share, array_double_1d axis)
@@ -15180,7 +15533,7 @@ static void plan_steeper(double missed, int64_t axis, array_double_2d axes, arra
         {
             share = moderate_share();
         }
-        missed = span_min(missed, (*cspan_at(&work, INT64_C(45), INT64_C(18))));
+        missed = span_min(missed, (*cspan_at(&work, INT64_C(61), INT64_C(18))));
     }
     if (missed > 1.5)
     {
@@ -15213,7 +15566,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
         status = plan_refused(axis, axes, cells, work);
         return status;
     }
-    missed = (*cspan_at(&work, INT64_C(45), INT64_C(18)));
+    missed = (*cspan_at(&work, INT64_C(61), INT64_C(18)));
     if ((status == INT64_C(0)) && (missed > 0.5))
     {
         plan_steeper(missed, axis, axes, cells, work);
@@ -15467,8 +15820,8 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
         {
             end = j + last - first;
             time = common_duration(0.0, sample_time, j, end, axes, cells, work);
-            (*cspan_at(&work, INT64_C(46), INT64_C(0))) = first;
-            (*cspan_at(&work, INT64_C(46), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
+            (*cspan_at(&work, INT64_C(62), INT64_C(0))) = first;
+            (*cspan_at(&work, INT64_C(62), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
             if (time < 0.0)
             {
                 return -1.0;
@@ -15494,7 +15847,7 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     int64_t axis;
     double total;
     double target;
-    report = span_row(&work, INT64_C(46));
+    report = span_row(&work, INT64_C(62));
     synchronization = (int64_t)((*cspan_at(&options, INT64_C(2))));
     duration = (*cspan_at(&options, INT64_C(4)));
     group = INT64_C(1);
@@ -15554,7 +15907,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t shape;
     int64_t axis;
     int64_t status;
-    report = span_row(&work, INT64_C(46));
+    report = span_row(&work, INT64_C(62));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
     if (((*cspan_at(&report, INT64_C(2))) > 0.0) && (!((1e-09 <= (*cspan_at(&report, INT64_C(2)))) && ((*cspan_at(&report, INT64_C(2))) <= 1000000.0))))
     {
@@ -17948,7 +18301,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     }
     problem = span_row(&lead, INT64_C(11));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(237)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -17971,7 +18324,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(221), INT64_C(225));
+    expansion = span_rows(&lead, INT64_C(237), INT64_C(241));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -18090,9 +18443,9 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     chain = span_row(&lead, INT64_C(46) + seen);
     problem = span_row(&lead, INT64_C(11));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    plan = span_rows(&lead, INT64_C(53), INT64_C(221));
-    ramps = span_rows(&plan, INT64_C(0), INT64_C(13));
-    passing = span_row(&plan, INT64_C(48));
+    plan = span_rows(&lead, INT64_C(53), INT64_C(237));
+    ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
+    passing = span_row(&plan, INT64_C(64));
     end = lead_end(order, lead);
     (*cspan_at(&lead, INT64_C(7), seen + INT64_C(2))) = 1e+300;
     if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
@@ -18215,7 +18568,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(221)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(237)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -18279,7 +18632,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(225), INT64_C(270));
+    check = span_rows(&lead, INT64_C(241), INT64_C(286));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -19312,9 +19665,9 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(170), INT64_C(174)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(186), INT64_C(190)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(174), INT64_C(219)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(190), INT64_C(235)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -19325,8 +19678,8 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(170));
-    status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(46)));
+    planner = span_rows(&work, INT64_C(2), INT64_C(186));
+    status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(62)));
     if (status == INT64_C(0))
     {
         status = segfmu_plan_phases(states, dwells, limits, span_row(&work, INT64_C(0)), axes, cells, planner);

@@ -2,16 +2,18 @@
 
 One ramp to zero is the simplest way. If it ends beyond the velocity limit, a ramp past zero and
 back can still keep the limit: it crosses zero while its jerk is high, and so gains less velocity
-before. If no level beyond zero helps, no profile of ramps keeps the limit, and the problem is
-refused. From zero acceleration on, a plan always exists (docs/planner.md).
+before. If no level beyond zero helps, no profile of ramps keeps the limit; beside a limit of the
+pop, a dip (dip.py) may. Else the problem is refused. From zero acceleration on, a plan always
+exists (docs/planner.md).
 """
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.planner.dip import brake_by_dip
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
-from segfmu.kernels.planner.records import Axis, Braking, Phase, Problem
+from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanWork, Problem
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
@@ -90,7 +92,7 @@ def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
 
 
 def brake(
-    v: float, a: float, axis: 'float[:]', phases: 'float[:,:]'
+    v: float, a: float, axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> 'tuple[int, float, float, float]':
     """Phases from (v, a) to zero acceleration; their number (-1: none keeps the limit).
 
@@ -116,7 +118,7 @@ def brake(
         count = append_change(phases, count, level, past, axis)
         duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
         level = past
-    return -1, 0.0, 0.0, 0.0
+    return brake_by_dip(v, a, axis, phases, work)
 
 
 def nearly_brakes(v: float, a: float, axis: 'float[:]') -> bool:
@@ -128,17 +130,15 @@ def nearly_brakes(v: float, a: float, axis: 'float[:]') -> bool:
 
 
 def braked(
-    variant: int,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    trial: 'float[:,:]',
-    rest: 'float[:]',
+    variant: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> 'tuple[int, float]':
     """Write the problem that remains after braking none (0), the first (1), last (2), both (3).
 
-    Returns the number of braking phases and their duration. The number is one of `Braking` if
-    there is no such problem. `trial` is work space.
+    It is the row REST of `work`. Returns the number of braking phases and their duration. The
+    number is one of `Braking` if there is no such problem.
     """
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    rest = work[PlanWork.REST, :]
     first = 0
     last = 0
     spent = 0.0
@@ -150,14 +150,14 @@ def braked(
     if (variant % 2 == 1 and a == 0.0) or (variant >= 2 and b == 0.0):
         return Braking.NOT_NEEDED, 0.0
     if variant % 2 == 1:
-        first, duration, y, v = brake(v, a, axis, trial)
+        first, duration, y, v = brake(v, a, axis, trial, work)
         if first < 0:
             return Braking.START_FAILS, 0.0
         spent = duration
         distance = distance - y
         a = 0.0
     if variant >= 2:
-        last, duration, y, w = brake(w, -b, axis, trial)
+        last, duration, y, w = brake(w, -b, axis, trial, work)
         if last < 0:
             return Braking.END_FAILS, 0.0
         spent = spent + duration
@@ -178,11 +178,13 @@ def surround(
     variant: int,
     problem: 'float[:]',
     axis: 'float[:]',
-    trial: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> int:
     """Add a variant's braking phases to the others; returns the number of phases."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     if variant % 2 == 1:
-        first, duration, y, end = brake(problem[Problem.V], problem[Problem.A], axis, trial)
+        v = problem[Problem.V]
+        first, duration, y, end = brake(v, problem[Problem.A], axis, trial, work)
         for j in range(count):
             i = count - 1 - j
             for column in range(Phase.SIZE):
@@ -190,7 +192,8 @@ def surround(
         copy_phases(trial, phases, first)
         count = first + count
     if variant >= 2:
-        last, duration, y, end = brake(problem[Problem.W], -problem[Problem.B], axis, trial)
+        w = problem[Problem.W]
+        last, duration, y, end = brake(w, -problem[Problem.B], axis, trial, work)
         reverse_phases(trial, 0, last)
         for i in range(last):
             for column in range(Phase.SIZE):

@@ -246,11 +246,10 @@ def gap_ends(
     They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per
     row.
     """
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     rest = work[PlanWork.REST, :]
     count = 0
     for variant in range(4):
-        taken, spent = braked(variant, problem, axis, trial, rest)
+        taken, spent = braked(variant, problem, axis, work)
         if taken < 0:
             continue
         # where the snap is the highest limit, they hardly matter for longer durations

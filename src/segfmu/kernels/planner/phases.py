@@ -218,6 +218,24 @@ def valid_duration(
     return duration
 
 
+def is_passing(phases: 'float[:,:]', count: int, axis: 'float[:]') -> bool:
+    """Whether phases are those of a passing profile (passing.py), not ramps, or dips among them."""
+    found = False
+    for i in range(count):
+        if phases[i, Phase.CHANGE] != 0.0:
+            if phases[i, Phase.ABOVE] < 0.5 or phases[i, Phase.ABOVE] != axis[Axis.ABOVE]:
+                return False
+            found = True
+    return found
+
+
+def has_dip(phases: 'float[:,:]', count: int) -> bool:
+    """Whether phases of ramps begin or end with a dip (dip.py)."""
+    if count == 0:
+        return False
+    return phases[0, Phase.ABOVE] > 0.5 or phases[count - 1, Phase.ABOVE] > 0.5
+
+
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:
     """Stretch phases that begin and end at rest in time; the distance stays (section 3.2)."""
     for i in range(count):

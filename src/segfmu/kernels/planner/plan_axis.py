@@ -8,13 +8,12 @@ from segfmu.kernels.planner.parameters import (
     steepest_share,
     usual_share,
 )
-from segfmu.kernels.planner.phases import copy_phases, total_duration
+from segfmu.kernels.planner.phases import copy_phases, is_passing, total_duration
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
     Family,
     Interval,
-    Phase,
     Place,
     PlanStatus,
     PlanWork,
@@ -23,12 +22,14 @@ from segfmu.kernels.planner.records import (
 )
 
 
-def note_shortest(time: float, cell: 'float[:,:]') -> None:
+def note_shortest(time: float, axis: 'float[:]', cell: 'float[:,:]') -> None:
     """Write that the shortest profile of a cell, which it has, takes `time` [s] after its delay."""
     time = time + cell[Cell.PLACE, Place.DELAY]
     cell[Cell.RESULT, Interval.SHORTEST] = time
     cell[Cell.RESULT, Interval.DURATION] = time
-    cell[Cell.RESULT, Interval.PASSING] = cell[Cell.BELOW, Phase.ABOVE] > 0.5
+    count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
+    passing = is_passing(cell[Cell.BELOW:Cell.ABOVE, :], count, axis)
+    cell[Cell.RESULT, Interval.PASSING] = passing
 
 
 def plan_with_share(
@@ -50,7 +51,7 @@ def plan_with_share(
             report[Refusal.BOUND] = axes[axis, Axis.VELOCITY]
             return status
         missed = max(missed, work[PlanWork.FAMILY, Family.MISSED])
-        note_shortest(time, cells[j, :, :])
+        note_shortest(time, axes[axis, :], cells[j, :, :])
     work[PlanWork.FAMILY, Family.MISSED] = missed
     return PlanStatus.PLANNED
 
@@ -80,7 +81,7 @@ def restore_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> No
         count = int(cell[Cell.RESULT, Interval.KEPT_COUNT])
         copy_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], phases, count)
         cell[Cell.RESULT, Interval.BELOW_COUNT] = count
-        note_shortest(total_duration(phases, count), cell)
+        note_shortest(total_duration(phases, count), axes[axis, :], cell)
 
 
 def smoothness_share(usual: float, share: float, axis: 'float[:]') -> float:

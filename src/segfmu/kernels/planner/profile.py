@@ -325,7 +325,7 @@ def braked_ramps(
         # 4 to 7 the same with the second attempt; the last three are the fallback
         if variant > 4 and best > 0 and shortest <= usual:
             break
-        taken, spent = braked(variant % 4, problem, axis, trial, rest)
+        taken, spent = braked(variant % 4, problem, axis, work)
         if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
@@ -335,12 +335,13 @@ def braked_ramps(
             count = shorter_cruise(0, candidate, rest, axis, trial)
         if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
             continue
-        count = surround(candidate, count, variant % 4, problem, axis, trial)
-        duration = valid_duration(candidate, count, problem, axis)
-        if duration >= 0.0 and (best == 0 or duration < shortest):
+        # braking keeps the limit
+        duration = valid_duration(candidate, count, rest, axis)
+        if duration >= 0.0 and (best == 0 or spent + duration < shortest):
+            count = surround(candidate, count, variant % 4, problem, axis, work)
             copy_phases(candidate, phases, count)
             best = count
-            shortest = duration
+            shortest = spent + duration
     if best == 0:
         return PlanStatus.NO_PROFILE
     return best

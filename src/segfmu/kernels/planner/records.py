@@ -342,8 +342,8 @@ class Refusal(Record):
 class PlanWork(Record):
     """Rows of the planner's work space."""
 
-    TRIAL = field("phases that are tried", size=13, of=Phase)
-    BEST = field("phases of the candidate in question", size=13, of=Phase)
+    TRIAL = field("phases that are tried", size=21, of=Phase)
+    BEST = field("phases of the candidate in question", size=21, of=Phase)
     GAP_ENDS = field("durations at which a gap can end, in the first column", size=16)
     NEAREST = field("profiles next to the distance", of=Nearest)
     PROBLEM = field("boundary problem without rounding errors at the limits", of=Problem)

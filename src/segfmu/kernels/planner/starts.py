@@ -8,7 +8,7 @@ from math import sqrt
 
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.phases import is_resting, total_duration
+from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
 from segfmu.kernels.planner.plateaus import (
     insert_node,
     keep_sequence,
@@ -113,8 +113,8 @@ def set_sequence(
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
         a = abs(phases[i, Phase.ACCELERATION])
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
-    # a cruise alone has no ramps to start from, and nothing is shorter
-    if passing[Passing.ACCELERATION] == 0.0:
+    # a cruise alone has no ramps to start from, and nothing is shorter; a dip has other levels
+    if passing[Passing.ACCELERATION] == 0.0 or has_dip(phases, count):
         return False
     copy_levels(count, phases, problem[Problem.V], axis, work)
     if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):

@@ -26,6 +26,7 @@ from segfmu.kernels.planner.passing import timed_passing
 from segfmu.kernels.planner.phases import (
     boundary_problem,
     fit_duration,
+    is_passing,
     measure_phases,
     reverse_phases,
     reverse_problem,
@@ -40,7 +41,6 @@ from segfmu.kernels.planner.records import (
     Interval,
     Nearest,
     Passing,
-    Phase,
     PlanWork,
     Problem,
 )
@@ -230,11 +230,10 @@ def timed_profile(
 
 def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """`timed_profile` with ramps, also after braking the accelerations; -2: braking fails."""
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
     for variant in range(4):
-        taken, spent = braked(variant, problem, axis, trial, rest)
+        taken, spent = braked(variant, problem, axis, work)
         if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
@@ -298,7 +297,7 @@ def slower_form(
     count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
     """Slow a profile of `count` phases down; their new number, 0 if that fails."""
-    if count <= 0 or phases[0, Phase.ABOVE] < 0.5:
+    if not is_passing(phases, count, axis):
         return 0
     backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
     if backwards:
@@ -314,14 +313,13 @@ def surround_nearest(
     variant: int, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
     """Add a variant's braking phases to both profiles, and give them the exact duration."""
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     problem = work[PlanWork.PROBLEM, :]
     nearest = work[PlanWork.NEAREST, :]
     below = cell[Cell.BELOW:Cell.ABOVE, :]
     above = cell[Cell.ABOVE:Cell.PROBLEM, :]
     count = int(nearest[Nearest.BELOW_COUNT])
-    count = surround(below, count, variant, problem, axis, trial)
+    count = surround(below, count, variant, problem, axis, work)
     nearest[Nearest.BELOW_COUNT] = fit_duration(below, count, problem[Problem.DURATION])
     count = int(nearest[Nearest.ABOVE_COUNT])
-    count = surround(above, count, variant, problem, axis, trial)
+    count = surround(above, count, variant, problem, axis, work)
     nearest[Nearest.ABOVE_COUNT] = fit_duration(above, count, problem[Problem.DURATION])
