@@ -294,6 +294,7 @@ static int64_t append_change(array_double_2d phases, int64_t count, double a, do
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
 static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
 static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
+static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used);
 static void mirror_phases(array_double_2d phases, int64_t count);
 static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
@@ -356,9 +357,11 @@ static double last_jerk(double second, array_double_1d axis, array_double_2d wor
 static void balance_jerk(array_double_1d axis, array_double_2d work);
 static double last_acceleration(double time, array_double_1d axis, array_double_2d work);
 static bool close_dip(double first, array_double_1d axis, array_double_2d work);
-static bool find_dip(double least, array_double_1d axis, array_double_2d work);
-static int64_t write_dip(array_double_2d phases, array_double_2d work);
-static int64_t brake_by_dip(int64_t* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t judge_dip(bool* result_0, bool* result_1, double first, array_double_1d axis, array_double_2d work);
+static double find_edge(bool deepest, double lower, array_double_1d axis, array_double_2d work);
+static bool find_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work);
+static int64_t write_levels(array_double_2d phases, array_double_2d work);
+static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
 static double deep_level(double v, double a, array_double_1d axis);
 static double level_past_zero(double v, double a, array_double_1d axis);
@@ -386,24 +389,19 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double least_lever(double c, double gain, array_double_1d axis);
-static double early_window(double duration, array_double_1d problem, array_double_1d axis);
-static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
-static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
-static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
-static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool set_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work);
+static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
+static int64_t dipped_profile(double depth, double longest, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
+static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
+static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -425,6 +423,16 @@ static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static double least_lever(double c, double gain, array_double_1d axis);
+static double early_window(double duration, array_double_1d problem, array_double_1d axis);
+static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
+static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
+static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -7303,10 +7311,10 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(147));
-    end = span_row(&work, INT64_C(147) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(140), INT64_C(146));
-    q = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2);
+    state = span_row(&work, INT64_C(184));
+    end = span_row(&work, INT64_C(184) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(177), INT64_C(183));
+    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
     top = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
     rest = length;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
@@ -7355,9 +7363,9 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double basis;
     double length;
     double peak;
-    passing = span_row(&work, INT64_C(64));
-    excess = span_rows(&work, INT64_C(140), INT64_C(146));
-    state = span_row(&work, INT64_C(147));
+    passing = span_row(&work, INT64_C(101));
+    excess = span_rows(&work, INT64_C(177), INT64_C(183));
+    state = span_row(&work, INT64_C(184));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -7368,7 +7376,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
         {
             (*cspan_at(&state, order)) = 0.0;
@@ -8576,17 +8584,17 @@ static void pace_column(int64_t count, array_double_1d problem, array_double_1d 
     double change;
     int64_t i;
     double slope;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
-    residual = span_row(&work, INT64_C(146));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    residual = span_row(&work, INT64_C(183));
     change = 1e-07;
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(147) + i, count - INT64_C(1))) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(184) + i, count - INT64_C(1))) = slope;
     }
     run_sequence(problem, passing, axis, nodes, residual);
 }
@@ -8610,15 +8618,15 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     double slope;
     int64_t k;
     double difference;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
-    residual = span_row(&work, INT64_C(146));
-    slopes = span_row(&work, INT64_C(179));
-    before = span_rows(&work, INT64_C(180), INT64_C(183));
-    moved = span_row(&work, INT64_C(183));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    residual = span_row(&work, INT64_C(183));
+    slopes = span_row(&work, INT64_C(216));
+    before = span_rows(&work, INT64_C(217), INT64_C(220));
+    moved = span_row(&work, INT64_C(220));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     following = column + INT64_C(2);
-    base = span_row(&work, INT64_C(180) + INT64_C(2));
+    base = span_row(&work, INT64_C(217) + INT64_C(2));
     spent = 0.0;
     for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
@@ -8643,7 +8651,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = begin; i < row; i += INT64_C(1))
     {
-        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)));
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)));
         (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
     }
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
@@ -8672,7 +8680,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(147) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(184) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
     }
 }
 static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8684,9 +8692,9 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     double change;
     int64_t i;
     double slope;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
-    residual = span_row(&work, INT64_C(146));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    residual = span_row(&work, INT64_C(183));
     time = (*cspan_at(&nodes, column, INT64_C(6)));
     change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
     (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
@@ -8694,8 +8702,8 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     (*cspan_at(&nodes, column, INT64_C(6))) = time;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(147) + i, column)) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(184) + i, column)) = slope;
     }
 }
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8708,17 +8716,17 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     double added;
     double diagonal;
     array_double_2d matrix;
-    passing = span_row(&work, INT64_C(64));
-    residual = span_row(&work, INT64_C(146));
+    passing = span_row(&work, INT64_C(101));
+    residual = span_row(&work, INT64_C(183));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(163) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(200) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if (has_pace(passing))
     {
         pace_column(count, problem, axis, work);
     }
-    (*cspan_at(&work, INT64_C(144), INT64_C(4))) = (*cspan_at(&work, INT64_C(144), INT64_C(4))) + 1.0;
+    (*cspan_at(&work, INT64_C(181), INT64_C(4))) = (*cspan_at(&work, INT64_C(181), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
         if (((*cspan_at(&passing, INT64_C(13))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) > 0.5))
@@ -8735,22 +8743,22 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
         largest = 0.0;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(147) + i, j))));
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(184) + i, j))));
         }
         added = 1e-12 * largest;
         if (largest == 0.0)
         {
             added = 1.0;
         }
-        diagonal = (*cspan_at(&work, INT64_C(147) + j, j));
+        diagonal = (*cspan_at(&work, INT64_C(184) + j, j));
         if (diagonal < 0.0)
         {
             added = -added;
         }
-        (*cspan_at(&work, INT64_C(147) + j, j)) = diagonal + added;
+        (*cspan_at(&work, INT64_C(184) + j, j)) = diagonal + added;
     }
-    matrix = span_rows(&work, INT64_C(147), INT64_C(163));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(163), INT64_C(179)));
+    matrix = span_rows(&work, INT64_C(184), INT64_C(200));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(200), INT64_C(216)));
 }
 static double longest_step(array_double_2d work)
 {
@@ -8762,13 +8770,13 @@ static double longest_step(array_double_2d work)
     double time;
     double most;
     double share;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     share = 1.0;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -8791,7 +8799,7 @@ static double longest_step(array_double_2d work)
     }
     if (has_pace(passing))
     {
-        change = fabs((*cspan_at(&work, INT64_C(163) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(200) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -8805,16 +8813,16 @@ static void take_step(double share, array_double_2d work)
     int64_t i;
     int64_t row;
     double pace;
-    count = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0))));
+    count = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(163) + i, INT64_C(0)));
+        row = INT64_C(102) + i;
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)));
     }
-    if (has_pace(span_row(&work, INT64_C(64))))
+    if (has_pace(span_row(&work, INT64_C(101))))
     {
-        pace = (*cspan_at(&work, INT64_C(64), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(163) + count, INT64_C(0)));
-        (*cspan_at(&work, INT64_C(64), INT64_C(2))) = pace;
+        pace = (*cspan_at(&work, INT64_C(101), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(200) + count, INT64_C(0)));
+        (*cspan_at(&work, INT64_C(101), INT64_C(2))) = pace;
     }
 }
 static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8830,9 +8838,9 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     double share;
     double reached;
     int64_t j;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
-    residual = span_row(&work, INT64_C(146));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    residual = span_row(&work, INT64_C(183));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if (has_pace(passing))
     {
@@ -8890,13 +8898,13 @@ static void keep_sequence(int64_t row, array_double_2d work)
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
-        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(64), i));
+        (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(101), i));
     }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(65) + j, i));
+            (*cspan_at(&work, row + INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(102) + j, i));
         }
     }
 }
@@ -8906,13 +8914,13 @@ static void restore_sequence(int64_t row, array_double_2d work)
     int64_t j;
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(64), i)) = (*cspan_at(&work, row, i));
+        (*cspan_at(&work, INT64_C(101), i)) = (*cspan_at(&work, row, i));
     }
-    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
+    for (j = INT64_C(0); j < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(2); j += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(65) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
+            (*cspan_at(&work, INT64_C(102) + j, i)) = (*cspan_at(&work, row + INT64_C(1) + j, i));
         }
     }
 }
@@ -8923,18 +8931,18 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
     int64_t j;
     int64_t row;
     int64_t i;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     shift_instants(place, INT64_C(1), passing);
     for (j = INT64_C(0); j < count - place; j += INT64_C(1))
     {
-        row = INT64_C(65) + count - j;
+        row = INT64_C(102) + count - j;
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
             (*cspan_at(&work, row, i)) = (*cspan_at(&work, row - INT64_C(1), i));
         }
     }
-    row = INT64_C(65) + place;
+    row = INT64_C(102) + place;
     (*cspan_at(&work, row, INT64_C(4))) = kind;
     (*cspan_at(&work, row, INT64_C(5))) = sign;
     (*cspan_at(&work, row, INT64_C(6))) = time;
@@ -8945,8 +8953,8 @@ static void insert_node(int64_t place, int64_t kind, double sign, double time, b
 static void set_alternating(double sign, double time, array_double_2d work)
 {
     int64_t i;
-    (*cspan_at(&work, INT64_C(64), INT64_C(0))) = 0.0;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2); i += INT64_C(1))
+    (*cspan_at(&work, INT64_C(101), INT64_C(0))) = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2); i += INT64_C(1))
     {
         insert_node(i, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(i, INT64_C(2)))), time, 0, work);
     }
@@ -8957,9 +8965,9 @@ static void remove_node(int64_t place, array_double_2d work)
     int64_t count;
     int64_t row;
     int64_t i;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    for (row = INT64_C(65) + place; row < INT64_C(65) + count - INT64_C(1); row += INT64_C(1))
+    for (row = INT64_C(102) + place; row < INT64_C(102) + count - INT64_C(1); row += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(12); i += INT64_C(1))
         {
@@ -8999,7 +9007,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess,
     double before;
     double depth;
     double after;
-    row = INT64_C(65) + place;
+    row = INT64_C(102) + place;
     if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
     {
         return 0;
@@ -9023,8 +9031,8 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
     double before;
     double after;
     double hold;
-    first = INT64_C(65) + place - INT64_C(1);
-    last = INT64_C(65) + place;
+    first = INT64_C(102) + place - INT64_C(1);
+    last = INT64_C(102) + place;
     plateau = kind + INT64_C(2);
     if (holding)
     {
@@ -9070,8 +9078,8 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
     bool here;
     bool inside;
     bool result;
-    passing = span_row(&work, INT64_C(64));
-    excess = span_row(&work, INT64_C(140) + kind);
+    passing = span_row(&work, INT64_C(101));
+    excess = span_row(&work, INT64_C(177) + kind);
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
@@ -9085,7 +9093,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
     {
         if (!holding)
         {
-            row = INT64_C(65) + place;
+            row = INT64_C(102) + place;
             here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
             if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
             {
@@ -9105,7 +9113,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
         result = split_ramp(place, kind, sign, touching, holding, work);
         return result;
     }
-    row = INT64_C(65) + place;
+    row = INT64_C(102) + place;
     if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
     {
         return 0;
@@ -9122,10 +9130,10 @@ static bool rotate_levels(array_double_2d work)
     double tiny;
     double at_first;
     double at_last;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
-    first = INT64_C(65);
-    last = INT64_C(65) + count - INT64_C(1);
+    first = INT64_C(102);
+    last = INT64_C(102) + count - INT64_C(1);
     tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
     if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
     {
@@ -9172,12 +9180,12 @@ static int64_t overlong_plateau(array_double_2d work)
     int64_t kind;
     bool held;
     int64_t found;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     found = -INT64_C(1);
     least = (-1e-12) * (*cspan_at(&passing, INT64_C(3)));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
         held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
         if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
@@ -9208,9 +9216,9 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
 {
     int64_t kind;
     bool result;
-    keep_sequence(INT64_C(83), work);
+    keep_sequence(INT64_C(120), work);
     kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-    if (kind == (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(1))
+    if (kind == (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(1))
     {
         if (shorten_hold(row, INT64_C(2), INT64_C(1), problem, axis, work))
         {
@@ -9221,7 +9229,7 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     {
         return 1;
     }
-    restore_sequence(INT64_C(83), work);
+    restore_sequence(INT64_C(120), work);
     result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
     return result;
 }
@@ -9229,9 +9237,9 @@ static bool release_touch(int64_t kind, array_double_2d work)
 {
     int64_t i;
     int64_t row;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
         {
             (*cspan_at(&work, row, INT64_C(7))) = 0.0;
@@ -9246,7 +9254,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
     int64_t j;
     int64_t kind;
     int64_t lowest;
-    q = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
     for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
     {
         kind = q - INT64_C(1) - j;
@@ -9254,7 +9262,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         {
             kind = j + INT64_C(1);
         }
-        if ((*cspan_at(&work, INT64_C(140) + kind, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&work, INT64_C(177) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, INT64_C(0), axis, work))
             {
@@ -9263,7 +9271,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
     }
     lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(140) + lowest, INT64_C(0))) > 0.0))
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(177) + lowest, INT64_C(0))) > 0.0))
     {
         if (release_touch(lowest, work))
         {
@@ -9280,7 +9288,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
     int64_t attempt;
     int64_t place;
     int64_t row;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     added = INT64_C(0);
     for (attempt = INT64_C(0); attempt < INT64_C(16); attempt += INT64_C(1))
@@ -9291,7 +9299,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
             {
                 return 0;
             }
-            restore_sequence(INT64_C(83), work);
+            restore_sequence(INT64_C(120), work);
             added = INT64_C(0);
             if (!insert_plateau(q - INT64_C(3), 1, INT64_C(0), axis, work))
             {
@@ -9302,7 +9310,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
                 return 0;
             }
         }
-        if (sequence_duration(passing, span_rows(&work, INT64_C(65), INT64_C(83))) >= longest)
+        if (sequence_duration(passing, span_rows(&work, INT64_C(102), INT64_C(120))) >= longest)
         {
             return 0;
         }
@@ -9310,7 +9318,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
         place = overlong_plateau(work);
         if (place >= INT64_C(0))
         {
-            row = INT64_C(65) + place;
+            row = INT64_C(102) + place;
             if (!touch_limit(row, problem, axis, work))
             {
                 return 0;
@@ -9322,7 +9330,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
         }
         else
         {
-            keep_sequence(INT64_C(83), work);
+            keep_sequence(INT64_C(120), work);
             added = add_plateau(upward, axis, work);
             if (added == INT64_C(0))
             {
@@ -9335,7 +9343,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
 static bool may_go_on(array_double_2d work)
 {
     bool result;
-    result = (*cspan_at(&work, INT64_C(144), INT64_C(4))) < (*cspan_at(&work, INT64_C(144), INT64_C(5)));
+    result = (*cspan_at(&work, INT64_C(181), INT64_C(4))) < (*cspan_at(&work, INT64_C(181), INT64_C(5)));
     return result;
 }
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -9348,8 +9356,8 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     double sign;
     int64_t row;
     bool result;
-    passing = span_row(&work, INT64_C(64));
-    node = (int64_t)((*cspan_at(&work, INT64_C(140) + order, INT64_C(1))));
+    passing = span_row(&work, INT64_C(101));
+    node = (int64_t)((*cspan_at(&work, INT64_C(177) + order, INT64_C(1))));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = node;
     beside = node;
@@ -9383,14 +9391,14 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     {
         return 0;
     }
-    row = INT64_C(65) + beside;
+    row = INT64_C(102) + beside;
     if (((*cspan_at(&passing, INT64_C(13))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
     {
         return 0;
     }
     sign = sign * (*cspan_at(&work, row, INT64_C(5)));
     insert_node(place, INT64_C(0), sign, 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
-    add_instant(order, (*cspan_at(&work, INT64_C(140) + order, INT64_C(3))), node, passing);
+    add_instant(order, (*cspan_at(&work, INT64_C(177) + order, INT64_C(3))), node, passing);
     result = solve_rotated(problem, axis, work);
     return result;
 }
@@ -9399,18 +9407,18 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
     array_double_1d passing;
     int64_t node;
     int64_t peak;
-    passing = span_row(&work, INT64_C(64));
-    node = (int64_t)((*cspan_at(&work, INT64_C(140) + order, INT64_C(1))));
+    passing = span_row(&work, INT64_C(101));
+    node = (int64_t)((*cspan_at(&work, INT64_C(177) + order, INT64_C(1))));
     for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
     {
         if (((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))) == order) && may_go_on(work))
         {
-            place_instant(peak, order, (*cspan_at(&work, INT64_C(140) + order, INT64_C(3))), node, passing);
+            place_instant(peak, order, (*cspan_at(&work, INT64_C(177) + order, INT64_C(3))), node, passing);
             if (solve_rotated(problem, axis, work))
             {
                 return 1;
             }
-            restore_sequence(INT64_C(83), work);
+            restore_sequence(INT64_C(120), work);
         }
     }
     return 0;
@@ -9418,7 +9426,7 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t variant;
-    if (((*cspan_at(&work, INT64_C(144), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
+    if (((*cspan_at(&work, INT64_C(181), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
     {
         return 1;
     }
@@ -9428,7 +9436,7 @@ static bool insert_instant(int64_t order, array_double_1d problem, array_double_
         {
             return 1;
         }
-        restore_sequence(INT64_C(83), work);
+        restore_sequence(INT64_C(120), work);
     }
     return 0;
 }
@@ -9442,18 +9450,18 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
     int64_t guesses;
     int64_t guess;
     bool result;
-    q = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
     order = q - INT64_C(1);
     for (j = INT64_C(1); j < q - INT64_C(1); j += INT64_C(1))
     {
         lower = q - INT64_C(1) - j;
-        excess = (*cspan_at(&work, INT64_C(140) + order, INT64_C(0)));
-        if ((*cspan_at(&work, INT64_C(140) + lower, INT64_C(0))) > excess)
+        excess = (*cspan_at(&work, INT64_C(177) + order, INT64_C(0)));
+        if ((*cspan_at(&work, INT64_C(177) + lower, INT64_C(0))) > excess)
         {
             order = lower;
         }
     }
-    keep_sequence(INT64_C(83), work);
+    keep_sequence(INT64_C(120), work);
     if ((order == q - INT64_C(3)) && insert_instant(order, problem, axis, work))
     {
         return 1;
@@ -9472,7 +9480,7 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
                 return 1;
             }
         }
-        restore_sequence(INT64_C(83), work);
+        restore_sequence(INT64_C(120), work);
     }
     result = (order >= q - INT64_C(2)) && insert_instant(order, problem, axis, work);
     return result;
@@ -9484,11 +9492,11 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
     double sign;
     int64_t side;
     bool result;
-    row = INT64_C(65) + place;
+    row = INT64_C(102) + place;
     order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
     sign = (*cspan_at(&work, row, INT64_C(5)));
-    keep_sequence(INT64_C(83), work);
-    if (order == (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(1))
+    keep_sequence(INT64_C(120), work);
+    if (order == (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(1))
     {
         (*cspan_at(&work, row, INT64_C(7))) = 2.0;
         (*cspan_at(&work, row, INT64_C(8))) = 0.0;
@@ -9496,11 +9504,11 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
         {
             return 1;
         }
-        restore_sequence(INT64_C(83), work);
+        restore_sequence(INT64_C(120), work);
         remove_node(place, work);
-        (*cspan_at(&work, INT64_C(140) + order, INT64_C(1))) = place;
-        (*cspan_at(&work, INT64_C(140) + order, INT64_C(3))) = sign;
-        keep_sequence(INT64_C(83), work);
+        (*cspan_at(&work, INT64_C(177) + order, INT64_C(1))) = place;
+        (*cspan_at(&work, INT64_C(177) + order, INT64_C(3))) = sign;
+        keep_sequence(INT64_C(120), work);
         result = insert_instant(order, problem, axis, work);
         return result;
     }
@@ -9508,12 +9516,12 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
     {
         remove_node(place, work);
         remove_node(place - side, work);
-        add_instant(order, sign, place - side, span_row(&work, INT64_C(64)));
+        add_instant(order, sign, place - side, span_row(&work, INT64_C(101)));
         if (solve_rotated(problem, axis, work))
         {
             return 1;
         }
-        restore_sequence(INT64_C(83), work);
+        restore_sequence(INT64_C(120), work);
     }
     return 0;
 }
@@ -9549,12 +9557,12 @@ static int64_t vanishing_level(int64_t step, array_double_2d work)
     int64_t i;
     int64_t row;
     int64_t found;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     found = -INT64_C(1);
     least = 0.1 * (*cspan_at(&passing, INT64_C(3)));
     for (i = INT64_C(0); (step > 0) ? (i < (int64_t)((*cspan_at(&passing, INT64_C(0))))) : (i > (int64_t)((*cspan_at(&passing, INT64_C(0))))); i += step)
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
         {
             found = i;
@@ -9572,7 +9580,7 @@ static bool release_plateau(array_double_2d work)
     int64_t i;
     int64_t row;
     bool touches;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     kind = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     end = vanishing_level(span_max_int(count - INT64_C(1), INT64_C(1)), work);
@@ -9582,7 +9590,7 @@ static bool release_plateau(array_double_2d work)
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         touches = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && ((*cspan_at(&work, row, INT64_C(6))) < 0.0);
         if (touches && ((int64_t)((*cspan_at(&work, row, INT64_C(4)))) == kind))
         {
@@ -9604,8 +9612,8 @@ static bool flip_level(array_double_2d work)
     {
         return 0;
     }
-    row = INT64_C(65) + found;
-    time = span_max(fabs((*cspan_at(&work, row, INT64_C(6)))), 0.03 * (*cspan_at(&work, INT64_C(64), INT64_C(3))));
+    row = INT64_C(102) + found;
+    time = span_max(fabs((*cspan_at(&work, row, INT64_C(6)))), 0.03 * (*cspan_at(&work, INT64_C(101), INT64_C(3))));
     if ((*cspan_at(&work, row, INT64_C(6))) > 0.0)
     {
         time = -time;
@@ -9619,9 +9627,9 @@ static bool follow(double target, array_double_1d problem, array_double_1d axis,
     bool changed;
     for (change = INT64_C(0); change < INT64_C(3); change += INT64_C(1))
     {
-        restore_sequence(INT64_C(121), work);
-        (*cspan_at(&work, INT64_C(64), INT64_C(12))) = 1.0;
-        (*cspan_at(&work, INT64_C(64), INT64_C(5))) = target;
+        restore_sequence(INT64_C(158), work);
+        (*cspan_at(&work, INT64_C(101), INT64_C(12))) = 1.0;
+        (*cspan_at(&work, INT64_C(101), INT64_C(5))) = target;
         changed = 1;
         if (change == INT64_C(1))
         {
@@ -10259,6 +10267,19 @@ static void copy_phases(array_double_2d source, array_double_2d target, int64_t 
             (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
         }
     }
+}
+static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+        {
+            (*cspan_at(&phases, used + i, column)) = (*cspan_at(&source, i, column));
+        }
+    }
+    return used + count;
 }
 static void mirror_phases(array_double_2d phases, int64_t count)
 {
@@ -12174,7 +12195,7 @@ static int64_t loop_form(int64_t last, int64_t count, double longest, array_doub
     int64_t sample;
     double duration;
     int64_t used;
-    family = span_row(&work, INT64_C(61));
+    family = span_row(&work, INT64_C(98));
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     missing = set_loop(problem, axis, family);
     given = longest;
@@ -12212,7 +12233,7 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
     int64_t sample;
     double duration;
     int64_t used;
-    family = span_row(&work, INT64_C(61));
+    family = span_row(&work, INT64_C(98));
     target = (*cspan_at(&problem, INT64_C(5)));
     missing = set_loop(problem, axis, family);
     (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -12242,7 +12263,7 @@ static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t 
     double missing;
     double duration;
     int64_t used;
-    family = span_row(&work, INT64_C(61));
+    family = span_row(&work, INT64_C(98));
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     missing = set_loop(problem, axis, family);
     arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
@@ -12263,7 +12284,7 @@ static void begin_dip(int64_t above, double v, double a, array_double_2d work)
     double sign;
     int64_t i;
     int64_t column;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     (*cspan_at(&passing, INT64_C(0))) = above + INT64_C(1);
     (*cspan_at(&passing, INT64_C(1))) = above;
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
@@ -12273,13 +12294,13 @@ static void begin_dip(int64_t above, double v, double a, array_double_2d work)
     {
         for (column = INT64_C(0); column < INT64_C(12); column += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(65) + i, column)) = 0.0;
+            (*cspan_at(&work, INT64_C(102) + i, column)) = 0.0;
         }
-        (*cspan_at(&work, INT64_C(65) + i, INT64_C(5))) = sign;
+        (*cspan_at(&work, INT64_C(102) + i, INT64_C(5))) = sign;
         sign = -sign;
     }
-    (*cspan_at(&work, INT64_C(65), INT64_C(0) + INT64_C(1))) = v;
-    (*cspan_at(&work, INT64_C(65), INT64_C(0) + INT64_C(2))) = a;
+    (*cspan_at(&work, INT64_C(102), INT64_C(0) + INT64_C(1))) = v;
+    (*cspan_at(&work, INT64_C(102), INT64_C(0) + INT64_C(2))) = a;
 }
 static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work)
 {
@@ -12289,8 +12310,8 @@ static double follow_dip(int64_t order, array_double_1d axis, array_double_2d wo
     int64_t i;
     double hold;
     double result;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
     {
@@ -12311,7 +12332,7 @@ static double follow_dip(int64_t order, array_double_1d axis, array_double_2d wo
 static double last_jerk(double second, array_double_1d axis, array_double_2d work)
 {
     double result;
-    (*cspan_at(&work, INT64_C(65) + INT64_C(1), INT64_C(6))) = second;
+    (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = second;
     result = follow_dip(INT64_C(3), axis, work);
     return result;
 }
@@ -12328,7 +12349,7 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
     double second;
     double error;
     bool crossed;
-    newest = (*cspan_at(&work, INT64_C(65), INT64_C(6)));
+    newest = (*cspan_at(&work, INT64_C(102), INT64_C(6)));
     e_newest = last_jerk(newest, axis, work);
     if (e_newest >= 0.0)
     {
@@ -12359,14 +12380,14 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
         newest = second;
         e_newest = error;
     }
-    (*cspan_at(&work, INT64_C(65) + INT64_C(1), INT64_C(6))) = newest;
+    (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = newest;
 }
 static double last_acceleration(double time, array_double_1d axis, array_double_2d work)
 {
     int64_t above;
     double result;
-    above = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1))));
-    (*cspan_at(&work, INT64_C(65) + above, INT64_C(6))) = time;
+    above = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1))));
+    (*cspan_at(&work, INT64_C(102) + above, INT64_C(6))) = time;
     if (above == INT64_C(2))
     {
         balance_jerk(axis, work);
@@ -12387,7 +12408,7 @@ static bool close_dip(double first, array_double_1d axis, array_double_2d work)
     double time;
     double error;
     bool crossed;
-    (*cspan_at(&work, INT64_C(65), INT64_C(6))) = first;
+    (*cspan_at(&work, INT64_C(102), INT64_C(6))) = first;
     newest = 0.0;
     e_newest = last_acceleration(newest, axis, work);
     if (e_newest > 0.0)
@@ -12415,83 +12436,134 @@ static bool close_dip(double first, array_double_1d axis, array_double_2d work)
     last_acceleration(newest, axis, work);
     return 1;
 }
-static bool find_dip(double least, array_double_1d axis, array_double_2d work)
+static int64_t judge_dip(bool* result_0, bool* result_1, double first, array_double_1d axis, array_double_2d work)
 {
     array_double_2d excess;
-    double shallow;
-    double deep;
-    double found;
+    bool fast;
+    bool shallow;
+    bool deep;
+    int64_t order;
+    excess = span_rows(&work, INT64_C(177), INT64_C(183));
+    if (!close_dip(first, axis, work))
+    {
+        (*result_0) = 1;
+        (*result_1) = 0;
+        return 0;
+    }
+    if (!measure_excess(axis, work))
+    {
+        (*result_0) = 0;
+        (*result_1) = 0;
+        return 0;
+    }
+    fast = (*cspan_at(&excess, INT64_C(1), INT64_C(0))) > 0.0;
+    shallow = fast && ((*cspan_at(&excess, INT64_C(1), INT64_C(3))) > 0.0);
+    deep = fast && (!shallow);
+    for (order = INT64_C(2); order < INT64_C(4); order += INT64_C(1))
+    {
+        deep = deep || ((*cspan_at(&excess, order, INT64_C(0))) > 0.0);
+    }
+    (*result_0) = shallow;
+    (*result_1) = deep;
+    return 0;
+}
+static double find_edge(bool deepest, double lower, array_double_1d axis, array_double_2d work)
+{
+    double accuracy;
+    double upper;
     int64_t i;
     double first;
-    bool high;
-    bool low;
-    bool fast;
-    int64_t order;
-    bool result;
-    excess = span_rows(&work, INT64_C(140), INT64_C(146));
-    shallow = least;
-    deep = 1e+300;
+    bool shallow;
+    bool deep;
+    double found;
+    accuracy = 0.001;
+    if (deepest)
+    {
+        accuracy = 0.01;
+    }
+    upper = 1e+300;
     found = -1.0;
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        first = 2.0 * shallow;
-        if (deep < 1e+300)
+        first = 2.0 * lower;
+        if (upper < 1e+300)
         {
-            first = 0.5 * (shallow + deep);
+            first = 0.5 * (lower + upper);
         }
-        high = !close_dip(first, axis, work);
-        low = 0;
-        if ((!high) && measure_excess(axis, work))
-        {
-            fast = (*cspan_at(&excess, INT64_C(1), INT64_C(0))) > 0.0;
-            high = fast && ((*cspan_at(&excess, INT64_C(1), INT64_C(3))) > 0.0);
-            low = fast && (!high);
-            for (order = INT64_C(2); order < INT64_C(4); order += INT64_C(1))
-            {
-                low = low || ((*cspan_at(&excess, order, INT64_C(0))) > 0.0);
-            }
-        }
-        if (high && low)
+        judge_dip(&shallow, &deep, first, axis, work);
+        if (shallow && deep)
         {
             break;
         }
-        if (high)
+        if ((!shallow) && (!deep))
         {
-            shallow = first;
+            found = first;
+        }
+        if (shallow || (deepest && (!deep)))
+        {
+            lower = first;
         }
         else
         {
-            deep = first;
-            if (!low)
-            {
-                found = first;
-            }
+            upper = first;
         }
-        if ((deep - shallow <= 1e-12 * deep) || ((found > 0.0) && (deep - shallow <= 0.001 * deep)))
+        if ((upper - lower <= 1e-12 * upper) || ((found > 0.0) && (upper - lower <= accuracy * upper)))
         {
             break;
         }
     }
-    if (found < 0.0)
+    return found;
+}
+static bool find_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work)
+{
+    double sign;
+    double duration;
+    double slope;
+    double gain;
+    int64_t lower;
+    int64_t above;
+    double deepest;
+    sign = 1.0;
+    if (a < 0.0)
+    {
+        sign = -1.0;
+    }
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    gain = 0.37 * fabs(a) * duration;
+    if (ramps_suffice(axis) || (sign * v + gain > (*cspan_at(&axis, INT64_C(2)))))
     {
         return 0;
     }
-    result = close_dip(found, axis, work);
-    return result;
+    (*cspan_at(&dips, INT64_C(0))) = v;
+    (*cspan_at(&dips, INT64_C(1))) = a;
+    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(35)))); lower += INT64_C(1))
+    {
+        above = (int64_t)((*cspan_at(&axis, INT64_C(35)))) - lower;
+        (*cspan_at(&dips, INT64_C(2))) = above;
+        begin_dip(above, sign * v, fabs(a), work);
+        (*cspan_at(&dips, INT64_C(3))) = find_edge(0, 0.02 * duration, axis, work);
+        if ((*cspan_at(&dips, INT64_C(3))) > 0.0)
+        {
+            deepest = find_edge(1, (*cspan_at(&dips, INT64_C(3))), axis, work);
+            (*cspan_at(&dips, INT64_C(4))) = span_max(deepest, (*cspan_at(&dips, INT64_C(3))));
+            return 1;
+        }
+    }
+    return 0;
 }
-static int64_t write_dip(array_double_2d phases, array_double_2d work)
+static int64_t write_levels(array_double_2d phases, array_double_2d work)
 {
     double above;
     double level;
     int64_t i;
     int64_t row;
     int64_t used;
-    above = (*cspan_at(&work, INT64_C(64), INT64_C(1)));
+    above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
     level = 0.0;
     used = INT64_C(0);
     for (i = INT64_C(0); i < (int64_t)(above) + INT64_C(2); i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         if ((*cspan_at(&work, row, INT64_C(11))) > 0.0)
         {
             (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
@@ -12510,60 +12582,44 @@ static int64_t write_dip(array_double_2d phases, array_double_2d work)
     }
     return used;
 }
-static int64_t brake_by_dip(int64_t* result_0, double* result_1, double* result_2_0001, double* result_3_0001, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work)
 {
-    double limit;
-    double sign;
-    double duration;
-    double slope;
     int64_t above;
-    array_double_2d nodes;
-    double end;
+    double sign;
     int64_t count;
-    double spent;
-    limit = (*cspan_at(&axis, INT64_C(2)));
+    array_double_2d nodes;
+    double duration;
+    double y;
+    double v;
+    above = (int64_t)((*cspan_at(&dips, INT64_C(2))));
+    if (above == INT64_C(0))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        (*result_3) = (*cspan_at(&dips, INT64_C(0)));
+        return 0;
+    }
     sign = 1.0;
-    if (a < 0.0)
+    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
     {
         sign = -1.0;
     }
-    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    if (((*cspan_at(&axis, INT64_C(35))) < 1.5) || (sign * v + 0.3 * fabs(a) * duration > limit))
+    begin_dip(above, sign * (*cspan_at(&dips, INT64_C(0))), fabs((*cspan_at(&dips, INT64_C(1)))), work);
+    close_dip((*cspan_at(&dips, INT64_C(3))) + depth * ((*cspan_at(&dips, INT64_C(4))) - (*cspan_at(&dips, INT64_C(3)))), axis, work);
+    count = write_levels(phases, work);
+    if (sign < 0.0)
     {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = 0.0;
-        (*result_2_0001) = 0.0;
-        (*result_3_0001) = 0.0;
-        return 0;
+        mirror_phases(phases, count);
     }
-    for (above = INT64_C(1); above < INT64_C(3); above += INT64_C(1))
-    {
-        begin_dip(above, sign * v, fabs(a), work);
-        if (find_dip(0.02 * duration, axis, work))
-        {
-            nodes = span_rows(&work, INT64_C(65), INT64_C(83));
-            end = (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1)));
-            if (fabs(end) > limit * (1.0 + 1e-12))
-            {
-                continue;
-            }
-            count = write_dip(phases, work);
-            if (sign < 0.0)
-            {
-                mirror_phases(phases, count);
-            }
-            spent = sequence_duration(span_row(&work, INT64_C(64)), nodes);
-            (*result_0) = count;
-            (*result_1) = spent;
-            (*result_2_0001) = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0)));
-            (*result_3_0001) = sign * end;
-            return 0;
-        }
-    }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = 0.0;
-    (*result_2_0001) = 0.0;
-    (*result_3_0001) = 0.0;
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    duration = sequence_duration(span_row(&work, INT64_C(101)), nodes);
+    y = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0)));
+    v = boundary_value(sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1))), (*cspan_at(&axis, INT64_C(2))));
+    (*result_0) = count;
+    (*result_1) = duration;
+    (*result_2) = y;
+    (*result_3) = v;
     return 0;
 }
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
@@ -12693,6 +12749,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     double highest;
     double sign;
     double past;
+    array_double_1d dips;
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     count = INT64_C(0);
     level = a;
@@ -12724,7 +12781,16 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
         segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
         level = past;
     }
-    brake_by_dip(result_0, result_1, result_2, result_3, v, a, axis, phases, work);
+    dips = span_row(&work, INT64_C(62));
+    if (find_dips(v, a, axis, dips, work))
+    {
+        write_dip(result_0, result_1, result_2, result_3, 0.0, axis, dips, phases, work);
+        return 0;
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
     return 0;
 }
 static bool nearly_brakes(double v, double a, array_double_1d axis)
@@ -12840,14 +12906,7 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
         w = (*cspan_at(&problem, INT64_C(2)));
         brake(&last, &duration, &y, &end, w, -(*cspan_at(&problem, INT64_C(3))), axis, trial, work);
         reverse_phases(trial, INT64_C(0), last);
-        for (i = INT64_C(0); i < last; i += INT64_C(1))
-        {
-            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, count + i, column)) = (*cspan_at(&trial, i, column));
-            }
-        }
-        count = count + last;
+        count = join_phases(trial, last, phases, count);
     }
     return count;
 }
@@ -12856,10 +12915,10 @@ static void append_level(double sign, double time, array_double_2d work)
     int64_t count;
     int64_t row;
     double last;
-    count = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0))));
+    count = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0))));
     if (count > INT64_C(0))
     {
-        row = INT64_C(65) + count - INT64_C(1);
+        row = INT64_C(102) + count - INT64_C(1);
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && ((*cspan_at(&work, row, INT64_C(5))) == sign))
         {
             last = (*cspan_at(&work, row, INT64_C(6)));
@@ -12890,7 +12949,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     segfmu_ramp_duration(&duration, &slope, fabs(change), axis);
     rise = inner_rise(duration, INT64_C(0), axis);
     hold = span_max(duration - 2.0 * rise, 0.0);
-    if ((*cspan_at(&work, INT64_C(64), INT64_C(1))) < 1.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(1))) < 1.5)
     {
         append_level(sign, rise + hold, work);
         return;
@@ -12899,7 +12958,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     append_level(sign, time, work);
     if (hold > 1e-09 * duration)
     {
-        count = (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0))));
+        count = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0))));
         insert_node(count, INT64_C(3), sign, hold, 0, work);
     }
     append_level(-sign, time, work);
@@ -12940,7 +12999,7 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     double duration;
     int64_t order;
     double sign;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     (*cspan_at(&passing, INT64_C(0))) = 0.0;
     pending = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -12976,7 +13035,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     double a;
     double factor;
     int64_t row;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
@@ -12998,7 +13057,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
         return 0;
     }
     copy_levels(count, phases, (*cspan_at(&problem, INT64_C(0))), axis, work);
-    if (!is_square(passing, span_rows(&work, INT64_C(65), INT64_C(83))))
+    if (!is_square(passing, span_rows(&work, INT64_C(102), INT64_C(120))))
     {
         set_alternating(1.0, 0.7 * (*cspan_at(&passing, INT64_C(3))) / q, work);
     }
@@ -13017,7 +13076,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         if ((*cspan_at(&work, row, INT64_C(4))) < 0.5)
         {
             (*cspan_at(&work, row, INT64_C(6))) = factor * (*cspan_at(&work, row, INT64_C(6)));
@@ -13044,7 +13103,7 @@ static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d
         }
         if (solve_rotated(problem, axis, work))
         {
-            keep_sequence(INT64_C(121), work);
+            keep_sequence(INT64_C(158), work);
             return 1;
         }
     }
@@ -13057,9 +13116,9 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
     largest = 0.0;
     if (measure_excess(axis, work))
     {
-        for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+        for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
         {
-            largest = span_max(largest, (*cspan_at(&work, INT64_C(140) + order, INT64_C(0))));
+            largest = span_max(largest, (*cspan_at(&work, INT64_C(177) + order, INT64_C(0))));
         }
     }
     return largest;
@@ -13074,8 +13133,8 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     double sign;
     int64_t attempt;
     bool shorter;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     if (ramps_suffice(axis) || is_resting(problem, axis))
     {
@@ -13087,7 +13146,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
         most = 1e+300;
     }
     duration = sequence_duration(passing, nodes);
-    sign = (*cspan_at(&work, INT64_C(65), INT64_C(5)));
+    sign = (*cspan_at(&work, INT64_C(102), INT64_C(5)));
     (*cspan_at(&passing, INT64_C(12))) = 1.0;
     for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
     {
@@ -13099,7 +13158,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
             if (shorter && (largest_excess(axis, work) < most))
             {
                 (*cspan_at(&passing, INT64_C(12))) = 0.0;
-                keep_sequence(INT64_C(121), work);
+                keep_sequence(INT64_C(158), work);
                 return 1;
             }
         }
@@ -13112,15 +13171,15 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     int64_t i;
     int64_t order;
     double excess;
-    loose = span_row(&work, INT64_C(145));
+    loose = span_row(&work, INT64_C(182));
     for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
     {
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
     }
-    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
+    for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
         i = INT64_C(2) + order - INT64_C(1);
-        excess = (*cspan_at(&work, INT64_C(144), INT64_C(0) + order));
+        excess = (*cspan_at(&work, INT64_C(181), INT64_C(0) + order));
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
     }
 }
@@ -13136,16 +13195,16 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
     double reached;
     double step;
     double share;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
-    steps = span_row(&work, INT64_C(144));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    steps = span_row(&work, INT64_C(181));
     measure_excess(axis, work);
     for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
-        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(140) + order, INT64_C(0)));
+        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(177) + order, INT64_C(0)));
     }
     (*cspan_at(&passing, INT64_C(3))) = sequence_duration(passing, nodes);
-    keep_sequence(INT64_C(121), work);
+    keep_sequence(INT64_C(158), work);
     most = 150.0;
     least = 0.1;
     if (longest > 1.4 * (*cspan_at(&passing, INT64_C(3))))
@@ -13163,7 +13222,7 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
         (*cspan_at(&steps, INT64_C(5))) = span_min((*cspan_at(&steps, INT64_C(4))) + 40.0, most);
         share = span_min(reached + step, 1.0);
         loosen(share, axis, work);
-        if (follow(target, problem, span_row(&work, INT64_C(145)), work))
+        if (follow(target, problem, span_row(&work, INT64_C(182)), work))
         {
             if (sequence_duration(passing, nodes) >= longest)
             {
@@ -13173,7 +13232,7 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
             {
                 return 1;
             }
-            keep_sequence(INT64_C(121), work);
+            keep_sequence(INT64_C(158), work);
             reached = share;
         }
         else
@@ -13190,8 +13249,8 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     double fast;
     double slow;
     int64_t i;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     fast = 1.0;
     slow = 0.0;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
@@ -13211,7 +13270,7 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
         }
         if ((overlong_plateau(work) < INT64_C(0)) && (!measure_excess(axis, work)))
         {
-            keep_sequence(INT64_C(83), work);
+            keep_sequence(INT64_C(120), work);
             slow = (*cspan_at(&passing, INT64_C(2)));
         }
         else
@@ -13225,7 +13284,7 @@ static bool slow_down(double longest, array_double_1d problem, array_double_1d a
     }
     if (slow > 0.0)
     {
-        restore_sequence(INT64_C(83), work);
+        restore_sequence(INT64_C(120), work);
     }
     return slow > 0.0;
 }
@@ -13234,8 +13293,8 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
     array_double_1d passing;
     array_double_2d nodes;
     int64_t i;
-    passing = span_row(&work, INT64_C(64));
-    nodes = span_rows(&work, INT64_C(65), INT64_C(83));
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
         if (((*cspan_at(&nodes, i, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&nodes, i, INT64_C(6)))) < 1e-13 * (*cspan_at(&passing, INT64_C(3)))))
@@ -13243,7 +13302,7 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
             (*cspan_at(&nodes, i, INT64_C(6))) = 0.0;
         }
     }
-    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(146)));
+    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(183)));
 }
 static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
 {
@@ -13252,8 +13311,8 @@ static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
     double before;
     double scale;
     double spent;
-    passing = span_row(&work, INT64_C(64));
-    row = INT64_C(65) + i;
+    passing = span_row(&work, INT64_C(101));
+    row = INT64_C(102) + i;
     before = (*cspan_at(&passing, INT64_C(8)));
     if (i > INT64_C(0))
     {
@@ -13285,13 +13344,13 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
     int64_t kind;
     int64_t used;
     flush_levels(problem, axis, work);
-    above = (*cspan_at(&work, INT64_C(64), INT64_C(1)));
-    level = (*cspan_at(&work, INT64_C(64), INT64_C(8)));
+    above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
+    level = (*cspan_at(&work, INT64_C(101), INT64_C(8)));
     used = INT64_C(0);
     idle = 0.0;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        row = INT64_C(65) + i;
+        row = INT64_C(102) + i;
         after = idle;
         idle = idle_time(i, axis, work);
         if (idle > 0.0)
@@ -13305,7 +13364,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
         if (((*cspan_at(&work, row, INT64_C(11))) > 0.0) && (after == 0.0))
         {
             (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
-            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(64), INT64_C(2)));
+            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(101), INT64_C(2)));
             (*cspan_at(&phases, used, INT64_C(2))) = level;
             (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
             (*cspan_at(&phases, used, INT64_C(4))) = above;
@@ -13335,9 +13394,9 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
 static bool stays_below(array_double_2d work)
 {
     int64_t i;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))); i += INT64_C(1))
     {
-        if ((*cspan_at(&work, INT64_C(65) + i, INT64_C(7))) > 1.5)
+        if ((*cspan_at(&work, INT64_C(102) + i, INT64_C(7))) > 1.5)
         {
             return 1;
         }
@@ -13348,7 +13407,7 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
 {
     bool found;
     double result;
-    restore_sequence(INT64_C(121), work);
+    restore_sequence(INT64_C(158), work);
     if (way == INT64_C(3))
     {
         found = tighten(longest, problem, axis, work);
@@ -13365,7 +13424,7 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     {
         return -1.0;
     }
-    result = sequence_duration(span_row(&work, INT64_C(64)), span_rows(&work, INT64_C(65), INT64_C(83)));
+    result = sequence_duration(span_row(&work, INT64_C(101)), span_rows(&work, INT64_C(102), INT64_C(120)));
     return result;
 }
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -13378,7 +13437,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
     used = INT64_C(0);
     few = ramps_suffice(axis);
     ways = INT64_C(3);
-    if ((*cspan_at(&work, INT64_C(64), INT64_C(11))) < 0.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
     {
         ways = INT64_C(4);
     }
@@ -13395,11 +13454,11 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
             if (found < longest)
             {
                 used = write_sequence(phases, problem, axis, work);
-                keep_sequence(INT64_C(102), work);
+                keep_sequence(INT64_C(139), work);
             }
             if ((way == INT64_C(3)) || ((way < INT64_C(2)) && (!stays_below(work))))
             {
-                (*cspan_at(&work, INT64_C(64), INT64_C(10))) = 1.0;
+                (*cspan_at(&work, INT64_C(101), INT64_C(10))) = 1.0;
                 break;
             }
         }
@@ -13413,7 +13472,7 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     array_double_1d passing;
     int64_t used;
     int64_t others;
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     (*cspan_at(&passing, INT64_C(10))) = 0.0;
     if (!first_solution(count, ramps, problem, axis, work))
     {
@@ -13445,11 +13504,11 @@ static bool pace_down(int64_t moving, double shortest, array_double_1d problem, 
     double step;
     double least;
     double duration;
-    restore_sequence(INT64_C(102), work);
-    passing = span_row(&work, INT64_C(64));
-    taken = span_row(&work, INT64_C(144));
+    restore_sequence(INT64_C(139), work);
+    passing = span_row(&work, INT64_C(101));
+    taken = span_row(&work, INT64_C(181));
     target = (*cspan_at(&problem, INT64_C(5)));
-    keep_sequence(INT64_C(121), work);
+    keep_sequence(INT64_C(158), work);
     (*cspan_at(&taken, INT64_C(4))) = 0.0;
     (*cspan_at(&taken, INT64_C(6))) = moving;
     reached = shortest;
@@ -13461,7 +13520,7 @@ static bool pace_down(int64_t moving, double shortest, array_double_1d problem, 
         duration = span_min(reached + step, target);
         if (follow(duration, problem, axis, work) && ((*cspan_at(&passing, INT64_C(2))) <= 1.0))
         {
-            keep_sequence(INT64_C(121), work);
+            keep_sequence(INT64_C(158), work);
             reached = duration;
         }
         else
@@ -13481,14 +13540,14 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     int64_t ways;
     int64_t moving;
     int64_t result;
-    restore_sequence(INT64_C(102), work);
-    shortest = sequence_duration(span_row(&work, INT64_C(64)), span_rows(&work, INT64_C(65), INT64_C(83)));
+    restore_sequence(INT64_C(139), work);
+    shortest = sequence_duration(span_row(&work, INT64_C(101)), span_rows(&work, INT64_C(102), INT64_C(120)));
     if ((*cspan_at(&problem, INT64_C(5))) < shortest)
     {
         return INT64_C(0);
     }
     ways = INT64_C(1);
-    if ((*cspan_at(&work, INT64_C(64), INT64_C(13))) > 0.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(13))) > 0.5)
     {
         ways = INT64_C(2);
     }
@@ -13501,269 +13560,6 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
         }
     }
     return INT64_C(0);
-}
-static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    double duration;
-    int64_t i;
-    double acceleration;
-    int64_t q;
-    passing = span_row(&work, INT64_C(64));
-    duration = (*cspan_at(&problem, INT64_C(5)));
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
-    {
-        (*cspan_at(&passing, i)) = 0.0;
-    }
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
-    (*cspan_at(&passing, INT64_C(2))) = pace;
-    (*cspan_at(&passing, INT64_C(3))) = duration;
-    acceleration = (*cspan_at(&axis, INT64_C(3)));
-    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(10))));
-    (*cspan_at(&passing, INT64_C(4))) = acceleration;
-    (*cspan_at(&passing, INT64_C(5))) = duration;
-    (*cspan_at(&passing, INT64_C(6))) = 1.0;
-    q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
-    set_alternating(sign, 0.6 * duration / q, work);
-}
-static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t count;
-    int64_t end;
-    set_extreme(sign, pace, problem, axis, work);
-    if (!solve_sequence(problem, axis, work))
-    {
-        (*result_0) = INT64_C(0);
-        (*result_1_0001) = 0.0;
-        return 0;
-    }
-    keep_sequence(INT64_C(121), work);
-    if (!tighten(1e+300, problem, axis, work))
-    {
-        (*result_0) = INT64_C(0);
-        (*result_1_0001) = 0.0;
-        return 0;
-    }
-    count = write_sequence(phases, problem, axis, work);
-    end = INT64_C(65) + (int64_t)((*cspan_at(&work, INT64_C(64), INT64_C(0)))) + INT64_C(1);
-    (*result_0) = count;
-    (*result_1_0001) = (*cspan_at(&work, end, INT64_C(0)));
-    return 0;
-}
-static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_1d problem;
-    array_double_1d nearest;
-    double distance;
-    double known;
-    int64_t i;
-    double sign;
-    int64_t found;
-    array_double_2d phases;
-    int64_t attempt;
-    double pace;
-    int64_t count;
-    double reached;
-    problem = span_row(&work, INT64_C(59));
-    nearest = span_row(&work, INT64_C(58));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    known = (*cspan_at(&nearest, INT64_C(4)));
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        sign = 2.0 * i - 1.0;
-        if (known < 0.0)
-        {
-            sign = -sign;
-        }
-        found = INT64_C(0);
-        phases = span_rows(&cell, INT64_C(0), INT64_C(33));
-        if (sign > 0.0)
-        {
-            found = INT64_C(2);
-            phases = span_rows(&cell, INT64_C(33), INT64_C(66));
-        }
-        (*cspan_at(&nearest, found)) = 0.0;
-        for (attempt = INT64_C(0); attempt < INT64_C(3); attempt += INT64_C(1))
-        {
-            pace = 1.0 - 0.2 * attempt;
-            extreme_form(&count, &reached, sign, pace, phases, problem, axis, work);
-            if ((count > INT64_C(0)) && (sign * reached >= sign * distance))
-            {
-                (*cspan_at(&nearest, found)) = count;
-                (*cspan_at(&nearest, found + INT64_C(1))) = reached;
-                break;
-            }
-            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(35))) < 1.5))
-            {
-                return 0;
-            }
-        }
-        if (((*cspan_at(&nearest, found)) == 0.0) && (sign != known))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static double least_lever(double c, double gain, array_double_1d axis)
-{
-    double top;
-    double jerk;
-    double rise;
-    double rest;
-    double hold;
-    if (gain <= 0.0)
-    {
-        return 0.0;
-    }
-    top = (*cspan_at(&axis, INT64_C(3)));
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    rise = (top - c) / jerk;
-    rest = gain - (c + 0.5 * jerk * rise) * rise;
-    if (rest <= 0.0)
-    {
-        rise = (sqrt(c * c + 2.0 * jerk * gain) - c) / jerk;
-        rest = 0.0;
-    }
-    hold = rest / top;
-    return (0.5 * c + jerk * rise / 3.0) * rise * rise + rest * (rise + 0.5 * hold);
-}
-static double early_window(double duration, array_double_1d problem, array_double_1d axis)
-{
-    double sign;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double gain;
-    double single;
-    double slope;
-    double jerk;
-    double first;
-    double last;
-    double late;
-    double early;
-    double rounding;
-    double least;
-    double most;
-    double slowest;
-    double fastest;
-    sign = 1.0;
-    if ((*cspan_at(&problem, INT64_C(1))) + (*cspan_at(&problem, INT64_C(3))) < 0.0)
-    {
-        sign = -1.0;
-    }
-    v = sign * (*cspan_at(&problem, INT64_C(0)));
-    a = sign * (*cspan_at(&problem, INT64_C(1)));
-    w = sign * (*cspan_at(&problem, INT64_C(2)));
-    b = sign * (*cspan_at(&problem, INT64_C(3)));
-    distance = sign * (*cspan_at(&problem, INT64_C(4)));
-    gain = w - v;
-    if ((a < 0.0) || (b < 0.0) || (a + b == 0.0) || ((*cspan_at(&axis, INT64_C(0))) < 3.0))
-    {
-        return 0.0;
-    }
-    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
-    if (gain < 0.5 * (a + b) * single * (1.0 - 1e-12))
-    {
-        return 0.0;
-    }
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    first = 0.0;
-    last = 0.0;
-    late = 0.0;
-    early = 0.0;
-    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.0))
-    {
-        first = 0.5 * a * a / jerk;
-        last = 0.5 * b * b / jerk;
-        late = least_lever(b, gain - first, axis) - a * first / (3.0 * jerk);
-        early = least_lever(a, gain - last, axis) - b * last / (3.0 * jerk);
-    }
-    rounding = 1e-09 * (fabs(distance) + fabs(late) + fabs(early));
-    late = late - rounding;
-    early = early - rounding;
-    least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
-    most = duration;
-    slowest = v + first;
-    fastest = w - last;
-    if (slowest > 0.0)
-    {
-        most = span_min(most, (distance - late) / slowest);
-    }
-    else if (slowest < 0.0)
-    {
-        least = span_max(least, (distance - late) / slowest);
-    }
-    else if (late > distance)
-    {
-        return 0.0;
-    }
-    if (fastest > 0.0)
-    {
-        least = span_max(least, (distance + early) / fastest);
-    }
-    else if (fastest < 0.0)
-    {
-        most = span_min(most, (distance + early) / fastest);
-    }
-    else if (distance + early > 0.0)
-    {
-        return 0.0;
-    }
-    if (most < least * (1.0 - 1e-09))
-    {
-        return 0.0;
-    }
-    return span_min(most * (1.0 + 1e-09), duration);
-}
-static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest)
-{
-    double a;
-    double b;
-    int64_t i;
-    double spent;
-    double slope;
-    double distance;
-    double longest;
-    double result;
-    a = (*cspan_at(&problem, INT64_C(1)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    if (a * b >= 0.0)
-    {
-        result = early_window(duration, problem, axis);
-        return result;
-    }
-    if (span_min(fabs(a), fabs(b)) > 0.2 * span_max(fabs(a), fabs(b)))
-    {
-        return 0.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-    {
-        (*cspan_at(&rest, i)) = (*cspan_at(&problem, i));
-    }
-    if (fabs(a) < fabs(b))
-    {
-        segfmu_ramp_duration(&spent, &slope, fabs(a), axis);
-        distance = ramp_distance((*cspan_at(&problem, INT64_C(0))), a, 0.0, spent, spent, axis);
-        (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) + 0.5 * a * spent;
-        (*cspan_at(&rest, INT64_C(1))) = 0.0;
-    }
-    else
-    {
-        segfmu_ramp_duration(&spent, &slope, fabs(b), axis);
-        (*cspan_at(&rest, INT64_C(2))) = (*cspan_at(&problem, INT64_C(2))) - 0.5 * b * spent;
-        distance = ramp_distance((*cspan_at(&rest, INT64_C(2))), 0.0, b, spent, spent, axis);
-        (*cspan_at(&rest, INT64_C(3))) = 0.0;
-    }
-    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4))) - distance;
-    longest = early_window(duration - spent, rest, axis);
-    if (longest > 0.0)
-    {
-        return longest + spent;
-    }
-    return 0.0;
 }
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
@@ -13837,7 +13633,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     int64_t branch;
     double duration;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    family = span_row(&work, INT64_C(61));
+    family = span_row(&work, INT64_C(98));
     if (attempt == INT64_C(0))
     {
         count = fastest_between(phases, problem, axis);
@@ -13910,13 +13706,6 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
-static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
-    (*cspan_at(&work, INT64_C(61), INT64_C(18))) = 0.0;
-    (*cspan_at(&work, INT64_C(61), INT64_C(17))) = 1e+300;
-    (*cspan_at(&work, INT64_C(64), INT64_C(11))) = 0.0;
-}
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
@@ -13975,23 +13764,6 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     }
     return best;
 }
-static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
-{
-    array_double_1d asked;
-    int64_t count;
-    asked = span_row(&work, INT64_C(59));
-    begin_search(problem, axis, work);
-    if (is_done(asked))
-    {
-        return INT64_C(0);
-    }
-    count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    if (count == INT64_C(0))
-    {
-        count = braked_ramps(asked, axis, phases, work);
-    }
-    return count;
-}
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
@@ -14003,7 +13775,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     int64_t result;
     int64_t backwards;
     ramps = span_rows(&work, INT64_C(0), INT64_C(21));
-    passing = span_row(&work, INT64_C(64));
+    passing = span_row(&work, INT64_C(101));
     (*cspan_at(&passing, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(9))) = 0.0;
     copy_phases(phases, ramps, count);
@@ -14038,160 +13810,244 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     return result;
 }
-static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static bool set_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work)
 {
-    double free;
-    int64_t status;
-    double longest;
-    bool settled;
-    bool passing;
-    int64_t last;
-    int64_t count;
-    double window;
-    int64_t result;
-    free = (*cspan_at(&work, INT64_C(61), INT64_C(17)));
-    status = braked_ramps(asked, axis, phases, work);
-    longest = usual_duration(asked, axis);
-    if (status > INT64_C(0))
-    {
-        settled = 0;
-        if ((*cspan_at(&axis, INT64_C(35))) > 0.5)
-        {
-            status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(64), INT64_C(10))) > 0.5) && ramps_suffice(axis);
-        }
-        longest = total_duration(phases, status);
-        if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
-        {
-            return status;
-        }
-    }
-    passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
-    if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
-    {
-        return status;
-    }
-    last = INT64_C(6);
-    count = span_max_int(status, INT64_C(0));
-    window = short_window(longest, asked, axis, span_row(&work, INT64_C(60)));
-    if (window > 0.0)
-    {
-        count = loop_form(last, count, window, phases, asked, axis, work);
-    }
-    else if ((status > INT64_C(0)) && ramps_suffice(axis))
-    {
-        last = INT64_C(2);
-    }
-    if ((count == INT64_C(0)) || (total_duration(phases, count) >= longest))
-    {
-        count = loop_form(last, count, longest, phases, asked, axis, work);
-    }
-    if (count == INT64_C(0))
-    {
-        return status;
-    }
-    if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
-    {
-        result = passing_either_way(count, phases, asked, axis, work);
-        return result;
-    }
-    return count;
-}
-static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
-{
+    double duration;
+    double slope;
     bool result;
-    if (duration > 1.3 * free)
+    (*cspan_at(&dips, INT64_C(0))) = v;
+    (*cspan_at(&dips, INT64_C(2))) = 0.0;
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    if (fabs(v + 0.5 * a * duration) <= (*cspan_at(&axis, INT64_C(2))))
     {
         return 1;
     }
-    if (early_window(duration, asked, axis) > 0.0)
-    {
-        return 1;
-    }
-    if (nearly_brakes((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis))
-    {
-        return 1;
-    }
-    result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
+    result = find_dips(v, a, axis, dips, work);
     return result;
 }
-static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
+static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work)
 {
-    array_double_1d asked;
-    array_double_1d family;
-    double missed;
-    double free;
-    array_double_1d rest;
-    double longest;
-    bool linear;
     array_double_2d trial;
+    int64_t first;
+    double spent;
+    double y;
+    double v;
+    int64_t last;
+    double duration;
+    double w;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    write_dip(&first, &spent, &y, &v, depth, axis, span_row(&work, INT64_C(63)), trial, work);
+    (*cspan_at(&rest, INT64_C(0))) = v;
+    (*cspan_at(&rest, INT64_C(1))) = 0.0;
+    if (first == INT64_C(0))
+    {
+        (*cspan_at(&rest, INT64_C(1))) = (*cspan_at(&asked, INT64_C(1)));
+    }
+    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&asked, INT64_C(4))) - y;
+    write_dip(&last, &duration, &y, &w, depth, axis, span_row(&work, INT64_C(64)), trial, work);
+    (*cspan_at(&rest, INT64_C(2))) = w;
+    (*cspan_at(&rest, INT64_C(3))) = 0.0;
+    if (last == INT64_C(0))
+    {
+        (*cspan_at(&rest, INT64_C(3))) = (*cspan_at(&asked, INT64_C(3)));
+    }
+    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&rest, INT64_C(4))) - y;
+    return spent + duration;
+}
+static int64_t dipped_profile(double depth, double longest, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d rest;
+    array_double_2d trial;
+    array_double_2d between;
+    double spent;
     int64_t count;
-    asked = span_row(&work, INT64_C(59));
-    family = span_row(&work, INT64_C(61));
-    (*cspan_at(&work, INT64_C(64), INT64_C(10))) = 1.0;
-    if (is_done(asked))
+    int64_t used;
+    double y;
+    double v;
+    int64_t result;
+    rest = span_row(&work, INT64_C(61));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    between = span_rows(&work, INT64_C(65), INT64_C(98));
+    spent = problem_between(depth, asked, axis, rest, work);
+    if (spent >= longest)
     {
         return INT64_C(0);
     }
-    count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    missed = 2.0 * (*cspan_at(&family, INT64_C(18)));
-    if (count == INT64_C(0))
+    count = INT64_C(0);
+    if (!is_done(rest))
     {
-        free = (*cspan_at(&family, INT64_C(17)));
-        count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(64), INT64_C(10))) < 0.5)
+        count = shortest_between(INT64_C(0), between, rest, axis, work);
+        if (count == INT64_C(0))
         {
-            missed = span_max(missed, 1.0);
+            count = braked_ramps(rest, axis, between, work);
         }
-        if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
+        if (count <= INT64_C(0))
         {
-            missed = 2.0;
+            return INT64_C(0);
         }
+        count = passing_either_way(count, between, rest, axis, work);
     }
-    else
+    if (spent + total_duration(between, count) >= longest)
     {
-        rest = span_row(&work, INT64_C(60));
-        longest = short_window(total_duration(phases, count), asked, axis, rest);
-        if (longest > 0.0)
+        return INT64_C(0);
+    }
+    write_dip(&used, &spent, &y, &v, depth, axis, span_row(&work, INT64_C(63)), phases, work);
+    used = join_phases(between, count, phases, used);
+    write_dip(&count, &spent, &y, &v, depth, axis, span_row(&work, INT64_C(64)), trial, work);
+    reverse_phases(trial, INT64_C(0), count);
+    result = join_phases(trial, count, phases, used);
+    return result;
+}
+static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
+{
+    double middle;
+    double best;
+    int64_t sweep;
+    int64_t i;
+    double depth;
+    double longest;
+    int64_t taken;
+    if (!set_dips((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis, span_row(&work, INT64_C(63)), work))
+    {
+        return count;
+    }
+    if (!set_dips((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis, span_row(&work, INT64_C(64)), work))
+    {
+        return count;
+    }
+    if ((*cspan_at(&work, INT64_C(63), INT64_C(2))) + (*cspan_at(&work, INT64_C(64), INT64_C(2))) == 0.0)
+    {
+        return count;
+    }
+    middle = 0.5;
+    best = -1.0;
+    for (sweep = INT64_C(0); sweep < INT64_C(3); sweep += INT64_C(1))
+    {
+        for (i = -INT64_C(2); i < INT64_C(3); i += INT64_C(1))
         {
-            count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
-            if (total_duration(phases, count) > longest)
+            depth = middle + 0.25 * i / pow(2.0, (double)(sweep));
+            if ((sweep > INT64_C(0)) && ((span_floor_mod(i, INT64_C(2)) == INT64_C(0)) || (depth < 0.0) || (depth > 1.0)))
             {
-                missed = 2.0;
+                continue;
+            }
+            longest = total_duration(phases, count) * (1.0 - 1e-09);
+            taken = dipped_profile(depth, longest, phases, asked, axis, work);
+            if (taken > INT64_C(0))
+            {
+                count = taken;
+                best = depth;
             }
         }
-        if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && (!ramps_suffice(axis)))
+        if (best < 0.0)
         {
-            count = passing_either_way(count, phases, asked, axis, work);
+            break;
         }
+        middle = best;
     }
-    linear = (*cspan_at(&axis, INT64_C(12))) <= (*cspan_at(&axis, INT64_C(3)));
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5) && linear)
-    {
-        trial = span_rows(&work, INT64_C(0), INT64_C(21));
-        count = shorter_cruise(count, phases, asked, axis, trial);
-    }
-    if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
-    {
-        missed = 2.0;
-    }
-    (*cspan_at(&family, INT64_C(18))) = missed;
     return count;
 }
-int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    int64_t result;
-    begin_search(problem, axis, work);
-    result = begun_profile(axis, phases, work);
-    return result;
+    array_double_1d passing;
+    double duration;
+    int64_t i;
+    double acceleration;
+    int64_t q;
+    passing = span_row(&work, INT64_C(101));
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&passing, i)) = 0.0;
+    }
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
+    (*cspan_at(&passing, INT64_C(2))) = pace;
+    (*cspan_at(&passing, INT64_C(3))) = duration;
+    acceleration = (*cspan_at(&axis, INT64_C(3)));
+    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(10))));
+    (*cspan_at(&passing, INT64_C(4))) = acceleration;
+    (*cspan_at(&passing, INT64_C(5))) = duration;
+    (*cspan_at(&passing, INT64_C(6))) = 1.0;
+    q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
+    set_alternating(sign, 0.6 * duration / q, work);
 }
-static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    int64_t result;
-    begin_search(problem, axis, work);
-    (*cspan_at(&work, INT64_C(64), INT64_C(11))) = 1.0;
-    result = begun_profile(axis, phases, work);
-    return result;
+    int64_t count;
+    int64_t end;
+    set_extreme(sign, pace, problem, axis, work);
+    if (!solve_sequence(problem, axis, work))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    keep_sequence(INT64_C(158), work);
+    if (!tighten(1e+300, problem, axis, work))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    count = write_sequence(phases, problem, axis, work);
+    end = INT64_C(102) + (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(1);
+    (*result_0) = count;
+    (*result_1_0001) = (*cspan_at(&work, end, INT64_C(0)));
+    return 0;
+}
+static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_1d nearest;
+    double distance;
+    double known;
+    int64_t i;
+    double sign;
+    int64_t found;
+    array_double_2d phases;
+    int64_t attempt;
+    double pace;
+    int64_t count;
+    double reached;
+    problem = span_row(&work, INT64_C(59));
+    nearest = span_row(&work, INT64_C(58));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    known = (*cspan_at(&nearest, INT64_C(4)));
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        sign = 2.0 * i - 1.0;
+        if (known < 0.0)
+        {
+            sign = -sign;
+        }
+        found = INT64_C(0);
+        phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+        if (sign > 0.0)
+        {
+            found = INT64_C(2);
+            phases = span_rows(&cell, INT64_C(33), INT64_C(66));
+        }
+        (*cspan_at(&nearest, found)) = 0.0;
+        for (attempt = INT64_C(0); attempt < INT64_C(3); attempt += INT64_C(1))
+        {
+            pace = 1.0 - 0.2 * attempt;
+            extreme_form(&count, &reached, sign, pace, phases, problem, axis, work);
+            if ((count > INT64_C(0)) && (sign * reached >= sign * distance))
+            {
+                (*cspan_at(&nearest, found)) = count;
+                (*cspan_at(&nearest, found + INT64_C(1))) = reached;
+                break;
+            }
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(35))) < 1.5))
+            {
+                return 0;
+            }
+        }
+        if (((*cspan_at(&nearest, found)) == 0.0) && (sign != known))
+        {
+            return 0;
+        }
+    }
+    return 1;
 }
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
 {
@@ -14391,7 +14247,7 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     int64_t member;
     phases = span_rows(&work, INT64_C(0), INT64_C(21));
     ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    family = span_row(&work, INT64_C(61));
+    family = span_row(&work, INT64_C(98));
     usual = usual_duration(problem, axis);
     for (form = INT64_C(0); form < INT64_C(5); form += INT64_C(1))
     {
@@ -14797,6 +14653,358 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
     }
     return count;
 }
+static double least_lever(double c, double gain, array_double_1d axis)
+{
+    double top;
+    double jerk;
+    double rise;
+    double rest;
+    double hold;
+    if (gain <= 0.0)
+    {
+        return 0.0;
+    }
+    top = (*cspan_at(&axis, INT64_C(3)));
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    rise = (top - c) / jerk;
+    rest = gain - (c + 0.5 * jerk * rise) * rise;
+    if (rest <= 0.0)
+    {
+        rise = (sqrt(c * c + 2.0 * jerk * gain) - c) / jerk;
+        rest = 0.0;
+    }
+    hold = rest / top;
+    return (0.5 * c + jerk * rise / 3.0) * rise * rise + rest * (rise + 0.5 * hold);
+}
+static double early_window(double duration, array_double_1d problem, array_double_1d axis)
+{
+    double sign;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double gain;
+    double single;
+    double slope;
+    double jerk;
+    double first;
+    double last;
+    double late;
+    double early;
+    double rounding;
+    double least;
+    double most;
+    double slowest;
+    double fastest;
+    sign = 1.0;
+    if ((*cspan_at(&problem, INT64_C(1))) + (*cspan_at(&problem, INT64_C(3))) < 0.0)
+    {
+        sign = -1.0;
+    }
+    v = sign * (*cspan_at(&problem, INT64_C(0)));
+    a = sign * (*cspan_at(&problem, INT64_C(1)));
+    w = sign * (*cspan_at(&problem, INT64_C(2)));
+    b = sign * (*cspan_at(&problem, INT64_C(3)));
+    distance = sign * (*cspan_at(&problem, INT64_C(4)));
+    gain = w - v;
+    if ((a < 0.0) || (b < 0.0) || (a + b == 0.0) || ((*cspan_at(&axis, INT64_C(0))) < 3.0))
+    {
+        return 0.0;
+    }
+    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
+    if (gain < 0.5 * (a + b) * single * (1.0 - 1e-12))
+    {
+        return 0.0;
+    }
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    first = 0.0;
+    last = 0.0;
+    late = 0.0;
+    early = 0.0;
+    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.0))
+    {
+        first = 0.5 * a * a / jerk;
+        last = 0.5 * b * b / jerk;
+        late = least_lever(b, gain - first, axis) - a * first / (3.0 * jerk);
+        early = least_lever(a, gain - last, axis) - b * last / (3.0 * jerk);
+    }
+    rounding = 1e-09 * (fabs(distance) + fabs(late) + fabs(early));
+    late = late - rounding;
+    early = early - rounding;
+    least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
+    most = duration;
+    slowest = v + first;
+    fastest = w - last;
+    if (slowest > 0.0)
+    {
+        most = span_min(most, (distance - late) / slowest);
+    }
+    else if (slowest < 0.0)
+    {
+        least = span_max(least, (distance - late) / slowest);
+    }
+    else if (late > distance)
+    {
+        return 0.0;
+    }
+    if (fastest > 0.0)
+    {
+        least = span_max(least, (distance + early) / fastest);
+    }
+    else if (fastest < 0.0)
+    {
+        most = span_min(most, (distance + early) / fastest);
+    }
+    else if (distance + early > 0.0)
+    {
+        return 0.0;
+    }
+    if (most < least * (1.0 - 1e-09))
+    {
+        return 0.0;
+    }
+    return span_min(most * (1.0 + 1e-09), duration);
+}
+static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest)
+{
+    double a;
+    double b;
+    int64_t i;
+    double spent;
+    double slope;
+    double distance;
+    double longest;
+    double result;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    if (a * b >= 0.0)
+    {
+        result = early_window(duration, problem, axis);
+        return result;
+    }
+    if (span_min(fabs(a), fabs(b)) > 0.2 * span_max(fabs(a), fabs(b)))
+    {
+        return 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&rest, i)) = (*cspan_at(&problem, i));
+    }
+    if (fabs(a) < fabs(b))
+    {
+        segfmu_ramp_duration(&spent, &slope, fabs(a), axis);
+        distance = ramp_distance((*cspan_at(&problem, INT64_C(0))), a, 0.0, spent, spent, axis);
+        (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) + 0.5 * a * spent;
+        (*cspan_at(&rest, INT64_C(1))) = 0.0;
+    }
+    else
+    {
+        segfmu_ramp_duration(&spent, &slope, fabs(b), axis);
+        (*cspan_at(&rest, INT64_C(2))) = (*cspan_at(&problem, INT64_C(2))) - 0.5 * b * spent;
+        distance = ramp_distance((*cspan_at(&rest, INT64_C(2))), 0.0, b, spent, spent, axis);
+        (*cspan_at(&rest, INT64_C(3))) = 0.0;
+    }
+    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4))) - distance;
+    longest = early_window(duration - spent, rest, axis);
+    if (longest > 0.0)
+    {
+        return longest + spent;
+    }
+    return 0.0;
+}
+static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
+    (*cspan_at(&work, INT64_C(98), INT64_C(18))) = 0.0;
+    (*cspan_at(&work, INT64_C(98), INT64_C(17))) = 1e+300;
+    (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 0.0;
+}
+static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    array_double_1d asked;
+    int64_t count;
+    asked = span_row(&work, INT64_C(59));
+    begin_search(problem, axis, work);
+    if (is_done(asked))
+    {
+        return INT64_C(0);
+    }
+    count = shortest_between(INT64_C(0), phases, asked, axis, work);
+    if (count == INT64_C(0))
+    {
+        count = braked_ramps(asked, axis, phases, work);
+    }
+    return count;
+}
+static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    double free;
+    int64_t status;
+    double longest;
+    bool settled;
+    bool passing;
+    int64_t last;
+    int64_t count;
+    double window;
+    int64_t result;
+    free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+    status = braked_ramps(asked, axis, phases, work);
+    longest = usual_duration(asked, axis);
+    if (status > INT64_C(0))
+    {
+        settled = 0;
+        if ((*cspan_at(&axis, INT64_C(35))) > 0.5)
+        {
+            status = passing_either_way(status, phases, asked, axis, work);
+            settled = ((*cspan_at(&work, INT64_C(101), INT64_C(10))) > 0.5) && ramps_suffice(axis);
+        }
+        longest = total_duration(phases, status);
+        if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
+        {
+            return status;
+        }
+    }
+    passing = (*cspan_at(&asked, INT64_C(1))) * (*cspan_at(&asked, INT64_C(3))) <= 0.0;
+    if (is_resting(asked, axis) || (passing && (status < INT64_C(0)) && (status != -INT64_C(3))))
+    {
+        return status;
+    }
+    last = INT64_C(6);
+    count = span_max_int(status, INT64_C(0));
+    window = short_window(longest, asked, axis, span_row(&work, INT64_C(60)));
+    if (window > 0.0)
+    {
+        count = loop_form(last, count, window, phases, asked, axis, work);
+    }
+    else if ((status > INT64_C(0)) && ramps_suffice(axis))
+    {
+        last = INT64_C(2);
+    }
+    if ((count == INT64_C(0)) || (total_duration(phases, count) >= longest))
+    {
+        count = loop_form(last, count, longest, phases, asked, axis, work);
+    }
+    if (count == INT64_C(0))
+    {
+        return status;
+    }
+    if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    {
+        result = passing_either_way(count, phases, asked, axis, work);
+        return result;
+    }
+    return count;
+}
+static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    double free;
+    int64_t status;
+    free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+    status = usual_braked(asked, axis, phases, work);
+    if ((status > INT64_C(0)) && (!ramps_suffice(axis)) && (total_duration(phases, status) > 1.05 * free))
+    {
+        status = shorter_dipped(status, phases, asked, axis, work);
+        return status;
+    }
+    return status;
+}
+static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
+{
+    bool result;
+    if (duration > 1.3 * free)
+    {
+        return 1;
+    }
+    if (early_window(duration, asked, axis) > 0.0)
+    {
+        return 1;
+    }
+    if (nearly_brakes((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis))
+    {
+        return 1;
+    }
+    result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
+    return result;
+}
+static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    array_double_1d asked;
+    array_double_1d family;
+    double missed;
+    double free;
+    array_double_1d rest;
+    double longest;
+    bool linear;
+    array_double_2d trial;
+    int64_t count;
+    asked = span_row(&work, INT64_C(59));
+    family = span_row(&work, INT64_C(98));
+    (*cspan_at(&work, INT64_C(101), INT64_C(10))) = 1.0;
+    if (is_done(asked))
+    {
+        return INT64_C(0);
+    }
+    count = shortest_between(INT64_C(0), phases, asked, axis, work);
+    missed = 2.0 * (*cspan_at(&family, INT64_C(18)));
+    if (count == INT64_C(0))
+    {
+        free = (*cspan_at(&family, INT64_C(17)));
+        count = shortest_braked(asked, axis, phases, work);
+        if ((*cspan_at(&work, INT64_C(101), INT64_C(10))) < 0.5)
+        {
+            missed = span_max(missed, 1.0);
+        }
+        if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
+        {
+            missed = 2.0;
+        }
+    }
+    else
+    {
+        rest = span_row(&work, INT64_C(60));
+        longest = short_window(total_duration(phases, count), asked, axis, rest);
+        if (longest > 0.0)
+        {
+            count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
+            if (total_duration(phases, count) > longest)
+            {
+                missed = 2.0;
+            }
+        }
+        if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && (!ramps_suffice(axis)))
+        {
+            count = passing_either_way(count, phases, asked, axis, work);
+        }
+    }
+    linear = (*cspan_at(&axis, INT64_C(12))) <= (*cspan_at(&axis, INT64_C(3)));
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5) && linear)
+    {
+        trial = span_rows(&work, INT64_C(0), INT64_C(21));
+        count = shorter_cruise(count, phases, asked, axis, trial);
+    }
+    if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
+    {
+        missed = 2.0;
+    }
+    (*cspan_at(&family, INT64_C(18))) = missed;
+    return count;
+}
+int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t result;
+    begin_search(problem, axis, work);
+    result = begun_profile(axis, phases, work);
+    return result;
+}
+static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t result;
+    begin_search(problem, axis, work);
+    (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 1.0;
+    result = begun_profile(axis, phases, work);
+    return result;
+}
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_2d trial;
@@ -14805,7 +15013,7 @@ static void timed_merged(array_double_1d problem, array_double_1d axis, array_do
     int64_t member;
     int64_t count;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    family = span_row(&work, INT64_C(61));
+    family = span_row(&work, INT64_C(98));
     for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
     {
         if (same_members(branch, problem, family))
@@ -14901,7 +15109,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     double lowest;
     double highest;
     problem = span_row(&work, INT64_C(59));
-    gentle = span_row(&work, INT64_C(63));
+    gentle = span_row(&work, INT64_C(100));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     target = (*cspan_at(&problem, INT64_C(5)));
     velocity = (*cspan_at(&axis, INT64_C(2)));
@@ -15065,7 +15273,7 @@ static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1
     {
         return INT64_C(0);
     }
-    backwards = (*cspan_at(&work, INT64_C(64), INT64_C(7))) > 0.5;
+    backwards = (*cspan_at(&work, INT64_C(101), INT64_C(7))) > 0.5;
     if (backwards)
     {
         reverse_problem(problem);
@@ -15429,7 +15637,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
     int64_t j;
     double time;
     int64_t status;
-    report = span_row(&work, INT64_C(62));
+    report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(0))) = axis;
     missed = 0.0;
     if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
@@ -15450,10 +15658,10 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        missed = span_max(missed, (*cspan_at(&work, INT64_C(61), INT64_C(18))));
+        missed = span_max(missed, (*cspan_at(&work, INT64_C(98), INT64_C(18))));
         note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
     }
-    (*cspan_at(&work, INT64_C(61), INT64_C(18))) = missed;
+    (*cspan_at(&work, INT64_C(98), INT64_C(18))) = missed;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -15533,7 +15741,7 @@ static void plan_steeper(double missed, int64_t axis, array_double_2d axes, arra
         {
             share = moderate_share();
         }
-        missed = span_min(missed, (*cspan_at(&work, INT64_C(61), INT64_C(18))));
+        missed = span_min(missed, (*cspan_at(&work, INT64_C(98), INT64_C(18))));
     }
     if (missed > 1.5)
     {
@@ -15566,7 +15774,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
         status = plan_refused(axis, axes, cells, work);
         return status;
     }
-    missed = (*cspan_at(&work, INT64_C(61), INT64_C(18)));
+    missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
     if ((status == INT64_C(0)) && (missed > 0.5))
     {
         plan_steeper(missed, axis, axes, cells, work);
@@ -15820,8 +16028,8 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
         {
             end = j + last - first;
             time = common_duration(0.0, sample_time, j, end, axes, cells, work);
-            (*cspan_at(&work, INT64_C(62), INT64_C(0))) = first;
-            (*cspan_at(&work, INT64_C(62), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
+            (*cspan_at(&work, INT64_C(99), INT64_C(0))) = first;
+            (*cspan_at(&work, INT64_C(99), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
             if (time < 0.0)
             {
                 return -1.0;
@@ -15847,7 +16055,7 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     int64_t axis;
     double total;
     double target;
-    report = span_row(&work, INT64_C(62));
+    report = span_row(&work, INT64_C(99));
     synchronization = (int64_t)((*cspan_at(&options, INT64_C(2))));
     duration = (*cspan_at(&options, INT64_C(4)));
     group = INT64_C(1);
@@ -15907,7 +16115,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t shape;
     int64_t axis;
     int64_t status;
-    report = span_row(&work, INT64_C(62));
+    report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
     if (((*cspan_at(&report, INT64_C(2))) > 0.0) && (!((1e-09 <= (*cspan_at(&report, INT64_C(2)))) && ((*cspan_at(&report, INT64_C(2))) <= 1000000.0))))
     {
@@ -18301,7 +18509,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     }
     problem = span_row(&lead, INT64_C(11));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(237)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(274)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -18324,7 +18532,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(237), INT64_C(241));
+    expansion = span_rows(&lead, INT64_C(274), INT64_C(278));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -18443,9 +18651,9 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     chain = span_row(&lead, INT64_C(46) + seen);
     problem = span_row(&lead, INT64_C(11));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    plan = span_rows(&lead, INT64_C(53), INT64_C(237));
+    plan = span_rows(&lead, INT64_C(53), INT64_C(274));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
-    passing = span_row(&plan, INT64_C(64));
+    passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
     (*cspan_at(&lead, INT64_C(7), seen + INT64_C(2))) = 1e+300;
     if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
@@ -18568,7 +18776,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(237)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(274)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -18632,7 +18840,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(241), INT64_C(286));
+    check = span_rows(&lead, INT64_C(278), INT64_C(323));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -19665,9 +19873,9 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(186), INT64_C(190)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(223), INT64_C(227)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(190), INT64_C(235)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(227), INT64_C(272)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -19678,8 +19886,8 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(186));
-    status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(62)));
+    planner = span_rows(&work, INT64_C(2), INT64_C(223));
+    status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(99)));
     if (status == INT64_C(0))
     {
         status = segfmu_plan_phases(states, dwells, limits, span_row(&work, INT64_C(0)), axes, cells, planner);

@@ -8,9 +8,15 @@ exists (docs/planner.md).
 """
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
-from segfmu.kernels.planner.dip import brake_by_dip
+from segfmu.kernels.planner.dip import find_dips, write_dip
 from segfmu.kernels.planner.parameters import saving
-from segfmu.kernels.planner.phases import append_change, copy_phases, measure_phases, reverse_phases
+from segfmu.kernels.planner.phases import (
+    append_change,
+    copy_phases,
+    join_phases,
+    measure_phases,
+    reverse_phases,
+)
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanWork, Problem
@@ -118,7 +124,10 @@ def brake(
         count = append_change(phases, count, level, past, axis)
         duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
         level = past
-    return brake_by_dip(v, a, axis, phases, work)
+    dips = work[PlanWork.DIP, :]
+    if find_dips(v, a, axis, dips, work):
+        return write_dip(0.0, axis, dips, phases, work)
+    return -1, 0.0, 0.0, 0.0
 
 
 def nearly_brakes(v: float, a: float, axis: 'float[:]') -> bool:
@@ -195,8 +204,5 @@ def surround(
         w = problem[Problem.W]
         last, duration, y, end = brake(w, -problem[Problem.B], axis, trial, work)
         reverse_phases(trial, 0, last)
-        for i in range(last):
-            for column in range(Phase.SIZE):
-                phases[count + i, column] = trial[i, column]
-        count = count + last
+        count = join_phases(trial, last, phases, count)
     return count

@@ -12,9 +12,10 @@ velocity is gained, and the lower the acceleration falls.
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.excess import measure_excess
-from segfmu.kernels.planner.phases import append_hold, mirror_phases
+from segfmu.kernels.planner.parameters import ramps_suffice
+from segfmu.kernels.planner.phases import append_hold, boundary_value, mirror_phases
 from segfmu.kernels.planner.ramp import ramp_duration
-from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, Phase, PlanWork
+from segfmu.kernels.planner.records import Axis, Dip, Excess, Node, Passing, Phase, PlanWork
 from segfmu.kernels.planner.sequence import advance, pass_node, sequence_duration, set_level
 
 
@@ -120,44 +121,81 @@ def close_dip(first: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
     return True
 
 
-def find_dip(least: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
-    """Set about the least dip that keeps the limits; False if none does.
-
-    least: its first level takes more time [s].
-    """
+def judge_dip(first: float, axis: 'float[:]', work: 'float[:,:]') -> 'tuple[bool, bool]':
+    """Set the dip whose first level takes the time `first` [s]: is it too shallow, or too deep."""
     excess = work[PlanWork.EXCESS:PlanWork.RESIDUAL, :]
-    shallow = least
-    deep = 1e300
+    if not close_dip(first, axis, work):
+        return True, False
+    if not measure_excess(axis, work):
+        return False, False
+    fast = excess[1, Excess.SHARE] > 0.0
+    shallow = fast and excess[1, Excess.SIGN] > 0.0
+    deep = fast and not shallow
+    for order in range(2, 4):
+        deep = deep or excess[order, Excess.SHARE] > 0.0
+    return shallow, deep
+
+
+def find_edge(
+    deepest: bool, lower: float, axis: 'float[:]', work: 'float[:,:]'
+) -> float:
+    """The time [s] of the first level of about the least, or the deepest, dip within the limits.
+
+    It is more than `lower`. -1: there is none.
+    """
+    accuracy = 1e-3
+    if deepest:
+        accuracy = 0.01
+    upper = 1e300
     found = -1.0
     for i in range(60):
-        first = 2.0 * shallow
-        if deep < 1e300:
-            first = 0.5 * (shallow + deep)
-        high = not close_dip(first, axis, work)
-        low = False
-        if not high and measure_excess(axis, work):
-            fast = excess[1, Excess.SHARE] > 0.0
-            high = fast and excess[1, Excess.SIGN] > 0.0
-            low = fast and not high
-            for order in range(2, 4):
-                low = low or excess[order, Excess.SHARE] > 0.0
-        if high and low:
+        first = 2.0 * lower
+        if upper < 1e300:
+            first = 0.5 * (lower + upper)
+        shallow, deep = judge_dip(first, axis, work)
+        if shallow and deep:
             break
-        if high:
-            shallow = first
+        if not shallow and not deep:
+            found = first
+        if shallow or (deepest and not deep):
+            lower = first
         else:
-            deep = first
-            if not low:
-                found = first
-        if deep - shallow <= 1e-12 * deep or (found > 0.0 and deep - shallow <= 1e-3 * deep):
+            upper = first
+        if upper - lower <= 1e-12 * upper or (found > 0.0 and upper - lower <= accuracy * upper):
             break
-    if found < 0.0:
+    return found
+
+
+def find_dips(v: float, a: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> bool:
+    """Set the dips (Dip) from (v, a) that keep the limits; False if there are none.
+
+    With levels of the derivative that passing profiles have, or else of one below. With the snap as
+    the highest limit, ramps of the acceleration do the same.
+    """
+    sign = 1.0
+    if a < 0.0:
+        sign = -1.0
+    duration, slope = ramp_duration(abs(a), axis)
+    # a ramp gains 0.5 of this, and every motion 0.4, which is that with a limit of the pop alone
+    gain = 0.37 * abs(a) * duration
+    if ramps_suffice(axis) or sign * v + gain > axis[Axis.VELOCITY]:
         return False
-    return close_dip(found, axis, work)
+    dips[Dip.V] = v
+    dips[Dip.A] = a
+    for lower in range(int(axis[Axis.ABOVE])):
+        above = int(axis[Axis.ABOVE]) - lower
+        dips[Dip.ABOVE] = above
+        begin_dip(above, sign * v, abs(a), work)
+        dips[Dip.LEAST] = find_edge(False, 0.02 * duration, axis, work)
+        if dips[Dip.LEAST] > 0.0:
+            deepest = find_edge(True, dips[Dip.LEAST], axis, work)
+            dips[Dip.DEEPEST] = max(deepest, dips[Dip.LEAST])
+            return True
+    return False
 
 
-def write_dip(phases: 'float[:,:]', work: 'float[:,:]') -> int:
-    """Write a dip as phases; returns their number, at most 7."""
+def write_levels(phases: 'float[:,:]', work: 'float[:,:]') -> int:
+    """Write the levels of a dip as phases; returns their number, at most 7."""
     above = work[PlanWork.PASSING, Passing.ABOVE]
     level = 0.0
     used = 0
@@ -177,32 +215,26 @@ def write_dip(phases: 'float[:,:]', work: 'float[:,:]') -> int:
     return used
 
 
-def brake_by_dip(
-    v: float, a: float, axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+def write_dip(
+    depth: float, axis: 'float[:]', dips: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> 'tuple[int, float, float, float]':
-    """Phases of a dip from (v, a) to zero acceleration; their number (-1: none keeps the limits).
+    """Write the dip to zero acceleration between the least (depth 0) and the deepest one (1).
 
-    Also returns duration, distance and end velocity. Only where passing profiles have levels of the
-    snap: else ramps of the acceleration need less than 2 % more than the least velocity.
+    Returns the number of its phases (0: there are no dips), duration, distance and end velocity.
     """
-    limit = axis[Axis.VELOCITY]
+    above = int(dips[Dip.ABOVE])
+    if above == 0:
+        return 0, 0.0, 0.0, dips[Dip.V]
     sign = 1.0
-    if a < 0.0:
+    if dips[Dip.A] < 0.0:
         sign = -1.0
-    duration, slope = ramp_duration(abs(a), axis)
-    # with the highest limit alone, a ramp gains 0.5 of this, and every motion 0.4
-    if axis[Axis.ABOVE] < 1.5 or sign * v + 0.3 * abs(a) * duration > limit:
-        return -1, 0.0, 0.0, 0.0
-    for above in range(1, 3):
-        begin_dip(above, sign * v, abs(a), work)
-        if find_dip(0.02 * duration, axis, work):
-            nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
-            end = nodes[above + 2, Node.STATE + 1]
-            if abs(end) > limit * (1.0 + 1e-12):
-                continue
-            count = write_dip(phases, work)
-            if sign < 0.0:
-                mirror_phases(phases, count)
-            spent = sequence_duration(work[PlanWork.PASSING, :], nodes)
-            return count, spent, sign * nodes[above + 2, Node.STATE], sign * end
-    return -1, 0.0, 0.0, 0.0
+    begin_dip(above, sign * dips[Dip.V], abs(dips[Dip.A]), work)
+    close_dip(dips[Dip.LEAST] + depth * (dips[Dip.DEEPEST] - dips[Dip.LEAST]), axis, work)
+    count = write_levels(phases, work)
+    if sign < 0.0:
+        mirror_phases(phases, count)
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    duration = sequence_duration(work[PlanWork.PASSING, :], nodes)
+    y = sign * nodes[above + 2, Node.STATE]
+    v = boundary_value(sign * nodes[above + 2, Node.STATE + 1], axis[Axis.VELOCITY])
+    return count, duration, y, v

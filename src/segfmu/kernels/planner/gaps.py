@@ -9,10 +9,10 @@ the duration over a family.
 from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
+from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.phases import valid_duration
-from segfmu.kernels.planner.profile import usual_duration
 from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
 
 

@@ -86,6 +86,16 @@ def copy_phases(source: 'float[:,:]', target: 'float[:,:]', count: int) -> None:
             target[i, column] = source[i, column]
 
 
+def join_phases(
+    source: 'float[:,:]', count: int, phases: 'float[:,:]', used: int
+) -> int:
+    """Append the first `count` rows of another list to the first `used` ones; their number."""
+    for i in range(count):
+        for column in range(Phase.SIZE):
+            phases[used + i, column] = source[i, column]
+    return used + count
+
+
 def mirror_phases(phases: 'float[:,:]', count: int) -> None:
     """The same motion in the other direction."""
     for i in range(count):

@@ -241,6 +241,16 @@ class Node(Record):
     RAMP = field("duration of the ramp", "s")
 
 
+class Dip(Record):
+    """Dips (dip.py) from a state that keep the limits."""
+
+    V = field("velocity of the state", "m/s")
+    A = field("its acceleration", "m/s2")
+    ABOVE = field("order of the derivative that has levels, less 2; 0: there are no dips")
+    LEAST = field("time of the first level of the least dip", "s")
+    DEEPEST = field("the same of the deepest one", "s")
+
+
 class Passing(Record):
     """A sequence of nodes, and what its equations are measured in."""
 
@@ -348,6 +358,11 @@ class PlanWork(Record):
     NEAREST = field("profiles next to the distance", of=Nearest)
     PROBLEM = field("boundary problem without rounding errors at the limits", of=Problem)
     REST = field("boundary problem that braking leaves", of=Problem)
+    DIPPED = field("boundary problem that dips leave", of=Problem)
+    DIP = field("dips that braking tries", of=Dip)
+    DIP_FIRST = field("dips at the start of a profile", of=Dip)
+    DIP_LAST = field("dips at its end, the time reversed", of=Dip)
+    DIP_PHASES = field("phases between them", size=33, of=Phase)
     FAMILY = field("canonical family", of=Family)
     REFUSAL = field("of a plan that is refused", of=Refusal)
     GENTLE = field("three slow ramps", of=Gentle)
