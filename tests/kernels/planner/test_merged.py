@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
-from segfmu import Limits, Trajectory, Waypoint, plan, verify
+from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, verify
 
 pytestmark = pytest.mark.interpreted
 
@@ -34,3 +35,31 @@ def test_the_peak_of_velocity_comes_up_to_its_limit(limits, state) -> None:
     # no cruise holds the velocity: the limit is touched in passing
     _, lengths, coefficients = trajectory.pieces(0)
     assert coefficients[lengths > 1e-6, 2:].any(axis=1).all()
+
+
+@pytest.mark.parametrize("kind", ["same", "near", "velocity", "acceleration"])
+def test_a_smoother_plan_is_not_shorter(kind: str) -> None:
+    """Short motions between states of opposite velocities, which have several merged forms."""
+    rng = np.random.default_rng(5)
+    planned = 0
+    for _ in range(400):
+        limits = 10.0 ** rng.uniform(-1.0, 1.0, 3)
+        v = rng.choice([0.1, 0.5, 0.9]) * limits[0]
+        a = rng.choice([-0.5, 0.5, -0.9, 0.7]) * limits[1]
+        w, b = -v, a
+        if kind == "near":
+            w *= 1.0 + rng.uniform(-0.01, 0.01)
+        elif kind == "velocity":
+            w = rng.uniform(-1.0, 1.0) * limits[0]
+        elif kind == "acceleration":
+            b = rng.uniform(-1.0, 1.0) * limits[1]
+        distance = 10.0 ** rng.uniform(-6.0, 0.0) * rng.choice([-1.0, 1.0]) * limits[0]
+        points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
+        try:
+            smooth = plan(points, Limits(*limits.tolist()), smoothness=3)
+        except InfeasibleError:
+            continue
+        planned += 1
+        found = plan(points, Limits(*limits.tolist()), smoothness=2)
+        assert found.duration <= smooth.duration * (1.0 + 1e-9), points
+    assert planned > 150

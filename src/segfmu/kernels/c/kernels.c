@@ -310,8 +310,10 @@ static int64_t fit_duration(array_double_2d phases, int64_t count, double target
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
+static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis);
+static double rising_member(double f_start, double end, array_double_1d family, array_double_1d axis);
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
-static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
+static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
 static bool only_farther(array_double_1d family);
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
 static void note_near_gain(array_double_1d family, array_double_1d axis);
@@ -10621,6 +10623,93 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     }
     return newest;
 }
+static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis)
+{
+    double shrink;
+    double p;
+    double q;
+    double f_p;
+    double duration;
+    double f_q;
+    int64_t i;
+    shrink = 0.6180339887498949;
+    p = upper - shrink * (upper - lower);
+    q = lower + shrink * (upper - lower);
+    canonical_value(&f_p, &duration, p, family, axis);
+    canonical_value(&f_q, &duration, q, family, axis);
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(14))))
+        {
+            break;
+        }
+        if (f_p >= f_q)
+        {
+            upper = q;
+            q = p;
+            f_q = f_p;
+            p = upper - shrink * (upper - lower);
+            canonical_value(&f_p, &duration, p, family, axis);
+        }
+        else
+        {
+            lower = p;
+            p = q;
+            f_p = f_q;
+            q = lower + shrink * (upper - lower);
+            canonical_value(&f_q, &duration, q, family, axis);
+        }
+    }
+    if (f_p >= f_q)
+    {
+        (*result_0_0001) = p;
+        (*result_1_0001) = f_p;
+        return 0;
+    }
+    (*result_0_0001) = q;
+    (*result_1_0001) = f_q;
+    return 0;
+}
+static double rising_member(double f_start, double end, array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double step;
+    double before;
+    double f_lower;
+    int64_t i;
+    double value;
+    double duration;
+    double bend;
+    double p;
+    double highest;
+    double result;
+    target = (*cspan_at(&family, INT64_C(14)));
+    step = 0.125 * end;
+    before = f_start;
+    f_lower = f_start;
+    for (i = INT64_C(1); i < INT64_C(9); i += INT64_C(1))
+    {
+        canonical_value(&value, &duration, i * step, family, axis);
+        if ((value >= target) && (value > f_lower))
+        {
+            result = bracketed_root((i - INT64_C(1)) * step, i * step, f_lower, value, family, axis);
+            return result;
+        }
+        bend = 2.0 * f_lower - before - value;
+        if ((i > INT64_C(1)) && (f_lower >= span_max(before, value)) && (target <= f_lower + 0.25 * bend))
+        {
+            highest_member(&p, &highest, (i - INT64_C(2)) * step, i * step, family, axis);
+            if ((highest >= target) && (highest > before))
+            {
+                result = bracketed_root((i - INT64_C(2)) * step, p, before, highest, family, axis);
+                return result;
+            }
+        }
+        before = f_lower;
+        f_lower = value;
+    }
+    return -1.0;
+}
 static void note_near(double y, double duration, array_double_1d family, array_double_1d axis)
 {
     double speed;
@@ -10631,59 +10720,39 @@ static void note_near(double y, double duration, array_double_1d family, array_d
         (*cspan_at(&family, INT64_C(18))) = 1.0;
     }
 }
-static int64_t first_window(double* result_0, double* result_1_0001, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
+static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
 {
     double target;
-    int64_t samples;
-    double lower;
-    double f_lower;
-    int64_t i;
-    double p;
     double value;
     double duration;
     double end;
     double going_on;
+    double p;
     target = (*cspan_at(&family, INT64_C(14)));
-    if ((*cspan_at(&family, INT64_C(0))) < 0.0)
-    {
-        samples = INT64_C(8);
-        lower = 0.0;
-        f_lower = f_start;
-        for (i = INT64_C(1); i < samples; i += INT64_C(1))
-        {
-            p = t_zero * i / samples;
-            canonical_value(&value, &duration, p, family, axis);
-            if (duration < 0.0)
-            {
-                break;
-            }
-            if ((value >= target) && (value > f_lower))
-            {
-                (*result_0) = bracketed_root(lower, p, f_lower, value, family, axis);
-                (*result_1_0001) = t_zero;
-                return 0;
-            }
-            lower = p;
-            f_lower = value;
-        }
-    }
     canonical_value(&value, &duration, t_zero, family, axis);
     end = t_zero;
+    going_on = t_zero;
     if (duration < 0.0)
     {
         end = window_edge(INT64_C(80), 0.0, t_zero, family, axis);
         canonical_value(&value, &duration, end, family, axis);
+        going_on = -1.0;
     }
-    going_on = -1.0;
-    if (end == t_zero)
+    if ((*cspan_at(&family, INT64_C(0))) < 0.0)
     {
-        going_on = t_zero;
+        p = rising_member(f_start, end, family, axis);
+        if (p >= 0.0)
+        {
+            (*result_0) = p;
+            (*result_1) = going_on;
+            return 0;
+        }
     }
     if ((value >= target) && (value > f_start))
     {
         p = bracketed_root(0.0, end, f_start, value, family, axis);
         (*result_0) = p;
-        (*result_1_0001) = going_on;
+        (*result_1) = going_on;
         return 0;
     }
     if (going_on < 0.0)
@@ -10691,7 +10760,7 @@ static int64_t first_window(double* result_0, double* result_1_0001, double f_st
         note_near(value, duration, family, axis);
     }
     (*result_0) = -1.0;
-    (*result_1_0001) = going_on;
+    (*result_1) = going_on;
     return 0;
 }
 static bool only_farther(array_double_1d family)
@@ -13647,7 +13716,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
     found = -INT64_C(1);
     for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
     {
-        if (((branch == INT64_C(1)) || (branch == INT64_C(3))) && (found == branch - INT64_C(1)) && (attempt == INT64_C(0)))
+        if ((attempt == INT64_C(0)) && (found == branch - INT64_C(1)) && same_members(branch, problem, family))
         {
             continue;
         }

@@ -7,7 +7,7 @@ exists: its distance is continuous in the cruise velocity and unbounded at the t
 
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
-from segfmu.kernels.planner.merged import merged_form, set_family, tempered_form
+from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import (
@@ -89,8 +89,7 @@ def shortest_between(
     shortest = 0.0
     found = -1
     for branch in range(6 - attempt):
-        # the branches of a pair have the same profile, seen from its start or from its end
-        if (branch == 1 or branch == 3) and found == branch - 1 and attempt == 0:
+        if attempt == 0 and found == branch - 1 and same_members(branch, problem, family):
             continue
         # the direct form is never faster
         if branch >= 4 and attempt == 0 and best > 0:

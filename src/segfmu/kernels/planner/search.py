@@ -75,6 +75,61 @@ def bracketed_root(
     return newest
 
 
+def rising_member(
+    f_start: float, end: float, family: 'float[:]', axis: 'float[:]'
+) -> float:
+    """Parameter in (0, end) of a member up to which the distance rises to the target; -1: none.
+
+    It may fall again, even between two samples. f_start is the value of the first member.
+    """
+    target = family[Family.TARGET]
+    step = 0.125 * end
+    before = f_start
+    f_lower = f_start
+    for i in range(1, 9):
+        value, duration = canonical_value(i * step, family, axis)
+        if value >= target and value > f_lower:
+            return bracketed_root((i - 1) * step, i * step, f_lower, value, family, axis)
+        bend = 2.0 * f_lower - before - value
+        if i > 1 and f_lower >= max(before, value) and target <= f_lower + 0.25 * bend:
+            # by a parabola, the highest value of these three is at most an eighth of that higher
+            p, highest = highest_member((i - 2) * step, i * step, family, axis)
+            if highest >= target and highest > before:
+                return bracketed_root((i - 2) * step, p, before, highest, family, axis)
+        before = f_lower
+        f_lower = value
+    return -1.0
+
+
+def highest_member(
+    lower: float, upper: float, family: 'float[:]', axis: 'float[:]'
+) -> 'tuple[float, float]':
+    """Parameter and value of the member of the highest value between two, by golden section."""
+    shrink = 0.6180339887498949
+    p = upper - shrink * (upper - lower)
+    q = lower + shrink * (upper - lower)
+    f_p, duration = canonical_value(p, family, axis)
+    f_q, duration = canonical_value(q, family, axis)
+    for i in range(30):
+        if max(f_p, f_q) >= family[Family.TARGET]:
+            break
+        if f_p >= f_q:
+            upper = q
+            q = p
+            f_q = f_p
+            p = upper - shrink * (upper - lower)
+            f_p, duration = canonical_value(p, family, axis)
+        else:
+            lower = p
+            p = q
+            f_p = f_q
+            q = lower + shrink * (upper - lower)
+            f_q, duration = canonical_value(q, family, axis)
+    if f_p >= f_q:
+        return p, f_p
+    return q, f_q
+
+
 def first_window(
     f_start: float, t_zero: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
@@ -86,27 +141,17 @@ def first_window(
     distance can rise and fall again, so the members between are searched too.
     """
     target = family[Family.TARGET]
-    if family[Family.V] < 0.0:
-        samples = 8
-        lower = 0.0
-        f_lower = f_start
-        for i in range(1, samples):
-            p = t_zero * i / samples
-            value, duration = canonical_value(p, family, axis)
-            if duration < 0.0:
-                break
-            if value >= target and value > f_lower:
-                return bracketed_root(lower, p, f_lower, value, family, axis), t_zero
-            lower = p
-            f_lower = value
     value, duration = canonical_value(t_zero, family, axis)
     end = t_zero
+    going_on = t_zero
     if duration < 0.0:
         end = window_edge(80, 0.0, t_zero, family, axis)
         value, duration = canonical_value(end, family, axis)
-    going_on = -1.0
-    if end == t_zero:
-        going_on = t_zero
+        going_on = -1.0
+    if family[Family.V] < 0.0:
+        p = rising_member(f_start, end, family, axis)
+        if p >= 0.0:
+            return p, going_on
     if value >= target and value > f_start:
         p = bracketed_root(0.0, end, f_start, value, family, axis)
         return p, going_on
