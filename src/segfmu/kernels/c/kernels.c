@@ -371,6 +371,12 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
 static bool nearly_brakes(double v, double a, array_double_1d axis);
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void note_known(array_double_2d work);
+static void clear_nearest(array_double_2d work);
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -391,6 +397,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -399,8 +406,14 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static bool set_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
+static int64_t profile_between(array_double_1d rest, array_double_1d axis, array_double_2d work);
+static int64_t with_dips(double depth, int64_t count, array_double_2d phases, array_double_1d axis, array_double_2d work);
 static int64_t dipped_profile(double depth, double longest, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
+static bool set_both(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
+static void surround_with_dips(int64_t column, double depth, array_double_2d phases, array_double_1d axis, array_double_2d work);
+static double timed_between_dips(array_double_1d rest, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_dipped(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -414,6 +427,7 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
@@ -435,17 +449,10 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void note_known(array_double_2d work);
-static void clear_nearest(array_double_2d work);
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -12979,6 +12986,114 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     }
     return count;
 }
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d family;
+    int64_t branch;
+    int64_t member;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    family = span_row(&work, INT64_C(98));
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        if (same_members(branch, problem, family))
+        {
+            continue;
+        }
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
+        {
+            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
+            count = tempered_form(trial, family, axis);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(count, problem, axis, cell, work);
+        }
+    }
+}
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double v;
+    double w;
+    double distance;
+    double middle;
+    int64_t count;
+    double y;
+    double hold;
+    double edge;
+    double y_edge;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        keep_nearest(count, problem, axis, cell, work);
+        edge = cruise_range(trial, middle, y, hold, problem, axis);
+        y_edge = keep_cruise(edge, problem, axis, cell, work);
+        if (is_enclosed(work))
+        {
+            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
+        }
+    }
+}
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    usual_cruise(problem, axis, cell, work);
+    if (!is_enclosed(work))
+    {
+        scan_cruises(problem, axis, cell, work);
+    }
+    if (!is_enclosed(work))
+    {
+        timed_merged(problem, axis, cell, work);
+    }
+}
+static void note_known(array_double_2d work)
+{
+    array_double_1d nearest;
+    nearest = span_row(&work, INT64_C(58));
+    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
+    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
+    }
+    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
+    }
+}
+static void clear_nearest(array_double_2d work)
+{
+    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
+}
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
+{
+    double distance;
+    double below;
+    double above;
+    double tiny;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    below = (*cspan_at(&nearest, INT64_C(1)));
+    above = (*cspan_at(&nearest, INT64_C(3)));
+    tiny = 1e-14 * (fabs(distance) + (*cspan_at(&axis, INT64_C(2))) * (*cspan_at(&problem, INT64_C(5))));
+    if (above - distance <= tiny)
+    {
+        return 1.0;
+    }
+    if (distance - below > tiny)
+    {
+        return (distance - below) / (above - below);
+    }
+    return 0.0;
+}
 static void append_level(double sign, double time, array_double_2d work)
 {
     int64_t count;
@@ -13630,6 +13745,26 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
     }
     return INT64_C(0);
 }
+static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    bool backwards;
+    if (!is_passing(phases, count, axis))
+    {
+        return INT64_C(0);
+    }
+    backwards = (*cspan_at(&work, INT64_C(101), INT64_C(7))) > 0.5;
+    if (backwards)
+    {
+        reverse_problem(problem);
+    }
+    count = timed_passing(phases, problem, axis, work);
+    if (backwards)
+    {
+        reverse_problem(problem);
+        reverse_phases(phases, INT64_C(0), count);
+    }
+    return count;
+}
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
     double limit;
@@ -13923,48 +14058,85 @@ static double problem_between(double depth, array_double_1d asked, array_double_
     (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&rest, INT64_C(4))) - y;
     return spent + duration;
 }
+static int64_t profile_between(array_double_1d rest, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d phases;
+    int64_t count;
+    int64_t result;
+    phases = span_rows(&work, INT64_C(65), INT64_C(98));
+    if (is_done(rest))
+    {
+        return INT64_C(0);
+    }
+    count = shortest_between(INT64_C(0), phases, rest, axis, work);
+    if (count == INT64_C(0))
+    {
+        count = braked_ramps(rest, axis, phases, work);
+    }
+    if (count <= INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    result = passing_either_way(count, phases, rest, axis, work);
+    return result;
+}
+static int64_t with_dips(double depth, int64_t count, array_double_2d phases, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_2d between;
+    int64_t used;
+    double duration;
+    double y;
+    double v;
+    int64_t last;
+    int64_t result;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    between = span_rows(&work, INT64_C(65), INT64_C(98));
+    write_dip(&used, &duration, &y, &v, depth, axis, span_row(&work, INT64_C(63)), phases, work);
+    used = join_phases(between, count, phases, used);
+    write_dip(&last, &duration, &y, &v, depth, axis, span_row(&work, INT64_C(64)), trial, work);
+    reverse_phases(trial, INT64_C(0), last);
+    result = join_phases(trial, last, phases, used);
+    return result;
+}
 static int64_t dipped_profile(double depth, double longest, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_1d rest;
-    array_double_2d trial;
     array_double_2d between;
     double spent;
     int64_t count;
-    int64_t used;
-    double y;
-    double v;
     int64_t result;
     rest = span_row(&work, INT64_C(61));
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     between = span_rows(&work, INT64_C(65), INT64_C(98));
     spent = problem_between(depth, asked, axis, rest, work);
     if (spent >= longest)
     {
         return INT64_C(0);
     }
-    count = INT64_C(0);
-    if (!is_done(rest))
-    {
-        count = shortest_between(INT64_C(0), between, rest, axis, work);
-        if (count == INT64_C(0))
-        {
-            count = braked_ramps(rest, axis, between, work);
-        }
-        if (count <= INT64_C(0))
-        {
-            return INT64_C(0);
-        }
-        count = passing_either_way(count, between, rest, axis, work);
-    }
-    if (spent + total_duration(between, count) >= longest)
+    count = profile_between(rest, axis, work);
+    if ((count < INT64_C(0)) || (spent + total_duration(between, count) >= longest))
     {
         return INT64_C(0);
     }
-    write_dip(&used, &spent, &y, &v, depth, axis, span_row(&work, INT64_C(63)), phases, work);
-    used = join_phases(between, count, phases, used);
-    write_dip(&count, &spent, &y, &v, depth, axis, span_row(&work, INT64_C(64)), trial, work);
-    reverse_phases(trial, INT64_C(0), count);
-    result = join_phases(trial, count, phases, used);
+    result = with_dips(depth, count, phases, axis, work);
+    return result;
+}
+static bool set_both(array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d start;
+    array_double_1d end;
+    bool result;
+    start = span_row(&work, INT64_C(63));
+    end = span_row(&work, INT64_C(64));
+    if (!set_dips((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, start, work))
+    {
+        return 0;
+    }
+    if (!set_dips((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, end, work))
+    {
+        return 0;
+    }
+    result = (*cspan_at(&start, INT64_C(2))) + (*cspan_at(&end, INT64_C(2))) > 0.0;
     return result;
 }
 static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
@@ -13976,15 +14148,7 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
     double depth;
     double longest;
     int64_t taken;
-    if (!set_dips((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis, span_row(&work, INT64_C(63)), work))
-    {
-        return count;
-    }
-    if (!set_dips((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis, span_row(&work, INT64_C(64)), work))
-    {
-        return count;
-    }
-    if ((*cspan_at(&work, INT64_C(63), INT64_C(2))) + (*cspan_at(&work, INT64_C(64), INT64_C(2))) == 0.0)
+    if (!set_both(asked, axis, work))
     {
         return count;
     }
@@ -14014,6 +14178,81 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
         middle = best;
     }
     return count;
+}
+static void surround_with_dips(int64_t column, double depth, array_double_2d phases, array_double_1d axis, array_double_2d work)
+{
+    int64_t count;
+    double duration;
+    count = (int64_t)((*cspan_at(&work, INT64_C(58), column)));
+    if (count > INT64_C(0))
+    {
+        copy_phases(phases, span_rows(&work, INT64_C(65), INT64_C(98)), count);
+        count = with_dips(depth, count, phases, axis, work);
+        duration = (*cspan_at(&work, INT64_C(59), INT64_C(5)));
+        (*cspan_at(&work, INT64_C(58), column)) = fit_duration(phases, count, duration);
+    }
+}
+static double timed_between_dips(array_double_1d rest, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d nearest;
+    array_double_2d between;
+    int64_t count;
+    double result;
+    nearest = span_row(&work, INT64_C(58));
+    between = span_rows(&work, INT64_C(65), INT64_C(98));
+    clear_nearest(work);
+    if ((*cspan_at(&rest, INT64_C(5))) <= 0.0)
+    {
+        return -1.0;
+    }
+    timed_between(rest, axis, cell, work);
+    if (is_enclosed(work))
+    {
+        result = nearest_weight(rest, axis, nearest);
+        return result;
+    }
+    clear_nearest(work);
+    count = slower_form(profile_between(rest, axis, work), between, rest, axis, work);
+    copy_phases(between, span_rows(&cell, INT64_C(0), INT64_C(33)), count);
+    (*cspan_at(&nearest, INT64_C(0))) = count;
+    if (count == INT64_C(0))
+    {
+        return -1.0;
+    }
+    return 0.0;
+}
+static double timed_dipped(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_1d rest;
+    int64_t i;
+    double depth;
+    double spent;
+    array_double_2d below;
+    array_double_2d above;
+    double weight;
+    problem = span_row(&work, INT64_C(59));
+    rest = span_row(&work, INT64_C(61));
+    if (!set_both(problem, axis, work))
+    {
+        return -1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        depth = 0.25 * i;
+        spent = problem_between(depth, problem, axis, rest, work);
+        (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
+        weight = timed_between_dips(rest, axis, cell, work);
+        if (weight >= 0.0)
+        {
+            below = span_rows(&cell, INT64_C(0), INT64_C(33));
+            above = span_rows(&cell, INT64_C(33), INT64_C(66));
+            surround_with_dips(INT64_C(0), depth, below, axis, work);
+            surround_with_dips(INT64_C(2), depth, above, axis, work);
+            return weight;
+        }
+    }
+    return -1.0;
 }
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -14378,13 +14617,42 @@ static int64_t loop_ends(double after, array_double_1d problem, array_double_1d 
     }
     return count;
 }
+static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_1d rest;
+    array_double_2d between;
+    array_double_2d ends;
+    int64_t i;
+    double spent;
+    int64_t used;
+    double duration;
+    rest = span_row(&work, INT64_C(61));
+    between = span_rows(&work, INT64_C(65), INT64_C(98));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    if (!set_both(problem, axis, work))
+    {
+        return count;
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        spent = problem_between(0.25 * i, problem, axis, rest, work);
+        used = profile_between(rest, axis, work);
+        if (used >= INT64_C(0))
+        {
+            duration = spent + total_duration(between, used);
+            count = insert_end(duration, after, count, ends);
+        }
+    }
+    return count;
+}
 static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d rest;
+    int64_t count;
     int64_t variant;
     int64_t taken;
     double spent;
-    int64_t count;
+    int64_t result;
     rest = span_row(&work, INT64_C(60));
     count = INT64_C(0);
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
@@ -14401,7 +14669,8 @@ static int64_t gap_ends(double after, double shortest, array_double_1d problem, 
         count = covering_ends(spent, after, rest, axis, work, count);
         count = turning_ends(spent, after, rest, axis, work, count);
     }
-    return count;
+    result = dip_ends(after, problem, axis, work, count);
+    return result;
 }
 static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
 {
@@ -15074,94 +15343,6 @@ static int64_t plain_profile(array_double_1d problem, array_double_1d axis, arra
     result = begun_profile(axis, phases, work);
     return result;
 }
-static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d family;
-    int64_t branch;
-    int64_t member;
-    int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    family = span_row(&work, INT64_C(98));
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        if (same_members(branch, problem, family))
-        {
-            continue;
-        }
-        set_family(branch, problem, axis, family);
-        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
-        {
-            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
-            count = tempered_form(trial, family, axis);
-            if (count < INT64_C(0))
-            {
-                break;
-            }
-            keep_nearest(count, problem, axis, cell, work);
-        }
-    }
-}
-static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double v;
-    double w;
-    double distance;
-    double middle;
-    int64_t count;
-    double y;
-    double hold;
-    double edge;
-    double y_edge;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    v = (*cspan_at(&problem, INT64_C(0)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
-    {
-        keep_nearest(count, problem, axis, cell, work);
-        edge = cruise_range(trial, middle, y, hold, problem, axis);
-        y_edge = keep_cruise(edge, problem, axis, cell, work);
-        if (is_enclosed(work))
-        {
-            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
-        }
-    }
-}
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    usual_cruise(problem, axis, cell, work);
-    if (!is_enclosed(work))
-    {
-        scan_cruises(problem, axis, cell, work);
-    }
-    if (!is_enclosed(work))
-    {
-        timed_merged(problem, axis, cell, work);
-    }
-}
-static void note_known(array_double_2d work)
-{
-    array_double_1d nearest;
-    nearest = span_row(&work, INT64_C(58));
-    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
-    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
-    }
-    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
-    }
-}
-static void clear_nearest(array_double_2d work)
-{
-    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
-    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
-}
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
@@ -15256,26 +15437,6 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
     }
     return 0;
 }
-static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
-{
-    double distance;
-    double below;
-    double above;
-    double tiny;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    below = (*cspan_at(&nearest, INT64_C(1)));
-    above = (*cspan_at(&nearest, INT64_C(3)));
-    tiny = 1e-14 * (fabs(distance) + (*cspan_at(&axis, INT64_C(2))) * (*cspan_at(&problem, INT64_C(5))));
-    if (above - distance <= tiny)
-    {
-        return 1.0;
-    }
-    if (distance - below > tiny)
-    {
-        return (distance - below) / (above - below);
-    }
-    return 0.0;
-}
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
@@ -15334,26 +15495,6 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
         }
     }
     return -1.0;
-}
-static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    bool backwards;
-    if (!is_passing(phases, count, axis))
-    {
-        return INT64_C(0);
-    }
-    backwards = (*cspan_at(&work, INT64_C(101), INT64_C(7))) > 0.5;
-    if (backwards)
-    {
-        reverse_problem(problem);
-    }
-    count = timed_passing(phases, problem, axis, work);
-    if (backwards)
-    {
-        reverse_problem(problem);
-        reverse_phases(phases, INT64_C(0), count);
-    }
-    return count;
 }
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
@@ -15440,6 +15581,10 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
         if (weight < 0.0)
         {
             weight = between_extremes(axis, cell, work);
+        }
+        if (weight < 0.0)
+        {
+            weight = timed_dipped(axis, cell, work);
         }
     }
     return weight;
@@ -15597,7 +15742,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
             duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
-                if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+                if (((*cspan_at(&axis, INT64_C(11))) < 0.5) || (!ramps_suffice(axis)))
                 {
                     duration = first_feasible(4e-09, after, duration, cell, axis, work);
                 }

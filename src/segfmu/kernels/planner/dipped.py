@@ -6,15 +6,19 @@ is searched for: a deep one takes longer, but leads on into a motion in the othe
 """
 
 from segfmu.kernels.planner.dip import find_dips, write_dip
-from segfmu.kernels.planner.forms import (
-    braked_ramps,
-    is_done,
-    passing_either_way,
-    shortest_between,
+from segfmu.kernels.planner.enclose import clear_nearest, nearest_weight, timed_between
+from segfmu.kernels.planner.forms import braked_ramps, is_done, passing_either_way, shortest_between
+from segfmu.kernels.planner.passing import slower_form
+from segfmu.kernels.planner.phases import (
+    copy_phases,
+    fit_duration,
+    join_phases,
+    reverse_phases,
+    total_duration,
 )
-from segfmu.kernels.planner.phases import join_phases, reverse_phases, total_duration
 from segfmu.kernels.planner.ramp import ramp_duration
-from segfmu.kernels.planner.records import Axis, Dip, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Cell, Dip, Nearest, PlanWork, Problem
+from segfmu.kernels.planner.timed_cruise import is_enclosed
 
 
 def set_dips(v: float, a: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> bool:
@@ -47,6 +51,32 @@ def problem_between(
     return spent + duration
 
 
+def profile_between(rest: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> int:
+    """Write the shortest profile of a problem in DIP_PHASES; the number of its phases, -1: none."""
+    phases = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
+    if is_done(rest):
+        return 0
+    count = shortest_between(0, phases, rest, axis, work)
+    if count == 0:
+        count = braked_ramps(rest, axis, phases, work)
+    if count <= 0:
+        return -1
+    return passing_either_way(count, phases, rest, axis, work)
+
+
+def with_dips(
+    depth: float, count: int, phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Write dips of a depth, and the `count` phases in DIP_PHASES between them; their number."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
+    used, duration, y, v = write_dip(depth, axis, work[PlanWork.DIP_FIRST, :], phases, work)
+    used = join_phases(between, count, phases, used)
+    last, duration, y, v = write_dip(depth, axis, work[PlanWork.DIP_LAST, :], trial, work)
+    reverse_phases(trial, 0, last)
+    return join_phases(trial, last, phases, used)
+
+
 def dipped_profile(
     depth: float, longest: float, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]',
     work: 'float[:,:]',
@@ -56,37 +86,32 @@ def dipped_profile(
     0: there is none that takes less than `longest` [s].
     """
     rest = work[PlanWork.DIPPED, :]
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
     spent = problem_between(depth, asked, axis, rest, work)
     if spent >= longest:
         return 0
-    count = 0
-    if not is_done(rest):
-        count = shortest_between(0, between, rest, axis, work)
-        if count == 0:
-            count = braked_ramps(rest, axis, between, work)
-        if count <= 0:
-            return 0
-        count = passing_either_way(count, between, rest, axis, work)
-    if spent + total_duration(between, count) >= longest:
+    count = profile_between(rest, axis, work)
+    if count < 0 or spent + total_duration(between, count) >= longest:
         return 0
-    used, spent, y, v = write_dip(depth, axis, work[PlanWork.DIP_FIRST, :], phases, work)
-    used = join_phases(between, count, phases, used)
-    count, spent, y, v = write_dip(depth, axis, work[PlanWork.DIP_LAST, :], trial, work)
-    reverse_phases(trial, 0, count)
-    return join_phases(trial, count, phases, used)
+    return with_dips(depth, count, phases, axis, work)
+
+
+def set_both(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Set the dips at both ends; False if there are none, or none are needed."""
+    start = work[PlanWork.DIP_FIRST, :]
+    end = work[PlanWork.DIP_LAST, :]
+    if not set_dips(problem[Problem.V], problem[Problem.A], axis, start, work):
+        return False
+    if not set_dips(problem[Problem.W], -problem[Problem.B], axis, end, work):
+        return False
+    return start[Dip.ABOVE] + end[Dip.ABOVE] > 0.0
 
 
 def shorter_dipped(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
     """Replace a profile of `count` phases by the shortest one with dips; its number of phases."""
-    if not set_dips(asked[Problem.V], asked[Problem.A], axis, work[PlanWork.DIP_FIRST, :], work):
-        return count
-    if not set_dips(asked[Problem.W], -asked[Problem.B], axis, work[PlanWork.DIP_LAST, :], work):
-        return count
-    if work[PlanWork.DIP_FIRST, Dip.ABOVE] + work[PlanWork.DIP_LAST, Dip.ABOVE] == 0.0:
+    if not set_both(asked, axis, work):
         return count
     middle = 0.5
     best = -1.0
@@ -105,3 +130,56 @@ def shorter_dipped(
             break
         middle = best
     return count
+
+
+def surround_with_dips(
+    column: int, depth: float, phases: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Add dips to the profile whose number of phases is in a column of the row NEAREST."""
+    count = int(work[PlanWork.NEAREST, column])
+    if count > 0:
+        copy_phases(phases, work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :], count)
+        count = with_dips(depth, count, phases, axis, work)
+        duration = work[PlanWork.PROBLEM, Problem.DURATION]
+        work[PlanWork.NEAREST, column] = fit_duration(phases, count, duration)
+
+
+def timed_between_dips(
+    rest: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> float:
+    """`timed_profile` of what dips leave: ramps, or the shortest profile at a slower pace."""
+    nearest = work[PlanWork.NEAREST, :]
+    between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
+    clear_nearest(work)
+    if rest[Problem.DURATION] <= 0.0:
+        return -1.0
+    timed_between(rest, axis, cell, work)
+    if is_enclosed(work):
+        return nearest_weight(rest, axis, nearest)
+    clear_nearest(work)
+    count = slower_form(profile_between(rest, axis, work), between, rest, axis, work)
+    copy_phases(between, cell[Cell.BELOW:Cell.ABOVE, :], count)
+    nearest[Nearest.BELOW_COUNT] = count
+    if count == 0:
+        return -1.0
+    return 0.0
+
+
+def timed_dipped(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
+    """`timed_profile` with dips at the ends where ramps exceed the velocity limit."""
+    problem = work[PlanWork.PROBLEM, :]
+    rest = work[PlanWork.DIPPED, :]
+    if not set_both(problem, axis, work):
+        return -1.0
+    for i in range(5):
+        depth = 0.25 * i
+        spent = problem_between(depth, problem, axis, rest, work)
+        rest[Problem.DURATION] = problem[Problem.DURATION] - spent
+        weight = timed_between_dips(rest, axis, cell, work)
+        if weight >= 0.0:
+            below = cell[Cell.BELOW:Cell.ABOVE, :]
+            above = cell[Cell.ABOVE:Cell.PROBLEM, :]
+            surround_with_dips(Nearest.BELOW_COUNT, depth, below, axis, work)
+            surround_with_dips(Nearest.ABOVE_COUNT, depth, above, axis, work)
+            return weight
+    return -1.0

@@ -9,10 +9,11 @@ the duration over a family.
 from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
+from segfmu.kernels.planner.dipped import problem_between, profile_between, set_both
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import snap_is_last
-from segfmu.kernels.planner.phases import valid_duration
+from segfmu.kernels.planner.phases import total_duration, valid_duration
 from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
 
 
@@ -233,6 +234,24 @@ def loop_ends(
     return count
 
 
+def dip_ends(
+    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int
+) -> int:
+    """Insert the durations of profiles with dips of several depths at the ends (dipped.py)."""
+    rest = work[PlanWork.DIPPED, :]
+    between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
+    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
+    if not set_both(problem, axis, work):
+        return count
+    for i in range(5):
+        spent = problem_between(0.25 * i, problem, axis, rest, work)
+        used = profile_between(rest, axis, work)
+        if used >= 0:
+            duration = spent + total_duration(between, used)
+            count = insert_end(duration, after, count, ends)
+    return count
+
+
 def gap_ends(
     after: float,
     shortest: float,
@@ -257,4 +276,4 @@ def gap_ends(
             count = loop_ends(after, rest, axis, work, count)
         count = covering_ends(spent, after, rest, axis, work, count)
         count = turning_ends(spent, after, rest, axis, work, count)
-    return count
+    return dip_ends(after, problem, axis, work, count)

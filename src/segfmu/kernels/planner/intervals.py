@@ -8,6 +8,7 @@ the share of the second one.
 from math import ceil
 
 from segfmu.kernels.planner.gaps import gap_ends
+from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
     append_hold,
     is_resting,
@@ -81,8 +82,8 @@ def next_feasible(
     """The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.
 
     The durations at which gaps can end are tried in turn. The end is searched for if none of them
-    is feasible or, with smoothsteps, whose families have more kinks, if a slightly shorter duration
-    is feasible too.
+    is feasible or, with smoothsteps, whose families have more kinks, and limits above the snap,
+    if a slightly shorter duration is feasible too.
     """
     after = start
     delay = cell[Cell.PLACE, Place.DELAY]
@@ -92,7 +93,7 @@ def next_feasible(
         for i in range(count):
             duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + 1e-9)
             if set_duration(duration, cell, axis, work):
-                if axis[Axis.PLATEAU] < 0.5:
+                if axis[Axis.PLATEAU] < 0.5 or not ramps_suffice(axis):
                     duration = first_feasible(4e-9, after, duration, cell, axis, work)
                 return earlier_feasible(start, duration, cell, axis, work)
             after = duration

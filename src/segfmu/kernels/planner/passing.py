@@ -9,7 +9,7 @@ from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.phases import append_hold
+from segfmu.kernels.planner.phases import append_hold, is_passing, reverse_phases, reverse_problem
 from segfmu.kernels.planner.plateaus import (
     keep_sequence,
     meet_limits,
@@ -257,3 +257,19 @@ def timed_passing(
         if pace_down(moving, shortest, problem, axis, work):
             return write_sequence(phases, problem, axis, work)
     return 0
+
+
+def slower_form(
+    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Slow a profile of `count` phases down; their new number, 0 if that fails."""
+    if not is_passing(phases, count, axis):
+        return 0
+    backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
+    if backwards:
+        reverse_problem(problem)
+    count = timed_passing(phases, problem, axis, work)
+    if backwards:
+        reverse_problem(problem)
+        reverse_phases(phases, 0, count)
+    return count
