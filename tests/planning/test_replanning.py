@@ -432,3 +432,24 @@ def test_a_refusal_names_the_limit_that_the_state_breaks(
     old = plan([Waypoint(0.0), Waypoint(1.0)], Limits(1.0, 1.0, 4.0, 20.0))
     with pytest.raises(InfeasibleError, match=rf"axis x, waypoint 1: {limit} .* exceeds the limit"):
         replan(old, time, Waypoint(2.0), limits)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("synchronize", ["waypoints", "total", "none"])
+def test_at_the_very_end_of_a_plan_that_ends_moving_nothing_is_left(
+    n: int, synchronize: str
+) -> None:
+    """Its state there differs from the target by rounding; axes went round a loop."""
+    rng = np.random.default_rng(n)
+    limits = Limits(*(1.0, 1.0, 4.0, 20.0, 200.0, 2000.0)[: max(n, 3)])
+    for _ in range(20):
+        target = Waypoint(rng.uniform(-1.0, 1.0, 3), rng.uniform(-0.5, 0.5, 3))
+        points = [Waypoint([0.0] * 3), target]
+        try:
+            old = plan(points, limits, smoothness=n, synchronize=synchronize)
+        except InfeasibleError:
+            continue
+        for before in (0.0, np.spacing(old.duration), 1e-12, 1e-9):
+            found = replan(old, old.duration - before, target)
+            assert found.duration <= before + 1e-14 * old.duration
+            assert verify(found).passed

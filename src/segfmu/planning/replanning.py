@@ -81,7 +81,7 @@ def replan(
         trajectory.shape, trajectory.synchronize if synchronize is None else synchronize, None,
         None, trajectory.axis_names,
     )
-    kept = _kept(trajectory, time, rest, request)
+    kept = _kept(trajectory, time, rest, points, request)
     try:
         found = _planned(request, rest)
     except (InfeasibleError, InputError):
@@ -110,16 +110,23 @@ def left(trajectory: Trajectory, time: float) -> tuple[float, Pieces, Waypoint]:
     return given, rest, Waypoint(*rest.starts().T)
 
 
+def _same(old: Waypoint, targets: tuple[Waypoint, Waypoint]) -> bool:
+    """Whether a waypoint is a target, as it was given or as the request has rounded it."""
+    equal = (np.array_equal(old.state(2), target.state(2)) for target in targets)
+    return any(equal) and old.dwell == targets[0].dwell
+
+
 def _kept(
-    trajectory: Trajectory, time: float, rest: Pieces, request: Request
+    trajectory: Trajectory, time: float, rest: Pieces, targets: Sequence[Waypoint],
+    request: Request,
 ) -> Trajectory | None:
-    """What is left of a trajectory, if it passes the waypoints of the request within its limits."""
+    """What is left of a trajectory, if it passes the targets of the request within its limits."""
     count = len(request.waypoints) - 1
+    if count >= len(trajectory.waypoints):
+        return None
     old = trajectory.waypoints[-count:]
-    if count >= len(trajectory.waypoints) or any(
-        not np.array_equal(a.state(2), b.state(2)) or a.dwell != b.dwell
-        for a, b in zip(old, request.waypoints[1:], strict=True)
-    ):
+    # states next to a target by rounding round it, in turn
+    if not all(map(_same, old, zip(targets, request.waypoints[1:], strict=True))):
         return None
     arrivals = trajectory.axis_waypoint_times[-count:] - time
     if count > 1 and arrivals.min() < 0.0:
@@ -135,7 +142,7 @@ def _kept(
         ends = rest.stops()
     arrivals[-1] = ends - dwell
     times = np.vstack([np.zeros(trajectory.axes), arrivals, ends])
-    points, last = request.waypoints[1:-1], request.waypoints[-1]
+    points, last = old[:-1], old[-1]
     target = Waypoint(last.position, last.velocity, last.acceleration, dwell=dwell)
     for pieces in (rest, rest.anchored(target.state(2), request.problem.limits)):
         first = Waypoint(*pieces.starts().T)

@@ -92,6 +92,17 @@ def test_the_rest_is_kept(
     assert again.duration == pytest.approx(0.9 * kept.duration, rel=1e-6)
 
 
+@pytest.mark.parametrize("before", [0.0, 4e-16, 1e-12])
+def test_at_its_end_a_plan_that_ends_moving_is_kept(planner: Planner, before: float) -> None:
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        target = Waypoint(rng.uniform(-1.0, 1.0, 2), rng.uniform(-0.5, 0.5, 2))
+        old = planner.plan(asked(target))
+        found = planner.replan(old, old.duration - before, asked(target))
+        assert found.status == 0
+        assert found.duration <= before + 1e-14 * old.duration
+
+
 @pytest.mark.parametrize("synchronize", ["waypoints", "total"])
 def test_axes_meet_where_the_old_plan_let_them_not(planner: Planner, synchronize: str) -> None:
     old = planner.plan(asked(TARGET, synchronization=SYNCHRONIZATIONS.index("none")))
