@@ -357,11 +357,11 @@ static void begin_dip(int64_t above, double v, double a, array_double_2d work);
 static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work);
 static double last_jerk(double second, array_double_1d axis, array_double_2d work);
 static void balance_jerk(array_double_1d axis, array_double_2d work);
-static double last_acceleration(double time, array_double_1d axis, array_double_2d work);
-static bool close_dip(double first, array_double_1d axis, array_double_2d work);
-static int64_t judge_dip(bool* result_0, bool* result_1, double first, array_double_1d axis, array_double_2d work);
-static double find_edge(bool deepest, double lower, array_double_1d axis, array_double_2d work);
-static bool find_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work);
+static double last_excess(double time, double end, array_double_1d axis, array_double_2d work);
+static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work);
+static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work);
+static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work);
+static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static int64_t write_levels(array_double_2d phases, array_double_2d work);
 static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
@@ -404,12 +404,13 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
 static bool is_done(array_double_1d problem);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
-static bool set_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work);
+static bool set_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
 static int64_t profile_between(array_double_1d rest, array_double_1d axis, array_double_2d work);
 static int64_t with_dips(double depth, int64_t count, array_double_2d phases, array_double_1d axis, array_double_2d work);
 static int64_t dipped_profile(double depth, double longest, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
-static bool set_both(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool set_both(double end, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t best_depth(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static void surround_with_dips(int64_t column, double depth, array_double_2d phases, array_double_1d axis, array_double_2d work);
 static double timed_between_dips(array_double_1d rest, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -12458,7 +12459,7 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
     }
     (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = newest;
 }
-static double last_acceleration(double time, array_double_1d axis, array_double_2d work)
+static double last_excess(double time, double end, array_double_1d axis, array_double_2d work)
 {
     int64_t above;
     double result;
@@ -12468,10 +12469,10 @@ static double last_acceleration(double time, array_double_1d axis, array_double_
     {
         balance_jerk(axis, work);
     }
-    result = follow_dip(INT64_C(2), axis, work);
+    result = follow_dip(INT64_C(2), axis, work) - end;
     return result;
 }
-static bool close_dip(double first, array_double_1d axis, array_double_2d work)
+static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work)
 {
     double newest;
     double e_newest;
@@ -12486,13 +12487,13 @@ static bool close_dip(double first, array_double_1d axis, array_double_2d work)
     bool crossed;
     (*cspan_at(&work, INT64_C(102), INT64_C(6))) = first;
     newest = 0.0;
-    e_newest = last_acceleration(newest, axis, work);
+    e_newest = last_excess(newest, end, axis, work);
     if (e_newest > 0.0)
     {
         return 0;
     }
     other = first;
-    e_other = last_acceleration(other, axis, work);
+    e_other = last_excess(other, end, axis, work);
     before = other;
     e_before = e_other;
     for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
@@ -12503,16 +12504,16 @@ static bool close_dip(double first, array_double_1d axis, array_double_2d work)
         {
             break;
         }
-        error = last_acceleration(time, axis, work);
+        error = last_excess(time, end, axis, work);
         crossed = error * e_newest <= 0.0;
         next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
         newest = time;
         e_newest = error;
     }
-    last_acceleration(newest, axis, work);
+    last_excess(newest, end, axis, work);
     return 1;
 }
-static int64_t judge_dip(bool* result_0, bool* result_1, double first, array_double_1d axis, array_double_2d work)
+static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work)
 {
     array_double_2d excess;
     bool fast;
@@ -12520,7 +12521,7 @@ static int64_t judge_dip(bool* result_0, bool* result_1, double first, array_dou
     bool deep;
     int64_t order;
     excess = span_rows(&work, INT64_C(177), INT64_C(183));
-    if (!close_dip(first, axis, work))
+    if (!close_dip(first, end, axis, work))
     {
         (*result_0) = 1;
         (*result_1) = 0;
@@ -12543,7 +12544,7 @@ static int64_t judge_dip(bool* result_0, bool* result_1, double first, array_dou
     (*result_1) = deep;
     return 0;
 }
-static double find_edge(bool deepest, double lower, array_double_1d axis, array_double_2d work)
+static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work)
 {
     double accuracy;
     double upper;
@@ -12566,7 +12567,7 @@ static double find_edge(bool deepest, double lower, array_double_1d axis, array_
         {
             first = 0.5 * (lower + upper);
         }
-        judge_dip(&shallow, &deep, first, axis, work);
+        judge_dip(&shallow, &deep, first, end, axis, work);
         if (shallow && deep)
         {
             break;
@@ -12590,7 +12591,7 @@ static double find_edge(bool deepest, double lower, array_double_1d axis, array_
     }
     return found;
 }
-static bool find_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work)
+static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work)
 {
     double sign;
     double duration;
@@ -12612,16 +12613,17 @@ static bool find_dips(double v, double a, array_double_1d axis, array_double_1d 
     }
     (*cspan_at(&dips, INT64_C(0))) = v;
     (*cspan_at(&dips, INT64_C(1))) = a;
+    (*cspan_at(&dips, INT64_C(2))) = (-sign) * end;
     for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(35)))); lower += INT64_C(1))
     {
         above = (int64_t)((*cspan_at(&axis, INT64_C(35)))) - lower;
-        (*cspan_at(&dips, INT64_C(2))) = above;
+        (*cspan_at(&dips, INT64_C(3))) = above;
         begin_dip(above, sign * v, fabs(a), work);
-        (*cspan_at(&dips, INT64_C(3))) = find_edge(0, 0.02 * duration, axis, work);
-        if ((*cspan_at(&dips, INT64_C(3))) > 0.0)
+        (*cspan_at(&dips, INT64_C(4))) = find_edge(0, 0.02 * duration, -end, axis, work);
+        if ((*cspan_at(&dips, INT64_C(4))) > 0.0)
         {
-            deepest = find_edge(1, (*cspan_at(&dips, INT64_C(3))), axis, work);
-            (*cspan_at(&dips, INT64_C(4))) = span_max(deepest, (*cspan_at(&dips, INT64_C(3))));
+            deepest = find_edge(1, (*cspan_at(&dips, INT64_C(4))), -end, axis, work);
+            (*cspan_at(&dips, INT64_C(5))) = span_max(deepest, (*cspan_at(&dips, INT64_C(4))));
             return 1;
         }
     }
@@ -12662,12 +12664,13 @@ static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, 
 {
     int64_t above;
     double sign;
+    double first;
     int64_t count;
     array_double_2d nodes;
     double duration;
     double y;
     double v;
-    above = (int64_t)((*cspan_at(&dips, INT64_C(2))));
+    above = (int64_t)((*cspan_at(&dips, INT64_C(3))));
     if (above == INT64_C(0))
     {
         (*result_0) = INT64_C(0);
@@ -12682,7 +12685,8 @@ static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, 
         sign = -1.0;
     }
     begin_dip(above, sign * (*cspan_at(&dips, INT64_C(0))), fabs((*cspan_at(&dips, INT64_C(1)))), work);
-    close_dip((*cspan_at(&dips, INT64_C(3))) + depth * ((*cspan_at(&dips, INT64_C(4))) - (*cspan_at(&dips, INT64_C(3)))), axis, work);
+    first = (*cspan_at(&dips, INT64_C(4))) + depth * ((*cspan_at(&dips, INT64_C(5))) - (*cspan_at(&dips, INT64_C(4))));
+    close_dip(first, sign * (*cspan_at(&dips, INT64_C(2))), axis, work);
     count = write_levels(phases, work);
     if (sign < 0.0)
     {
@@ -12858,7 +12862,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
         level = past;
     }
     dips = span_row(&work, INT64_C(62));
-    if (find_dips(v, a, axis, dips, work))
+    if (find_dips(v, a, 0.0, axis, dips, work))
     {
         write_dip(result_0, result_1, result_2, result_3, 0.0, axis, dips, phases, work);
         return 0;
@@ -14014,19 +14018,20 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     return result;
 }
-static bool set_dips(double v, double a, array_double_1d axis, array_double_1d dips, array_double_2d work)
+static bool set_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work)
 {
     double duration;
     double slope;
     bool result;
     (*cspan_at(&dips, INT64_C(0))) = v;
-    (*cspan_at(&dips, INT64_C(2))) = 0.0;
+    (*cspan_at(&dips, INT64_C(2))) = a;
+    (*cspan_at(&dips, INT64_C(3))) = 0.0;
     segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
     if (fabs(v + 0.5 * a * duration) <= (*cspan_at(&axis, INT64_C(2))))
     {
         return 1;
     }
-    result = find_dips(v, a, axis, dips, work);
+    result = find_dips(v, a, end, axis, dips, work);
     return result;
 }
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work)
@@ -14042,19 +14047,11 @@ static double problem_between(double depth, array_double_1d asked, array_double_
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     write_dip(&first, &spent, &y, &v, depth, axis, span_row(&work, INT64_C(63)), trial, work);
     (*cspan_at(&rest, INT64_C(0))) = v;
-    (*cspan_at(&rest, INT64_C(1))) = 0.0;
-    if (first == INT64_C(0))
-    {
-        (*cspan_at(&rest, INT64_C(1))) = (*cspan_at(&asked, INT64_C(1)));
-    }
+    (*cspan_at(&rest, INT64_C(1))) = (*cspan_at(&work, INT64_C(63), INT64_C(2)));
     (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&asked, INT64_C(4))) - y;
     write_dip(&last, &duration, &y, &w, depth, axis, span_row(&work, INT64_C(64)), trial, work);
     (*cspan_at(&rest, INT64_C(2))) = w;
-    (*cspan_at(&rest, INT64_C(3))) = 0.0;
-    if (last == INT64_C(0))
-    {
-        (*cspan_at(&rest, INT64_C(3))) = (*cspan_at(&asked, INT64_C(3)));
-    }
+    (*cspan_at(&rest, INT64_C(3))) = -(*cspan_at(&work, INT64_C(64), INT64_C(2)));
     (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&rest, INT64_C(4))) - y;
     return spent + duration;
 }
@@ -14121,25 +14118,25 @@ static int64_t dipped_profile(double depth, double longest, array_double_2d phas
     result = with_dips(depth, count, phases, axis, work);
     return result;
 }
-static bool set_both(array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool set_both(double end, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    array_double_1d start;
-    array_double_1d end;
+    array_double_1d first;
+    array_double_1d last;
     bool result;
-    start = span_row(&work, INT64_C(63));
-    end = span_row(&work, INT64_C(64));
-    if (!set_dips((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis, start, work))
+    first = span_row(&work, INT64_C(63));
+    last = span_row(&work, INT64_C(64));
+    if (!set_dips((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), end, axis, first, work))
     {
         return 0;
     }
-    if (!set_dips((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis, end, work))
+    if (!set_dips((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), end, axis, last, work))
     {
         return 0;
     }
-    result = (*cspan_at(&start, INT64_C(2))) + (*cspan_at(&end, INT64_C(2))) > 0.0;
+    result = (*cspan_at(&first, INT64_C(3))) + (*cspan_at(&last, INT64_C(3))) > 0.0;
     return result;
 }
-static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
+static int64_t best_depth(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     double middle;
     double best;
@@ -14148,10 +14145,6 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
     double depth;
     double longest;
     int64_t taken;
-    if (!set_both(asked, axis, work))
-    {
-        return count;
-    }
     middle = 0.5;
     best = -1.0;
     for (sweep = INT64_C(0); sweep < INT64_C(3); sweep += INT64_C(1))
@@ -14176,6 +14169,20 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
             break;
         }
         middle = best;
+    }
+    return count;
+}
+static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
+{
+    int64_t i;
+    double end;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        end = 0.45 * i * (*cspan_at(&axis, INT64_C(3)));
+        if (set_both(end, asked, axis, work))
+        {
+            count = best_depth(count, phases, asked, axis, work);
+        }
     }
     return count;
 }
@@ -14233,7 +14240,7 @@ static double timed_dipped(array_double_1d axis, array_double_2d cell, array_dou
     double weight;
     problem = span_row(&work, INT64_C(59));
     rest = span_row(&work, INT64_C(61));
-    if (!set_both(problem, axis, work))
+    if (!set_both(0.0, problem, axis, work))
     {
         return -1.0;
     }
@@ -14629,7 +14636,7 @@ static int64_t dip_ends(double after, array_double_1d problem, array_double_1d a
     rest = span_row(&work, INT64_C(61));
     between = span_rows(&work, INT64_C(65), INT64_C(98));
     ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    if (!set_both(problem, axis, work))
+    if (!set_both(0.0, problem, axis, work))
     {
         return count;
     }

@@ -921,10 +921,11 @@ enum {
 enum {
     DIP_V = 0,
     DIP_A = 1,
-    DIP_ABOVE = 2,
-    DIP_LEAST = 3,
-    DIP_DEEPEST = 4,
-    DIP_SIZE = 5
+    DIP_END = 2,
+    DIP_ABOVE = 3,
+    DIP_LEAST = 4,
+    DIP_DEEPEST = 5,
+    DIP_SIZE = 6
 };
 
 enum {

@@ -125,7 +125,7 @@ def brake(
         duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
         level = past
     dips = work[PlanWork.DIP, :]
-    if find_dips(v, a, axis, dips, work):
+    if find_dips(v, a, 0.0, axis, dips, work):
         return write_dip(0.0, axis, dips, phases, work)
     return -1, 0.0, 0.0, 0.0
 

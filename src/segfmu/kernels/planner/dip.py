@@ -86,25 +86,28 @@ def balance_jerk(axis: 'float[:]', work: 'float[:,:]') -> None:
     work[PlanWork.NODES + 1, Node.TIME] = newest
 
 
-def last_acceleration(time: float, axis: 'float[:]', work: 'float[:,:]') -> float:
-    """The acceleration at the end of a dip whose last level takes `time` [s]."""
+def last_excess(time: float, end: float, axis: 'float[:]', work: 'float[:,:]') -> float:
+    """The acceleration at the end of a dip whose last level takes `time` [s], less `end`."""
     above = int(work[PlanWork.PASSING, Passing.ABOVE])
     work[PlanWork.NODES + above, Node.TIME] = time
     if above == 2:
         balance_jerk(axis, work)
-    return follow_dip(2, axis, work)
+    return follow_dip(2, axis, work) - end
 
 
-def close_dip(first: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
-    """Set the dip whose first level takes the time `first` [s]; False: that is less than a ramp."""
+def close_dip(first: float, end: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Set the dip to the acceleration `end` <= 0 whose first level takes the time `first` [s].
+
+    False: that is less than a ramp takes.
+    """
     work[PlanWork.NODES, Node.TIME] = first
     newest = 0.0
-    e_newest = last_acceleration(newest, axis, work)
+    e_newest = last_excess(newest, end, axis, work)
     if e_newest > 0.0:
         return False
     # as long a last level leaves the acceleration as it was
     other = first
-    e_other = last_acceleration(other, axis, work)
+    e_other = last_excess(other, end, axis, work)
     before = other
     e_before = e_other
     for i in range(80):
@@ -112,19 +115,21 @@ def close_dip(first: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
         time = newest + share * (other - newest)
         if time == newest or time == other or e_newest == 0.0:
             break
-        error = last_acceleration(time, axis, work)
+        error = last_excess(time, end, axis, work)
         crossed = error * e_newest <= 0.0
         other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
         newest = time
         e_newest = error
-    last_acceleration(newest, axis, work)
+    last_excess(newest, end, axis, work)
     return True
 
 
-def judge_dip(first: float, axis: 'float[:]', work: 'float[:,:]') -> 'tuple[bool, bool]':
+def judge_dip(
+    first: float, end: float, axis: 'float[:]', work: 'float[:,:]'
+) -> 'tuple[bool, bool]':
     """Set the dip whose first level takes the time `first` [s]: is it too shallow, or too deep."""
     excess = work[PlanWork.EXCESS:PlanWork.RESIDUAL, :]
-    if not close_dip(first, axis, work):
+    if not close_dip(first, end, axis, work):
         return True, False
     if not measure_excess(axis, work):
         return False, False
@@ -137,11 +142,11 @@ def judge_dip(first: float, axis: 'float[:]', work: 'float[:,:]') -> 'tuple[bool
 
 
 def find_edge(
-    deepest: bool, lower: float, axis: 'float[:]', work: 'float[:,:]'
+    deepest: bool, lower: float, end: float, axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
     """The time [s] of the first level of about the least, or the deepest, dip within the limits.
 
-    It is more than `lower`. -1: there is none.
+    It is more than `lower`, and the acceleration at its end is `end`. -1: there is none.
     """
     accuracy = 1e-3
     if deepest:
@@ -152,7 +157,7 @@ def find_edge(
         first = 2.0 * lower
         if upper < 1e300:
             first = 0.5 * (lower + upper)
-        shallow, deep = judge_dip(first, axis, work)
+        shallow, deep = judge_dip(first, end, axis, work)
         if shallow and deep:
             break
         if not shallow and not deep:
@@ -166,8 +171,12 @@ def find_edge(
     return found
 
 
-def find_dips(v: float, a: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> bool:
+def find_dips(
+    v: float, a: float, end: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]'
+) -> bool:
     """Set the dips (Dip) from (v, a) that keep the limits; False if there are none.
+
+    At their end the acceleration is -`end`, in the direction of a, and all derivatives above zero.
 
     With levels of the derivative that passing profiles have, or else of one below. With the snap as
     the highest limit, ramps of the acceleration do the same.
@@ -182,13 +191,14 @@ def find_dips(v: float, a: float, axis: 'float[:]', dips: 'float[:]', work: 'flo
         return False
     dips[Dip.V] = v
     dips[Dip.A] = a
+    dips[Dip.END] = -sign * end
     for lower in range(int(axis[Axis.ABOVE])):
         above = int(axis[Axis.ABOVE]) - lower
         dips[Dip.ABOVE] = above
         begin_dip(above, sign * v, abs(a), work)
-        dips[Dip.LEAST] = find_edge(False, 0.02 * duration, axis, work)
+        dips[Dip.LEAST] = find_edge(False, 0.02 * duration, -end, axis, work)
         if dips[Dip.LEAST] > 0.0:
-            deepest = find_edge(True, dips[Dip.LEAST], axis, work)
+            deepest = find_edge(True, dips[Dip.LEAST], -end, axis, work)
             dips[Dip.DEEPEST] = max(deepest, dips[Dip.LEAST])
             return True
     return False
@@ -218,7 +228,7 @@ def write_levels(phases: 'float[:,:]', work: 'float[:,:]') -> int:
 def write_dip(
     depth: float, axis: 'float[:]', dips: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> 'tuple[int, float, float, float]':
-    """Write the dip to zero acceleration between the least (depth 0) and the deepest one (1).
+    """Write the dip between the least (depth 0) and the deepest one (1).
 
     Returns the number of its phases (0: there are no dips), duration, distance and end velocity.
     """
@@ -229,7 +239,8 @@ def write_dip(
     if dips[Dip.A] < 0.0:
         sign = -1.0
     begin_dip(above, sign * dips[Dip.V], abs(dips[Dip.A]), work)
-    close_dip(dips[Dip.LEAST] + depth * (dips[Dip.DEEPEST] - dips[Dip.LEAST]), axis, work)
+    first = dips[Dip.LEAST] + depth * (dips[Dip.DEEPEST] - dips[Dip.LEAST])
+    close_dip(first, sign * dips[Dip.END], axis, work)
     count = write_levels(phases, work)
     if sign < 0.0:
         mirror_phases(phases, count)

@@ -2,7 +2,8 @@
 
 Ramps past zero keep that limit too, but bring all derivatives to zero on the way: of random
 problems with a limit of the pop one in a hundred takes up to twice the time. The depth of the dips
-is searched for: a deep one takes longer, but leads on into a motion in the other direction.
+and the acceleration at their ends are searched for: a deep one takes longer, but leads on into a
+motion in the other direction.
 """
 
 from segfmu.kernels.planner.dip import find_dips, write_dip
@@ -21,14 +22,17 @@ from segfmu.kernels.planner.records import Axis, Cell, Dip, Nearest, PlanWork, P
 from segfmu.kernels.planner.timed_cruise import is_enclosed
 
 
-def set_dips(v: float, a: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> bool:
+def set_dips(
+    v: float, a: float, end: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]'
+) -> bool:
     """Set the dips (Dip) from (v, a) where a ramp exceeds the velocity limit; False: has none."""
     dips[Dip.V] = v
+    dips[Dip.END] = a
     dips[Dip.ABOVE] = 0.0
     duration, slope = ramp_duration(abs(a), axis)
     if abs(v + 0.5 * a * duration) <= axis[Axis.VELOCITY]:
         return True
-    return find_dips(v, a, axis, dips, work)
+    return find_dips(v, a, end, axis, dips, work)
 
 
 def problem_between(
@@ -38,15 +42,11 @@ def problem_between(
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     first, spent, y, v = write_dip(depth, axis, work[PlanWork.DIP_FIRST, :], trial, work)
     rest[Problem.V] = v
-    rest[Problem.A] = 0.0
-    if first == 0:
-        rest[Problem.A] = asked[Problem.A]
+    rest[Problem.A] = work[PlanWork.DIP_FIRST, Dip.END]
     rest[Problem.DISTANCE] = asked[Problem.DISTANCE] - y
     last, duration, y, w = write_dip(depth, axis, work[PlanWork.DIP_LAST, :], trial, work)
     rest[Problem.W] = w
-    rest[Problem.B] = 0.0
-    if last == 0:
-        rest[Problem.B] = asked[Problem.B]
+    rest[Problem.B] = -work[PlanWork.DIP_LAST, Dip.END]
     rest[Problem.DISTANCE] = rest[Problem.DISTANCE] - y
     return spent + duration
 
@@ -96,23 +96,21 @@ def dipped_profile(
     return with_dips(depth, count, phases, axis, work)
 
 
-def set_both(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+def set_both(end: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Set the dips at both ends; False if there are none, or none are needed."""
-    start = work[PlanWork.DIP_FIRST, :]
-    end = work[PlanWork.DIP_LAST, :]
-    if not set_dips(problem[Problem.V], problem[Problem.A], axis, start, work):
+    first = work[PlanWork.DIP_FIRST, :]
+    last = work[PlanWork.DIP_LAST, :]
+    if not set_dips(problem[Problem.V], problem[Problem.A], end, axis, first, work):
         return False
-    if not set_dips(problem[Problem.W], -problem[Problem.B], axis, end, work):
+    if not set_dips(problem[Problem.W], -problem[Problem.B], end, axis, last, work):
         return False
-    return start[Dip.ABOVE] + end[Dip.ABOVE] > 0.0
+    return first[Dip.ABOVE] + last[Dip.ABOVE] > 0.0
 
 
-def shorter_dipped(
+def best_depth(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """Replace a profile of `count` phases by the shortest one with dips; its number of phases."""
-    if not set_both(asked, axis, work):
-        return count
+    """Replace a profile by the shortest one with the dips that are set, of any depth."""
     middle = 0.5
     best = -1.0
     for sweep in range(3):
@@ -129,6 +127,17 @@ def shorter_dipped(
         if best < 0.0:
             break
         middle = best
+    return count
+
+
+def shorter_dipped(
+    count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Replace a profile of `count` phases by the shortest one with dips; its number of phases."""
+    for i in range(3):
+        end = 0.45 * i * axis[Axis.ACCELERATION]
+        if set_both(end, asked, axis, work):
+            count = best_depth(count, phases, asked, axis, work)
     return count
 
 
@@ -169,7 +178,7 @@ def timed_dipped(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
     """`timed_profile` with dips at the ends where ramps exceed the velocity limit."""
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.DIPPED, :]
-    if not set_both(problem, axis, work):
+    if not set_both(0.0, problem, axis, work):
         return -1.0
     for i in range(5):
         depth = 0.25 * i

@@ -241,7 +241,7 @@ def dip_ends(
     rest = work[PlanWork.DIPPED, :]
     between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    if not set_both(problem, axis, work):
+    if not set_both(0.0, problem, axis, work):
         return count
     for i in range(5):
         spent = problem_between(0.25 * i, problem, axis, rest, work)

@@ -246,6 +246,7 @@ class Dip(Record):
 
     V = field("velocity of the state", "m/s")
     A = field("its acceleration", "m/s2")
+    END = field("acceleration at their end: zero, or of the other sign", "m/s2")
     ABOVE = field("order of the derivative that has levels, less 2; 0: there are no dips")
     LEAST = field("time of the first level of the least dip", "s")
     DEEPEST = field("the same of the deepest one", "s")
