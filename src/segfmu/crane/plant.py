@@ -123,8 +123,8 @@ class Plant:
         self._check_drives()
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(
-            self._settings, self._changes, np.array(state, dtype=np.float64), setpoints.vector,
-            start_time, self._memory,
+            self._settings, self._components, self._changes, np.array(state, dtype=np.float64),
+            setpoints.vector, start_time, self._memory,
         )
 
     @property

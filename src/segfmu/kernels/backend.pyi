@@ -489,6 +489,7 @@ def rig_rows(
 
 def rig_start(
     settings: Floats,
+    components: Floats,
     changes: Floats,
     state: Floats,
     setpoints: Floats,

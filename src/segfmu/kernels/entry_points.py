@@ -375,8 +375,8 @@ ENTRY_POINTS = (
     entry("rig.rig", "rig_rows", settings=(Settings.SIZE, Settings.COLUMNS)),
     entry(
         "rig.rig", "rig_start", settings=(Settings.SIZE, Settings.COLUMNS),
-        changes=("changes", PayloadChange.SIZE), state=State.SIZE, setpoints=Setpoints.SIZE,
-        memory=(RIG_ROWS, Memory.COLUMNS),
+        components=("sines", Sinusoid.SIZE), changes=("changes", PayloadChange.SIZE),
+        state=State.SIZE, setpoints=Setpoints.SIZE, memory=(RIG_ROWS, Memory.COLUMNS),
     ),
     entry(
         "rig.rig", "rig_step", settings=(Settings.SIZE, Settings.COLUMNS),

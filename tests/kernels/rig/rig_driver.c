@@ -80,7 +80,7 @@ static void start(rig *r)
 {
     array_double_1d first = {r->steps.data + 1, {SETPOINTS_SIZE}};
     memset(r->tracker.data, 0, TRACKER * sizeof(double));
-    segfmu_rig_start(r->settings, r->changes, r->state, first, r->start, r->memory);
+    segfmu_rig_start(r->settings, r->components, r->changes, r->state, first, r->start, r->memory);
 }
 
 static void print_row(const rig *r, int place, int count)

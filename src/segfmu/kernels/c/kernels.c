@@ -535,6 +535,9 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
 static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory);
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static double added_velocity(int64_t axis, double time, array_double_2d memory);
+static int64_t commanded_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
+static double first_command(int64_t axis, array_double_1d setpoints, array_double_2d memory);
+static void act_first(array_double_2d components, array_double_1d setpoints, array_double_2d memory);
 static void load_outputs(array_double_1d target, array_double_2d memory, array_double_1d outputs);
 static double total_sway(double angle_x, double angle_y);
 static void drive_outputs(array_double_2d memory, array_double_1d outputs);
@@ -17481,28 +17484,16 @@ void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_d
         correct_setpoints(settings, table, gains, tracker, memory);
     }
 }
-int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
+static int64_t commanded_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
 {
     array_double_2d work;
     array_double_1d report;
     int64_t i;
-    double command;
-    double correction;
     int64_t result;
     work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if (is_driven(memory))
-        {
-            command = (*cspan_at(&setpoints, INT64_C(3) + i)) + added_velocity(i, time, memory);
-        }
-        else
-        {
-            correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
-            command = (*cspan_at(&setpoints, INT64_C(0) + i)) + correction;
-        }
-        set_command(i, command, 0.0, 0.0, 0.0, memory);
         (*cspan_at(&work, INT64_C(2), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
     }
     plant_derivative(span_row(&memory, INT64_C(5)), components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(4)), work, derivative);
@@ -17515,6 +17506,86 @@ int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, 
     result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
     return result;
 }
+int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
+{
+    int64_t i;
+    double command;
+    double correction;
+    int64_t result;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if (is_driven(memory))
+        {
+            command = (*cspan_at(&setpoints, INT64_C(3) + i)) + added_velocity(i, time, memory);
+        }
+        else
+        {
+            correction = (*cspan_at(&memory, INT64_C(3), INT64_C(0) + i));
+            command = (*cspan_at(&setpoints, INT64_C(0) + i)) + correction;
+        }
+        set_command(i, command, 0.0, 0.0, 0.0, memory);
+    }
+    result = commanded_rates(components, setpoints, time, memory, derivative);
+    return result;
+}
+static double first_command(int64_t axis, array_double_1d setpoints, array_double_2d memory)
+{
+    array_double_1d plant;
+    double present;
+    double velocity;
+    plant = span_row(&memory, INT64_C(5));
+    if (!is_driven(memory))
+    {
+        velocity = (*cspan_at(&setpoints, INT64_C(0) + axis));
+        return velocity;
+    }
+    velocity = (*cspan_at(&setpoints, INT64_C(3) + axis));
+    if ((*cspan_at(&plant, INT64_C(5) + axis)) > 0.0)
+    {
+        return velocity;
+    }
+    velocity = bounded_velocity(axis, velocity, memory);
+    present = axis_velocity(span_row(&memory, INT64_C(4)), axis);
+    if (span_max((*cspan_at(&plant, INT64_C(11) + axis)), force_bound(plant, axis, present)) == 0.0)
+    {
+        return 0.0;
+    }
+    return 1000000.0 * (velocity - present);
+}
+static void act_first(array_double_2d components, array_double_1d setpoints, array_double_2d memory)
+{
+    array_double_1d state;
+    array_double_1d plant;
+    array_double_1d report;
+    array_double_1d derivative;
+    int64_t i;
+    double command;
+    int64_t status;
+    double before;
+    state = span_row(&memory, INT64_C(4));
+    plant = span_row(&memory, INT64_C(5));
+    report = span_row(&memory, INT64_C(8));
+    derivative = span_row(&memory, INT64_C(14) + INT64_C(3) + INT64_C(6));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        command = first_command(i, setpoints, memory);
+        set_command(i, command, 0.0, 0.0, 0.0, memory);
+    }
+    status = commanded_rates(components, setpoints, 0.0, memory, derivative);
+    if ((status == INT64_C(5)) && may_slacken(plant))
+    {
+        change_rope(plant, state);
+        commanded_rates(components, setpoints, 0.0, memory, derivative);
+        (*cspan_at(&state, INT64_C(16))) = 0.0;
+        (*cspan_at(&state, INT64_C(17))) = 0.0;
+        (*cspan_at(&state, INT64_C(18))) = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        before = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&report, INT64_C(10) + i)) = span_max(before, (*cspan_at(&report, INT64_C(3) + i)));
+    }
+}
 int64_t segfmu_rig_rows(array_double_2d settings)
 {
     double longest;
@@ -17525,7 +17596,7 @@ int64_t segfmu_rig_rows(array_double_2d settings)
     result = sensing_end(settings) + late;
     return result;
 }
-void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
+void segfmu_rig_start(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory)
 {
     int64_t row;
     int64_t i;
@@ -17553,11 +17624,6 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
         (*cspan_at(&memory, INT64_C(7), i)) = (*cspan_at(&setpoints, i));
     }
     start_planned(setpoints, memory);
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&memory, INT64_C(8), INT64_C(0) + i)) = (*cspan_at(&setpoints, INT64_C(0) + i));
-    }
-    (*cspan_at(&memory, INT64_C(8), INT64_C(6))) = (*cspan_at(&setpoints, INT64_C(0) + INT64_C(2)));
     (*cspan_at(&memory, INT64_C(6), INT64_C(0))) = start;
     (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
     change_payload(settings, changes, start, memory);
@@ -17568,6 +17634,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_d
     {
         start_delay(setpoints, span_rows(&memory, sensing_end(settings), memory.shape[INT64_C(0)]), memory);
     }
+    act_first(components, setpoints, memory);
 }
 int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory)
 {

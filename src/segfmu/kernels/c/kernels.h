@@ -66,7 +66,7 @@ SEGFMU_API void segfmu_rig_signals(array_double_2d settings, double time, array_
 SEGFMU_API void segfmu_rig_event(array_double_2d settings, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double time, array_double_2d memory);
 SEGFMU_API int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
 SEGFMU_API int64_t segfmu_rig_rows(array_double_2d settings);
-SEGFMU_API void segfmu_rig_start(array_double_2d settings, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
+SEGFMU_API void segfmu_rig_start(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_1d state, array_double_1d setpoints, double start, array_double_2d memory);
 SEGFMU_API int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, array_double_2d changes, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_1d setpoints, double duration, array_double_2d memory);
 SEGFMU_API void segfmu_rig_balance(array_double_2d memory, array_double_1d balance);
 SEGFMU_API double segfmu_rig_imbalance(array_double_1d balance);

@@ -1817,21 +1817,24 @@ static PyObject *call_rig_start(
     arguments call = {.function = "rig_start", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_settings;
+    Py_buffer *in_components;
     Py_buffer *in_changes;
     Py_buffer *in_state;
     Py_buffer *in_setpoints;
     double in_start;
     Py_buffer *in_memory;
     (void)self;
-    if (take_count(&call, count, 6)
+    if (take_count(&call, count, 7)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_changes = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_setpoints = take_array(&call, 3, 1, 'd', false)) != NULL
-        && take_float(&call, 4, &in_start)
-        && (in_memory = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_components = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_changes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_state = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_setpoints = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_float(&call, 5, &in_start)
+        && (in_memory = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
         && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
@@ -1839,6 +1842,7 @@ static PyObject *call_rig_start(
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
+            (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},

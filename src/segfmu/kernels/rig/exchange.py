@@ -69,8 +69,6 @@ def rig_rates(
 
     Returns a `PlantStatus`.
     """
-    work = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
-    report = memory[Memory.REPORT, :]
     for i in range(3):
         if is_driven(memory):
             command = setpoints[Setpoints.VELOCITY + i] + added_velocity(i, time, memory)
@@ -78,6 +76,20 @@ def rig_rates(
             correction = memory[Memory.CORRECTION, Correction.VALUE + i]
             command = setpoints[Setpoints.FORCE + i] + correction
         set_command(i, command, 0.0, 0.0, 0.0, memory)
+    return commanded_rates(components, setpoints, time, memory, derivative)
+
+
+def commanded_rates(
+    components: 'float[:,:]',
+    setpoints: 'float[:]',
+    time: float,
+    memory: 'float[:,:]',
+    derivative: 'float[:]',
+) -> int:
+    """The same under the commands of the drives in the memory."""
+    work = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
+    report = memory[Memory.REPORT, :]
+    for i in range(3):
         work[Work.LOAD_FORCE, i] = setpoints[Setpoints.WIND + i]
     plant_derivative(
         memory[Memory.PLANT, :], components, memory[Memory.CLOCK, Clock.START] + time, 0.0,

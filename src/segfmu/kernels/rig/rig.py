@@ -23,6 +23,7 @@ from segfmu.kernels.crane._crane import crane_energy
 from segfmu.kernels.crane.friction import first_deflection
 from segfmu.kernels.crane.records import Axes, Plant, PlantState, PlantStatus, Report, State
 from segfmu.kernels.numerics.integrate import all_finite
+from segfmu.kernels.rig.acting import act_first
 from segfmu.kernels.rig.delay import (
     delay_rows,
     is_late,
@@ -64,6 +65,7 @@ def rig_rows(settings: 'float[:,:]') -> int:
 
 def rig_start(
     settings: 'float[:,:]',
+    components: 'float[:,:]',
     changes: 'float[:,:]',
     state: 'float[:]',
     setpoints: 'float[:]',
@@ -85,9 +87,6 @@ def rig_start(
     for i in range(Setpoints.SIZE):
         memory[Memory.LAST, i] = setpoints[i]
     start_planned(setpoints, memory)
-    for i in range(3):
-        memory[Memory.REPORT, Report.FORCE + i] = setpoints[Setpoints.FORCE + i]
-    memory[Memory.REPORT, Report.ROPE_FORCE] = setpoints[Setpoints.FORCE + Axes.ROPE]
     memory[Memory.CLOCK, Clock.START] = start
     memory[Memory.CLOCK, Clock.NEXT_CHANGE] = next_change(changes, 0.0, memory)
     change_payload(settings, changes, start, memory)
@@ -99,6 +98,7 @@ def rig_start(
     update_signals(settings, 0.0, memory)
     if is_late(memory):
         start_delay(setpoints, memory[sensing_end(settings):memory.shape[0], :], memory)
+    act_first(components, setpoints, memory)
 
 
 def rig_step(

@@ -169,16 +169,10 @@ bool crane_follows(const crane *m)
     return true;
 }
 
-/* The first derivatives; the report stays that of a start. */
-static void start_rates(crane *m)
+/* The derivatives that the kernels have found last in co-simulation. */
+static void take_rates(crane *m)
 {
-    double report[REPORT_SIZE];
-    memset(m->derivative, 0, sizeof m->derivative);
-    if (crane_follows(m)) {
-        memcpy(report, row(m, MEMORY_REPORT), sizeof report);
-        find_rates(m);
-        memcpy(row(m, MEMORY_REPORT), report, sizeof report);
-    }
+    memcpy(m->derivative, row(m, MEMORY_WORK + WORK_STAGES + STAGES_K7), sizeof m->derivative);
 }
 
 bool model_initialise(model *base, char message[MESSAGE])
@@ -192,9 +186,9 @@ bool model_initialise(model *base, char message[MESSAGE])
     }
     m->rows = segfmu_rig_rows(settings_of(m));
     segfmu_rig_start(
-        settings_of(m), changes_of(m), vector(state, STATE_SIZE),
+        settings_of(m), components_of(m), changes_of(m), vector(state, STATE_SIZE),
         vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));
-    start_rates(m);
+    take_rates(m);
     memcpy(m->input, base->real, sizeof m->input);
     memset(m->slope, 0, sizeof m->slope);
     return true;
@@ -212,7 +206,7 @@ bool model_advance(model *base, double time, char message[MESSAGE])
     int64_t status = segfmu_rig_step(
         settings_of(m), components_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
         vector(m->setpoints, SETPOINTS_SIZE), time - base->real[V_TIME], memory_of(m));
-    memcpy(m->derivative, row(m, MEMORY_WORK + WORK_STAGES + STAGES_K7), sizeof m->derivative);
+    take_rates(m);
     if (time >= base->step_end && base->sloped) {
         memset(base->slope, 0, sizeof base->slope);
         base->sloped = 0;
