@@ -21,7 +21,7 @@ class Setpoints:
     reference : ndarray, shape (10,)
         Reference state.
     wind : ndarray, shape (3,)
-        Force on the load [N] in addition to the rig's wind, held over the step.
+        Force on the load [N] in addition to the rig's wind.
     """
 
     force: FloatArray = field(default_factory=lambda: np.zeros(3))

@@ -133,11 +133,12 @@ static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double gust_factor(double shape, double share);
 static double gust_rate(double shape, double share);
+static double command_slope(int64_t i, double elapsed, array_double_1d rate);
 static void add_sinusoid(array_double_1d component, double sine, double cosine, array_double_1d total);
 static double drag_factor(array_double_1d plant);
 static double relative_speed(array_double_1d air);
 static void add_drag(array_double_1d plant, array_double_1d state, array_double_2d work);
-static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_1d state, array_double_2d work);
+static void wind_force(array_double_1d plant, array_double_2d components, double start, double elapsed, array_double_1d state, array_double_2d work);
 static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, int64_t j);
 static void add_rate(array_double_1d component, double time, int64_t first, array_double_1d total);
 static void wind_rates(array_double_1d plant, array_double_2d components, double time, array_double_1d air);
@@ -511,6 +512,7 @@ static double setpoint_at(array_double_1d setpoints, int64_t i, double share, ar
 static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory);
 static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory);
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
+static void set_load_force(int64_t i, double value, double slope, double square, double cube, array_double_2d memory);
 static int64_t delay_rows(double longest, double period);
 static double longest_delay(array_double_1d plant);
 static bool is_late(array_double_2d memory);
@@ -533,6 +535,7 @@ static void bound_feedback(array_double_2d settings, array_double_3d gains, arra
 static void correct_setpoints(array_double_2d settings, array_double_3d table, array_double_3d gains, array_double_2d tracker, array_double_2d memory);
 static void command_velocities(array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static void command_forces(array_double_1d setpoints, double duration, array_double_2d memory);
+static void follow_wind(array_double_1d setpoints, double duration, array_double_2d memory);
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory);
 static double added_velocity(int64_t axis, double time, array_double_2d memory);
 static int64_t commanded_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative);
@@ -5038,13 +5041,13 @@ static void run_on(array_double_1d plant, array_double_2d work)
     array_double_1d force;
     int64_t rope;
     int64_t i;
-    force = span_row(&work, INT64_C(12));
+    force = span_row(&work, INT64_C(13));
     rope = INT64_C(0) + INT64_C(2);
     if ((!may_slacken(plant)) || ((*cspan_at(&force, rope)) < 0.0))
     {
         return;
     }
-    (*cspan_at(&work, INT64_C(13), INT64_C(0) + INT64_C(2))) = (*cspan_at(&work, INT64_C(18), INT64_C(2)));
+    (*cspan_at(&work, INT64_C(14), INT64_C(0) + INT64_C(2))) = (*cspan_at(&work, INT64_C(19), INT64_C(2)));
     (*cspan_at(&force, rope)) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
@@ -5059,12 +5062,12 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
     int64_t i;
     double drive;
     double bound;
-    force = span_row(&work, INT64_C(12));
-    action = span_row(&work, INT64_C(13));
+    force = span_row(&work, INT64_C(13));
+    action = span_row(&work, INT64_C(14));
     fast = 0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        drive = (*cspan_at(&work, INT64_C(17), i));
+        drive = (*cspan_at(&work, INT64_C(18), i));
         bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
         if (exceeds(drive, bound))
         {
@@ -5073,19 +5076,19 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
         }
         fast = fast || at_velocity_bound(plant, i, state);
         (*cspan_at(&action, INT64_C(0) + i)) = drive;
-        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
+        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(19), i));
     }
     run_on(plant, work);
-    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(15)), plant, derivative);
     if (fast)
     {
-        hold_velocities(plant, state, derivative, action, span_row(&work, INT64_C(19)));
+        hold_velocities(plant, state, derivative, action, span_row(&work, INT64_C(20)));
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&force, i)) = (*cspan_at(&action, INT64_C(0) + i)) - (*cspan_at(&work, INT64_C(18), i));
+            (*cspan_at(&force, i)) = (*cspan_at(&action, INT64_C(0) + i)) - (*cspan_at(&work, INT64_C(19), i));
         }
         run_on(plant, work);
-        segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+        segfmu_crane_rhs(state, force, span_row(&work, INT64_C(15)), plant, derivative);
     }
     (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
 }
@@ -5097,12 +5100,12 @@ static void slack_derivative(array_double_1d plant, array_double_1d state, array
     double needed;
     double drive;
     double bound;
-    force = span_row(&work, INT64_C(12));
-    action = span_row(&work, INT64_C(13));
+    force = span_row(&work, INT64_C(13));
+    action = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        needed = carriage_mass(plant, i) * (*cspan_at(&work, INT64_C(17), i));
-        drive = needed + (*cspan_at(&work, INT64_C(18), i));
+        needed = carriage_mass(plant, i) * (*cspan_at(&work, INT64_C(18), i));
+        drive = needed + (*cspan_at(&work, INT64_C(19), i));
         bound = force_bound(plant, i, axis_velocity(state, i));
         if (exceeds(drive, bound) && (i != INT64_C(2)))
         {
@@ -5110,28 +5113,28 @@ static void slack_derivative(array_double_1d plant, array_double_1d state, array
             (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
         (*cspan_at(&action, INT64_C(0) + i)) = drive;
-        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(18), i));
+        (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(19), i));
     }
     (*cspan_at(&force, INT64_C(0) + INT64_C(2))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         (*cspan_at(&force, INT64_C(3) + i)) = 0.0;
     }
-    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(14)), plant, derivative);
+    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(15)), plant, derivative);
     (*cspan_at(&derivative, INT64_C(17))) = (*cspan_at(&state, INT64_C(18)));
-    (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&work, INT64_C(17), INT64_C(2)));
+    (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&work, INT64_C(18), INT64_C(2)));
     (*cspan_at(&action, INT64_C(6))) = 0.0;
 }
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
     array_double_1d action;
     int64_t i;
-    action = span_row(&work, INT64_C(13));
-    segfmu_crane_driven(state, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(12)), span_row(&work, INT64_C(14)), plant, derivative, action);
+    action = span_row(&work, INT64_C(14));
+    segfmu_crane_driven(state, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative, action);
     (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&action, INT64_C(0) + INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(18), i));
+        (*cspan_at(&action, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(19), i));
     }
 }
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
@@ -5140,10 +5143,10 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
     int64_t i;
     double demand;
     double bound;
-    action = span_row(&work, INT64_C(13));
+    action = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        demand = (*cspan_at(&work, INT64_C(17), i));
+        demand = (*cspan_at(&work, INT64_C(18), i));
         if ((*cspan_at(&plant, INT64_C(5) + i)) > 0.0)
         {
             if (exceeds(demand, (*cspan_at(&plant, INT64_C(14) + i))))
@@ -5158,7 +5161,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
             demand = limited(demand, (*cspan_at(&plant, INT64_C(11) + i)));
             (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
-        (*cspan_at(&work, INT64_C(17), i)) = demand;
+        (*cspan_at(&work, INT64_C(18), i)) = demand;
     }
     if (is_slack(state))
     {
@@ -5171,7 +5174,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
         bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
         if (exceeds((*cspan_at(&action, INT64_C(0) + i)), bound))
         {
-            limit_accelerations(plant, state, action, span_row(&work, INT64_C(17)), span_row(&work, INT64_C(19)));
+            limit_accelerations(plant, state, action, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(20)));
             driven_forces(plant, state, work, derivative);
             break;
         }
@@ -5445,6 +5448,14 @@ static double gust_rate(double shape, double share)
     }
     return 0.5 * full_circle() * cos(angle - 0.25 * full_circle());
 }
+static double command_slope(int64_t i, double elapsed, array_double_1d rate)
+{
+    double slope;
+    double result;
+    slope = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
+    result = (*cspan_at(&rate, INT64_C(0) + i)) + elapsed * slope;
+    return result;
+}
 static void add_sinusoid(array_double_1d component, double sine, double cosine, array_double_1d total)
 {
     int64_t i;
@@ -5478,41 +5489,47 @@ static void add_drag(array_double_1d plant, array_double_1d state, array_double_
     int64_t i;
     double own;
     double factor;
-    air = span_row(&work, INT64_C(20));
-    segfmu_crane_load(state, span_rows(&work, INT64_C(15), INT64_C(15) + INT64_C(2)));
+    air = span_row(&work, INT64_C(21));
+    segfmu_crane_load(state, span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        own = (*cspan_at(&work, INT64_C(15) + INT64_C(1), i));
+        own = (*cspan_at(&work, INT64_C(16) + INT64_C(1), i));
         (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&air, INT64_C(0) + i)) - own;
     }
     factor = drag_factor(plant) * relative_speed(air);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(14), i)) = (*cspan_at(&work, INT64_C(14), i)) + factor * (*cspan_at(&air, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(15), i)) = (*cspan_at(&work, INT64_C(15), i)) + factor * (*cspan_at(&air, INT64_C(0) + i));
     }
 }
-static void wind_force(array_double_1d plant, array_double_2d components, double time, array_double_1d state, array_double_2d work)
+static void wind_force(array_double_1d plant, array_double_2d components, double start, double elapsed, array_double_1d state, array_double_2d work)
 {
+    double time;
     double gust;
     double share;
     array_double_1d force;
     array_double_1d air;
+    array_double_1d rate;
     int64_t i;
+    double given;
     double steady;
     int64_t k;
     double sine;
     double cosine;
+    time = start + elapsed;
     gust = 0.0;
     if ((*cspan_at(&plant, INT64_C(54))) > 0.0)
     {
         share = (time - (*cspan_at(&plant, INT64_C(53)))) / (*cspan_at(&plant, INT64_C(54)));
         gust = gust_factor((*cspan_at(&plant, INT64_C(55))), share);
     }
-    force = span_row(&work, INT64_C(14));
-    air = span_row(&work, INT64_C(20));
+    force = span_row(&work, INT64_C(15));
+    air = span_row(&work, INT64_C(21));
+    rate = span_row(&work, INT64_C(3));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        steady = (*cspan_at(&work, INT64_C(2), i)) + (*cspan_at(&plant, INT64_C(50) + i));
+        given = (*cspan_at(&work, INT64_C(2), i)) + elapsed * command_slope(i, elapsed, rate);
+        steady = given + (*cspan_at(&plant, INT64_C(50) + i));
         (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(56) + i));
         (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(59) + i)) + gust * (*cspan_at(&plant, INT64_C(62) + i));
     }
@@ -5775,32 +5792,32 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     double drive;
     double power;
     double lost;
-    wind = span_row(&work, INT64_C(14));
+    wind = span_row(&work, INT64_C(15));
     calm = ((*cspan_at(&wind, INT64_C(0))) == 0.0) && ((*cspan_at(&wind, INT64_C(1))) == 0.0) && ((*cspan_at(&wind, INT64_C(2))) == 0.0);
     if (!calm)
     {
-        segfmu_crane_load(state, span_rows(&work, INT64_C(15), INT64_C(15) + INT64_C(2)));
+        segfmu_crane_load(state, span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2)));
     }
     squares = (*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8)));
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(13))) = 0.0;
     (*cspan_at(&derivative, INT64_C(14))) = 0.0;
     (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(37))) * squares;
-    if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(13), INT64_C(6))) >= 0.0))
+    if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(14), INT64_C(6))) >= 0.0))
     {
         (*cspan_at(&derivative, INT64_C(15))) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         velocity = axis_velocity(state, i);
-        drive = (*cspan_at(&work, INT64_C(13), INT64_C(0) + i)) * velocity;
+        drive = (*cspan_at(&work, INT64_C(14), INT64_C(0) + i)) * velocity;
         (*cspan_at(&derivative, INT64_C(13))) = (*cspan_at(&derivative, INT64_C(13))) + drive;
         if (!calm)
         {
-            power = (*cspan_at(&wind, i)) * (*cspan_at(&work, INT64_C(15) + INT64_C(1), i));
+            power = (*cspan_at(&wind, i)) * (*cspan_at(&work, INT64_C(16) + INT64_C(1), i));
             (*cspan_at(&derivative, INT64_C(14))) = (*cspan_at(&derivative, INT64_C(14))) + power;
         }
-        lost = (*cspan_at(&work, INT64_C(18), i)) * velocity;
+        lost = (*cspan_at(&work, INT64_C(19), i)) * velocity;
         (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&derivative, INT64_C(15))) + lost;
     }
 }
@@ -5814,19 +5831,18 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     double resistance;
     double torque;
     rate = span_row(&work, INT64_C(1));
-    wind_force(plant, components, time + elapsed, state, work);
+    wind_force(plant, components, time, elapsed, state, work);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        slope = (*cspan_at(&rate, INT64_C(3) + i)) + elapsed * (*cspan_at(&rate, INT64_C(6) + i));
-        slope = (*cspan_at(&rate, INT64_C(0) + i)) + elapsed * slope;
-        (*cspan_at(&work, INT64_C(17), i)) = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
+        slope = command_slope(i, elapsed, rate);
+        (*cspan_at(&work, INT64_C(18), i)) = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
         velocity = axis_velocity(state, i);
         deflection = (*cspan_at(&state, INT64_C(10) + i));
         resistance = buffer_force(plant, i, axis_position(state, i), velocity);
         resistance = resistance + friction_force(plant, i, velocity, deflection);
-        (*cspan_at(&work, INT64_C(18), i)) = resistance;
+        (*cspan_at(&work, INT64_C(19), i)) = resistance;
         (*cspan_at(&derivative, INT64_C(10) + i)) = deflection_rate(plant, i, velocity, deflection);
-        (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = 0.0;
+        (*cspan_at(&work, INT64_C(14), INT64_C(3) + i)) = 0.0;
     }
     (*cspan_at(&derivative, INT64_C(16))) = 0.0;
     (*cspan_at(&derivative, INT64_C(17))) = 0.0;
@@ -5834,7 +5850,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         torque = (-(*cspan_at(&plant, INT64_C(37)))) * (*cspan_at(&state, INT64_C(8) + i));
-        (*cspan_at(&work, INT64_C(12), INT64_C(3) + i)) = torque;
+        (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
     {
@@ -5850,10 +5866,10 @@ static void reuse_last_stage(array_double_2d work)
 {
     array_double_1d action;
     int64_t i;
-    action = span_row(&work, INT64_C(13));
+    action = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(3), i)) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), i));
+        (*cspan_at(&work, INT64_C(4), i)) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -5862,7 +5878,7 @@ static void reuse_last_stage(array_double_2d work)
 }
 static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work)
 {
-    plant_derivative(plant, components, time, elapsed, state, work, span_row(&work, INT64_C(3) + INT64_C(6)));
+    plant_derivative(plant, components, time, elapsed, state, work, span_row(&work, INT64_C(4) + INT64_C(6)));
     reuse_last_stage(work);
 }
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work)
@@ -5872,8 +5888,8 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     int64_t stage;
     int64_t count;
     double result;
-    stages = span_rows(&work, INT64_C(3), INT64_C(3) + INT64_C(7));
-    trial = span_row(&work, INT64_C(10));
+    stages = span_rows(&work, INT64_C(4), INT64_C(4) + INT64_C(7));
+    trial = span_row(&work, INT64_C(11));
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         count = INT64_C(13);
@@ -5886,7 +5902,7 @@ static double try_step(array_double_1d plant, array_double_2d components, double
         {
             return 1e+100;
         }
-        plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(3) + stage));
+        plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(4) + stage));
     }
     result = step_error(h, INT64_C(19), state, trial, stages);
     return result;
@@ -5933,10 +5949,10 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
     array_double_1d action;
     int64_t i;
     double saturated;
-    action = span_row(&work, INT64_C(13));
+    action = span_row(&work, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
     {
-        (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(10), i));
+        (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(11), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -5945,8 +5961,8 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
         (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), saturated);
     }
     (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&action, INT64_C(6)));
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(14)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(3) + INT64_C(6), INT64_C(15)));
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), INT64_C(14)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), INT64_C(15)));
     (*cspan_at(&report, INT64_C(9))) = elapsed;
 }
 int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report)
@@ -5972,7 +5988,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     }
     first_stage(plant, components, time, 0.0, state, work);
     t = 0.0;
-    planned = (*cspan_at(&work, INT64_C(11), INT64_C(0)));
+    planned = (*cspan_at(&work, INT64_C(12), INT64_C(0)));
     if (planned <= 0.0)
     {
         planned = duration;
@@ -5996,8 +6012,8 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
             }
             continue;
         }
-        rope_force = (*cspan_at(&work, INT64_C(13), INT64_C(6)));
-        status = plant_status(plant, span_row(&work, INT64_C(10)), rope_force);
+        rope_force = (*cspan_at(&work, INT64_C(14), INT64_C(6)));
+        status = plant_status(plant, span_row(&work, INT64_C(11)), rope_force);
         if (status != INT64_C(0))
         {
             if (h >= 1e-07)
@@ -6019,7 +6035,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         accept_step(state, work, t, report);
         if (last)
         {
-            (*cspan_at(&work, INT64_C(11), INT64_C(0))) = span_max(h, planned);
+            (*cspan_at(&work, INT64_C(12), INT64_C(0))) = span_max(h, planned);
             return INT64_C(0);
         }
         reuse_last_stage(work);
@@ -16531,7 +16547,7 @@ static int64_t sensing_end(array_double_2d settings)
     array_double_1d sensors;
     int64_t result;
     sensors = span_row(&settings, INT64_C(1));
-    result = INT64_C(35) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
+    result = INT64_C(36) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
     return result;
 }
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
@@ -16681,7 +16697,7 @@ static double next_tick(array_double_2d settings, array_double_2d memory)
 static double next_reading(array_double_2d settings, array_double_2d memory)
 {
     double result;
-    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(35), sensing_end(settings)));
+    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(36), sensing_end(settings)));
     return result;
 }
 double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
@@ -16782,7 +16798,7 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
     latest = time + time_tolerance(settings);
     while(next_reading(settings, memory) <= latest)
     {
-        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(35), sensing_end(settings)));
+        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(36), sensing_end(settings)));
     }
     while((*cspan_at(&clock, INT64_C(4))) <= latest)
     {
@@ -16795,7 +16811,7 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
 }
 static void update_signals(array_double_2d settings, double time, array_double_2d memory)
 {
-    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(35), sensing_end(settings)), span_row(&memory, INT64_C(0)));
+    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(36), sensing_end(settings)), span_row(&memory, INT64_C(0)));
 }
 static bool is_driven(array_double_2d memory)
 {
@@ -16846,6 +16862,13 @@ static void set_command(int64_t axis, double value, double slope, double square,
     (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(0) + axis)) = slope;
     (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(3) + axis)) = square;
     (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(6) + axis)) = cube;
+}
+static void set_load_force(int64_t i, double value, double slope, double square, double cube, array_double_2d memory)
+{
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(2), i)) = value;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(3), INT64_C(0) + i)) = slope;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(3), INT64_C(3) + i)) = square;
+    (*cspan_at(&memory, INT64_C(14) + INT64_C(3), INT64_C(6) + i)) = cube;
 }
 static int64_t delay_rows(double longest, double period)
 {
@@ -17405,6 +17428,24 @@ static void command_forces(array_double_1d setpoints, double duration, array_dou
         set_command(i, force + correction, slope, square, cube, memory);
     }
 }
+static void follow_wind(array_double_1d setpoints, double duration, array_double_2d memory)
+{
+    double share;
+    int64_t i;
+    int64_t place;
+    double force;
+    double slope;
+    double square;
+    double cube;
+    share = (*cspan_at(&memory, INT64_C(6), INT64_C(2))) / duration;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        place = INT64_C(16) + i;
+        force = setpoint_at(setpoints, place, share, memory);
+        setpoint_rates(&slope, &square, &cube, setpoints, place, share, duration, memory);
+        set_load_force(i, force, slope, square, cube, memory);
+    }
+}
 static int64_t advance_plant(array_double_2d settings, array_double_2d components, array_double_1d setpoints, double duration, double until, array_double_2d memory)
 {
     array_double_1d clock;
@@ -17416,7 +17457,7 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     int64_t status;
     clock = span_row(&memory, INT64_C(6));
     report = span_row(&memory, INT64_C(8));
-    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(22));
     time = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1))) + (*cspan_at(&clock, INT64_C(2)));
     if (is_driven(memory))
     {
@@ -17430,10 +17471,7 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     {
         late_commands(settings, until - (*cspan_at(&clock, INT64_C(2))), memory, span_rows(&memory, sensing_end(settings), memory.shape[INT64_C(0)]));
     }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(2), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
-    }
+    follow_wind(setpoints, duration, memory);
     status = segfmu_plant_advance(span_row(&memory, INT64_C(5)), components, time, span_row(&memory, INT64_C(4)), until - (*cspan_at(&clock, INT64_C(2))), (*cspan_at(&settings, INT64_C(0), INT64_C(3))), work, report);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -17490,20 +17528,20 @@ static int64_t commanded_rates(array_double_2d components, array_double_1d setpo
     array_double_1d report;
     int64_t i;
     int64_t result;
-    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(22));
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(2), i)) = (*cspan_at(&setpoints, INT64_C(16) + i));
+        set_load_force(i, (*cspan_at(&setpoints, INT64_C(16) + i)), 0.0, 0.0, 0.0, memory);
     }
     plant_derivative(span_row(&memory, INT64_C(5)), components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(4)), work, derivative);
     for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
     {
-        (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(13), i));
+        (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(14), i));
     }
     (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(14)));
     (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(15)));
-    result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(13), INT64_C(6))));
+    result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(14), INT64_C(6))));
     return result;
 }
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
@@ -17565,7 +17603,7 @@ static void act_first(array_double_2d components, array_double_1d setpoints, arr
     state = span_row(&memory, INT64_C(4));
     plant = span_row(&memory, INT64_C(5));
     report = span_row(&memory, INT64_C(8));
-    derivative = span_row(&memory, INT64_C(14) + INT64_C(3) + INT64_C(6));
+    derivative = span_row(&memory, INT64_C(14) + INT64_C(4) + INT64_C(6));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         command = first_command(i, setpoints, memory);
@@ -17628,7 +17666,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d components, arra
     (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
     change_payload(settings, changes, start, memory);
     (*cspan_at(&memory, INT64_C(13), INT64_C(2))) = mechanical_energy(memory);
-    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(35), sensing_end(settings)));
+    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(36), sensing_end(settings)));
     update_signals(settings, 0.0, memory);
     if (is_late(memory))
     {
@@ -17727,7 +17765,7 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
     double speed;
     int64_t i;
     double error;
-    load = span_rows(&memory, INT64_C(14) + INT64_C(15), INT64_C(14) + INT64_C(15) + INT64_C(2));
+    load = span_rows(&memory, INT64_C(14) + INT64_C(16), INT64_C(14) + INT64_C(16) + INT64_C(2));
     segfmu_crane_load(span_row(&memory, INT64_C(4)), load);
     square = 0.0;
     speed = 0.0;
@@ -17863,8 +17901,8 @@ static void forced_partials(array_double_1d plant, array_double_1d state, array_
     int64_t hoist;
     int64_t velocity;
     double by_power;
-    crane_rhs_partials(state, span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
-    saturated = span_row(&rig, INT64_C(13));
+    crane_rhs_partials(state, span_row(&rig, INT64_C(13)), span_row(&rig, INT64_C(15)), plant, work);
+    saturated = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
         row = span_row(&partials, INT64_C(0) + i);
@@ -17917,7 +17955,7 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     double demand;
     bool clipped;
     bool bounded;
-    action = span_row(&rig, INT64_C(13));
+    action = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         lag = (*cspan_at(&plant, INT64_C(5) + i));
@@ -17967,7 +18005,7 @@ static bool driven_partials(array_double_1d plant, array_double_1d state, array_
     {
         return 0;
     }
-    crane_driven_partials(state, span_row(&rig, INT64_C(17)), span_row(&rig, INT64_C(12)), span_row(&rig, INT64_C(14)), plant, work);
+    crane_driven_partials(state, span_row(&rig, INT64_C(18)), span_row(&rig, INT64_C(13)), span_row(&rig, INT64_C(15)), plant, work);
     first = INT64_C(0) + INT64_C(3);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
@@ -18025,7 +18063,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&wind, j)) = (*cspan_at(&wind, j)) + (*cspan_at(&rig, INT64_C(14), i)) * (*cspan_at(&work, INT64_C(3) + i, j));
+            (*cspan_at(&wind, j)) = (*cspan_at(&wind, j)) + (*cspan_at(&rig, INT64_C(15), i)) * (*cspan_at(&work, INT64_C(3) + i, j));
         }
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -18036,7 +18074,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
         {
             (*cspan_at(&drive, j)) = (*cspan_at(&drive, j)) + (*cspan_at(&partials, INT64_C(5) + i, j)) * velocity;
         }
-        (*cspan_at(&drive, rate)) = (*cspan_at(&drive, rate)) + (*cspan_at(&rig, INT64_C(13), INT64_C(0) + i));
+        (*cspan_at(&drive, rate)) = (*cspan_at(&drive, rate)) + (*cspan_at(&rig, INT64_C(14), INT64_C(0) + i));
         by_wind = INT64_C(13) + i;
         for (j = INT64_C(5); j < INT64_C(10); j += INT64_C(1))
         {
@@ -18045,7 +18083,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
         axis_slopes(&by_position, &slope, &by_deflection, plant, i, state);
         deflection = (*cspan_at(&state, INT64_C(10) + i));
         (*cspan_at(&lost, INT64_C(0) + i)) = by_position * velocity;
-        (*cspan_at(&lost, rate)) = slope * velocity + (*cspan_at(&rig, INT64_C(18), i));
+        (*cspan_at(&lost, rate)) = slope * velocity + (*cspan_at(&rig, INT64_C(19), i));
         (*cspan_at(&lost, INT64_C(16) + i)) = by_deflection * velocity;
         if (deflection_rate(plant, i, velocity, deflection) != 0.0)
         {
@@ -18098,8 +18136,8 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     double correction;
     plant = span_row(&memory, INT64_C(5));
     state = span_row(&memory, INT64_C(4));
-    rig = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(21));
-    if (may_slacken(plant) && ((*cspan_at(&rig, INT64_C(13), INT64_C(6))) >= 0.0))
+    rig = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(22));
+    if (may_slacken(plant) && ((*cspan_at(&rig, INT64_C(14), INT64_C(6))) >= 0.0))
     {
         return 0;
     }
@@ -18137,17 +18175,17 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
         forced_partials(plant, state, rig, work, partials);
     }
     power_partials(plant, state, rig, work, partials);
-    wind_rates(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, span_row(&rig, INT64_C(20)));
+    wind_rates(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, span_row(&rig, INT64_C(21)));
     if ((*cspan_at(&plant, INT64_C(65))) > 0.0)
     {
-        drag_partials(plant, span_row(&rig, INT64_C(20)), work, partials);
+        drag_partials(plant, span_row(&rig, INT64_C(21)), work, partials);
     }
     for (i = INT64_C(0); i < INT64_C(15); i += INT64_C(1))
     {
         row = span_row(&partials, i);
         for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
         {
-            slope = (*cspan_at(&rig, INT64_C(20), INT64_C(6) + j));
+            slope = (*cspan_at(&rig, INT64_C(21), INT64_C(6) + j));
             added = (*cspan_at(&row, INT64_C(19))) + (*cspan_at(&row, INT64_C(13) + j)) * slope;
             if (driven)
             {

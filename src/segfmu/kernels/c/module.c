@@ -1082,7 +1082,7 @@ static PyObject *call_plant_advance(
         && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "state", 0, in_state->shape[0], 19)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 21)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 22)
         && has_at_least(&call, "work", 1, in_work->shape[1], 19)
         && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
@@ -1647,7 +1647,7 @@ static PyObject *call_rig_next_event(
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
         && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 39)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1670,7 +1670,7 @@ static PyObject *call_switch_correction(
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
         && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 39)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -1779,7 +1779,7 @@ static PyObject *call_rig_rates(
         && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 39)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 19)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
@@ -1920,7 +1920,7 @@ static PyObject *call_rig_balance(
     if (take_count(&call, count, 2)
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 39)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
@@ -1965,7 +1965,7 @@ static PyObject *call_rig_outputs(
         && (in_balance = take_array(&call, 2, 1, 'd', true)) != NULL
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 39)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
@@ -2025,7 +2025,7 @@ static PyObject *call_rig_partials(
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 39)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
         && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)

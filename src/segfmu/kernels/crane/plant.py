@@ -14,7 +14,6 @@ from segfmu.kernels.crane.friction import deflection_rate, friction_force
 from segfmu.kernels.crane.records import (
     Action,
     Axes,
-    CommandRates,
     DriveMode,
     GeneralisedForce,
     Load,
@@ -33,7 +32,7 @@ from segfmu.kernels.crane.slack import (
     change_rope,
     may_slacken,
 )
-from segfmu.kernels.crane.wind import wind_force
+from segfmu.kernels.crane.wind import command_slope, wind_force
 from segfmu.kernels.numerics.integrate import (
     all_finite,
     next_step,
@@ -55,10 +54,9 @@ def plant_derivative(
 ) -> None:
     """Derivative of the state at a time [s] elapsed since the interval's start, `time` [s]."""
     rate = work[Work.RATES, :]
-    wind_force(plant, components, time + elapsed, state, work)
+    wind_force(plant, components, time, elapsed, state, work)
     for i in range(3):
-        slope = rate[CommandRates.SQUARE + i] + elapsed * rate[CommandRates.CUBE + i]
-        slope = rate[CommandRates.LINEAR + i] + elapsed * slope
+        slope = command_slope(i, elapsed, rate)
         work[Work.DEMAND, i] = work[Work.COMMAND, i] + elapsed * slope
         velocity = axis_velocity(state, i)
         deflection = state[PlantState.DEFLECTION + i]

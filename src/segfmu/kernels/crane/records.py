@@ -357,7 +357,8 @@ class Work(Record):
 
     COMMAND = field("forces, velocities or accelerations at the start of the interval", of=Axes)
     RATES = field("how they change in it", of=CommandRates)
-    LOAD_FORCE = field("force on the load, held", "N", of=Vector)
+    LOAD_FORCE = field("force on the load at the start of the interval", "N", of=Vector)
+    LOAD_RATES = field("how it changes in it", of=CommandRates)
     STAGES = field("derivatives of the state", size=Stages.SIZE, of=PlantState)
     TRIAL = field("state to which the step that is tried leads", of=PlantState)
     STEP = field("step to try first, 0: the whole interval; kept for the next call", "s")

@@ -7,7 +7,7 @@ the air's speed.
 from math import cos, sin, sqrt
 
 from segfmu.kernels.crane._crane import crane_load
-from segfmu.kernels.crane.records import Air, GustShape, Load, Plant, Vector, Work
+from segfmu.kernels.crane.records import Air, CommandRates, GustShape, Load, Plant, Vector, Work
 from segfmu.kernels.numerics.noise import full_circle
 from segfmu.kernels.numerics.records import Sinusoid
 
@@ -30,19 +30,31 @@ def gust_rate(shape: float, share: float) -> float:
     return 0.5 * full_circle() * cos(angle - 0.25 * full_circle())
 
 
+def command_slope(i: int, elapsed: float, rate: 'float[:]') -> float:
+    """Mean slope of a command over a time [s] elapsed, from its coefficients (CommandRates,)."""
+    slope = rate[CommandRates.SQUARE + i] + elapsed * rate[CommandRates.CUBE + i]
+    return rate[CommandRates.LINEAR + i] + elapsed * slope
+
+
 def wind_force(
-    plant: 'float[:]', components: 'float[:,:]', time: float, state: 'float[:]',
-    work: 'float[:,:]',
+    plant: 'float[:]', components: 'float[:,:]', start: float, elapsed: float,
+    state: 'float[:]', work: 'float[:,:]',
 ) -> None:
-    """Force on the load [N]: the given one, constant wind, gust, noise, and drag of the air."""
+    """Force on the load [N]: the given one, constant wind, gust, noise, and drag of the air.
+
+    At a time [s] elapsed since the interval's start [s].
+    """
+    time = start + elapsed
     gust = 0.0
     if plant[Plant.GUST_DURATION] > 0.0:
         share = (time - plant[Plant.GUST_START]) / plant[Plant.GUST_DURATION]
         gust = gust_factor(plant[Plant.GUST_SHAPE], share)
     force = work[Work.WIND, :]
     air = work[Work.AIR, :]
+    rate = work[Work.LOAD_RATES, :]
     for i in range(Vector.SIZE):
-        steady = work[Work.LOAD_FORCE, i] + plant[Plant.WIND + i]
+        given = work[Work.LOAD_FORCE, i] + elapsed * command_slope(i, elapsed, rate)
+        steady = given + plant[Plant.WIND + i]
         force[i] = steady + gust * plant[Plant.GUST_FORCE + i]
         air[Air.RELATIVE + i] = plant[Plant.WIND_SPEED + i] + gust * plant[Plant.GUST_SPEED + i]
     for k in range(components.shape[0]):

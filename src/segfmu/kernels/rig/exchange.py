@@ -17,7 +17,7 @@ from segfmu.kernels.rig.loop import (
     prepare_tick,
 )
 from segfmu.kernels.rig.records import Clock, Memory, Setpoints
-from segfmu.kernels.rig.setpoints import is_driven, set_command
+from segfmu.kernels.rig.setpoints import is_driven, set_command, set_load_force
 
 
 def rig_event(
@@ -90,7 +90,7 @@ def commanded_rates(
     work = memory[Memory.WORK:Memory.WORK + Work.SIZE, :]
     report = memory[Memory.REPORT, :]
     for i in range(3):
-        work[Work.LOAD_FORCE, i] = setpoints[Setpoints.WIND + i]
+        set_load_force(i, setpoints[Setpoints.WIND + i], 0.0, 0.0, 0.0, memory)
     plant_derivative(
         memory[Memory.PLANT, :], components, memory[Memory.CLOCK, Clock.START] + time, 0.0,
         memory[Memory.STATE, :], work, derivative,

@@ -16,6 +16,7 @@ from segfmu.kernels.crane.records import (
     PlantStatus,
     Report,
     State,
+    Vector,
     Work,
 )
 from segfmu.kernels.crane.slack import axis_velocity
@@ -36,6 +37,7 @@ from segfmu.kernels.rig.setpoints import (
     bounded_velocity,
     is_driven,
     set_command,
+    set_load_force,
     setpoint_at,
     setpoint_rates,
 )
@@ -177,8 +179,7 @@ def advance_plant(
             settings, until - clock[Clock.DONE], memory,
             memory[sensing_end(settings):memory.shape[0], :],
         )
-    for i in range(3):
-        work[Work.LOAD_FORCE, i] = setpoints[Setpoints.WIND + i]
+    follow_wind(setpoints, duration, memory)
     status = plant_advance(
         memory[Memory.PLANT, :], components, time, memory[Memory.STATE, :],
         until - clock[Clock.DONE], settings[Settings.LOOP, Loop.TOLERANCE], work, report,
@@ -189,6 +190,16 @@ def advance_plant(
     if status != PlantStatus.DONE:
         clock[Clock.EVENT] = time + report[Report.ELAPSED]
     return status
+
+
+def follow_wind(setpoints: 'float[:]', duration: float, memory: 'float[:,:]') -> None:
+    """The given force on the load now, and its rates."""
+    share = memory[Memory.CLOCK, Clock.DONE] / duration
+    for i in range(Vector.SIZE):
+        place = Setpoints.WIND + i
+        force = setpoint_at(setpoints, place, share, memory)
+        slope, square, cube = setpoint_rates(setpoints, place, share, duration, memory)
+        set_load_force(i, force, slope, square, cube, memory)
 
 
 def command_forces(setpoints: 'float[:]', duration: float, memory: 'float[:,:]') -> None:

@@ -204,7 +204,7 @@ class Setpoints(Record):
         variables=[f"reference.{v}" for f in State.FIELDS.values() for v in f.variables],
     )
     WIND = field(
-        "force on the load beside the rig's wind, held over the step", "N", size=3,
+        "force on the load beside the rig's wind", "N", size=3,
         variables=[f"wind.{a}" for a in "xyz"],
     )
 

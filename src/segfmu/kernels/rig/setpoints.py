@@ -49,3 +49,13 @@ def set_command(
     memory[Memory.WORK + Work.RATES, CommandRates.LINEAR + axis] = slope
     memory[Memory.WORK + Work.RATES, CommandRates.SQUARE + axis] = square
     memory[Memory.WORK + Work.RATES, CommandRates.CUBE + axis] = cube
+
+
+def set_load_force(
+    i: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
+) -> None:
+    """Component of the given force on the load, and its coefficients over the elapsed time."""
+    memory[Memory.WORK + Work.LOAD_FORCE, i] = value
+    memory[Memory.WORK + Work.LOAD_RATES, CommandRates.LINEAR + i] = slope
+    memory[Memory.WORK + Work.LOAD_RATES, CommandRates.SQUARE + i] = square
+    memory[Memory.WORK + Work.LOAD_RATES, CommandRates.CUBE + i] = cube

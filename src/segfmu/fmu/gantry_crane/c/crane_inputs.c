@@ -51,14 +51,11 @@ void crane_follow_inputs(crane *m, double time)
     crane_read_inputs(m);
     for (int64_t k = 0; k < feeds_setpoints.count; k++) {
         int place = feeds_setpoints.rows[k].place;
-        /* the wind is held */
-        if (place < SETPOINTS_WIND) {
-            segment s = follow_input(m, feeds_setpoints.rows[k].offset, time);
-            row(m, MEMORY_LAST)[place] = s.start;
-            m->setpoints[place] = s.end;
-            row(m, MEMORY_SQUARE)[place] = s.square;
-            row(m, MEMORY_CUBE)[place] = s.cube;
-        }
+        segment s = follow_input(m, feeds_setpoints.rows[k].offset, time);
+        row(m, MEMORY_LAST)[place] = s.start;
+        m->setpoints[place] = s.end;
+        row(m, MEMORY_SQUARE)[place] = s.square;
+        row(m, MEMORY_CUBE)[place] = s.cube;
     }
     for (int64_t k = 0; k < feeds_target.count; k++) {
         follow_input(m, feeds_target.rows[k].offset, time);

@@ -129,9 +129,8 @@ static bool of_energy(const crane *m, int output, const known_place *k, double *
 static double of_signal(const crane *m, int sensor, const known_place *k)
 {
     const double *sensors = setting((crane *)m, SETTINGS_SENSORS);
-    bool follows = sensors[SENSORS_SAMPLE_TIME] <= 0.0
+    return k->column == sensor && sensors[SENSORS_SAMPLE_TIME] <= 0.0
         && sensors[SENSORS_RESOLUTION + sensor] <= 0.0;
-    return follows && k->column == sensor ? 1.0 : 0.0;
 }
 
 static double of_power(const crane *m, int drive, const known_place *k)
@@ -232,7 +231,7 @@ static void to_present(crane *m)
         return;
     }
     memcpy(report, now, sizeof report);
-    for (int place = 0; place < SETPOINTS_WIND; place++) {
+    for (int place = 0; place < SETPOINTS_SIZE; place++) {
         m->setpoints[place] = m->input[feed_offset(&feeds_setpoints, place)];
     }
     /* corrections are in the velocities already */
@@ -250,27 +249,36 @@ static double partial_of(const crane *m, const variable *output, const known_pla
     return value;
 }
 
+/* What the slopes of three setpoints from a place on bring, by the columns from another one on. */
+static double by_slopes(const crane *m, const variable *output, int column, int place)
+{
+    known_place k = {-1, -1, -1};
+    double sum = 0.0;
+    for (int i = 0; i < AXES_SIZE; i++) {
+        k.column = column + i;
+        sum += partial_of(m, output, &k) * m->slope[feed_offset(&feeds_setpoints, place + i)];
+    }
+    return sum;
+}
+
 bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)
 {
     crane *m = (crane *)base;
-    bool rig, smooth;
+    bool rig;
     if (base->interface == MODEL_EXCHANGE || order != 1) {
         return false;
     }
     to_present(m);
-    smooth = differentiate(m) && crane_follows(m);
-    const int commands = driven(m) ? SETPOINTS_VELOCITY : SETPOINTS_FORCE;
+    const bool smooth = differentiate(m) && crane_follows(m);
     known_place k = {-1, -1, -1};
     if (!of_unknown(m, output, &k, &rig, value) || (rig && !smooth)) {
         return false;
     }
-    double sum = 0.0;
+    const int commands = driven(m) ? SETPOINTS_VELOCITY : SETPOINTS_FORCE;
+    double sum = by_slopes(m, output, RIG_VARIABLES_COMMAND, commands)
+        + by_slopes(m, output, RIG_VARIABLES_WIND, SETPOINTS_WIND);
     for (k.column = 0; k.column < STATE_SIZE; k.column++) {
         sum += partial_of(m, output, &k) * m->derivative[k.column];
-    }
-    for (int i = 0; i < AXES_SIZE; i++) {
-        k.column = RIG_VARIABLES_COMMAND + i;
-        sum += partial_of(m, output, &k) * m->slope[feed_offset(&feeds_setpoints, commands + i)];
     }
     for (int i = 0; i < AXES_SIZE; i++) {
         k.column = RIG_VARIABLES_DEFLECTION + i;
@@ -284,8 +292,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
     }
     k.energy = -1;
     for (k.reference = 0; k.reference < VECTOR_SIZE; k.reference++) {
-        sum += partial_of(m, output, &k)
-            * m->slope[feed_offset(&feeds_target, TARGET_LOAD + k.reference)];
+        sum += partial_of(m, output, &k) * m->slope[feed_offset(&feeds_target, TARGET_LOAD + k.reference)];
     }
     *value = sum;
     return true;
