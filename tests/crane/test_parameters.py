@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import astuple
+
+import numpy as np
 import pytest
 
 from segfmu import Crane, InputError
@@ -18,6 +21,17 @@ def test_bad_mass_is_named(name: str, value: object) -> None:
 def test_empty_rope_range_is_refused() -> None:
     with pytest.raises(InputError, match="rope_min"):
         Crane(1.0, 1.0, 1.0, rope_min=2.0, rope_max=1.0)
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32, np.longdouble, np.int8, int])
+def test_numbers_of_any_type_become_floats(kind: type) -> None:
+    crane = Crane(*map(kind, (2, 1, 1, 10)), rope_min=kind(1), rope_max=kind(3))
+    assert repr(astuple(crane)) == "(2.0, 1.0, 1.0, 10.0, 1.0, 3.0)"
+
+
+def test_a_number_too_large_for_a_float_is_refused() -> None:
+    with pytest.raises(InputError, match="payload_mass must be a finite number > 0"):
+        Crane(1.0, 1.0, 10**400)
 
 
 def test_wrong_sizes_are_named() -> None:

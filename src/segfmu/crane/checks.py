@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sys import float_info
+from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,7 +28,8 @@ def require_positive(name: str, value: object) -> None:
 def require_quantity(name: str, value: object) -> None:
     """Raise InputError unless `value` is a number from 1e-9 to 1e9, as crane files have them."""
     require_positive(name, value)
-    if not 1e-9 <= value <= 1e9:  # type: ignore[operator]
+    # as a float: the bounds can be beyond a shorter type of NumPy
+    if not 1e-9 <= float(value) <= 1e9:  # type: ignore[arg-type]
         raise InputError(f"{name} must be from 1e-9 to 1e9, got {shown(value)}")
 
 
@@ -54,7 +55,10 @@ def sized(name: str, value: ArrayLike, size: int) -> FloatArray:
 
 
 def _finite(value: object) -> bool:
-    number = isinstance(value, int | float | np.integer | np.floating)
-    # an integer can be too large for a float
-    largest = float_info.max
-    return number and not isinstance(value, bool) and -largest <= value <= largest  # type: ignore[operator]
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        return False
+    try:
+        return isfinite(value)
+    except OverflowError:
+        # an integer that is too large for a float
+        return False

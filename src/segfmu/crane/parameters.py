@@ -49,9 +49,11 @@ class Crane:
     def __post_init__(self) -> None:
         for name in ("bridge_mass", "trolley_mass", "payload_mass", "gravity"):
             require_quantity(name, getattr(self, name))
+            object.__setattr__(self, name, float(getattr(self, name)))
         for name in ("rope_min", "rope_max"):
             if getattr(self, name) is not None:
                 require_positive(name, getattr(self, name))
+                object.__setattr__(self, name, float(getattr(self, name)))
         fault = np.zeros(SetupFault.SIZE)
         # the start is the plant's
         status = backend.check_rope_bounds(1.0, self.rope_min or 0.0, self.rope_max or 0.0, fault)
@@ -61,12 +63,7 @@ class Crane:
     @property
     def masses(self) -> tuple[float, float, float, float]:
         """Bridge, trolley and payload mass [kg] and gravity [m/s2], as the kernels take them."""
-        return (
-            float(self.bridge_mass),
-            float(self.trolley_mass),
-            float(self.payload_mass),
-            float(self.gravity),
-        )
+        return self.bridge_mass, self.trolley_mass, self.payload_mass, self.gravity
 
     def plant(self, driven: bool, lag: ArrayLike = 0.0) -> FloatArray:
         """The kernels' `Plant` with ideal drives but for lags [s], scalar or (3,)."""
