@@ -39,7 +39,13 @@ def test_wrong_sizes_are_named() -> None:
     with pytest.raises(InputError, match="state must have 10 values"):
         crane.rhs([0.0] * 9, [0.0] * 3)
     with pytest.raises(InputError, match="force must have 3 values"):
-        crane.rhs([0.0] * 10, [0.0] * 2)
+        crane.rhs([0.0, 0.0, 1.0, *[0.0] * 7], [0.0] * 2)
+
+
+@pytest.mark.parametrize("length", [0.0, -1.0])
+def test_a_rope_has_a_length(length: float) -> None:
+    with pytest.raises(InputError, match=rf"rope length must be > 0 m, got {length} m$"):
+        Crane(1.0, 1.0, 1.0).rhs([0.0, 0.0, length, *[0.0] * 7], [0.0, 0.0, -9.81])
 
 
 def test_hanging_state_puts_the_load_where_asked() -> None:

@@ -99,12 +99,20 @@ class Crane:
         Returns
         -------
         ndarray, shape (10,)
+
+        Raises
+        ------
+        InputError
+            For other numbers of values, and for a rope without length.
         """
+        start = sized("state", state, 10)
+        if start[2] <= 0.0:
+            raise InputError(f"state: rope length must be > 0 m, got {start[2]} m")
         generalized = np.zeros(5)
         generalized[:3] = sized("force", force, 3)
         derivative = np.zeros(10)
         backend.crane_rhs(
-            sized("state", state, 10), generalized, sized("load_force", load_force, 3),
+            start, generalized, sized("load_force", load_force, 3),
             np.array(self.masses), derivative,
         )
         return derivative
