@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from math import radians
@@ -68,6 +69,12 @@ def _fed(entry: Entry, value: Any) -> Iterator[tuple[str, float | str]]:
                 yield name, radians(one) if entry.key.unit == "deg" else float(one)
 
 
+def with_keys(text: str) -> str:
+    """A message with the keys of crane files in place of the parameters of GantryCrane."""
+    keys = {name: ".".join(e.path) for e in _entries() for name in e.feeds}
+    return re.sub(r"[a-z_]+(\.[a-z_]+)+", lambda found: keys.get(found[0], found[0]), text)
+
+
 def nominal(crane: CraneFile) -> Crane:
     """Masses, gravity and rope range.
 
@@ -114,7 +121,7 @@ def check(crane: CraneFile, where: str) -> None:
         values = started(gantry_crane.spec(), parameters(crane))
         Rig.of({v.name: v.start for v in values.variables}.__getitem__)
     except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+        raise InputError(f"{where}: {with_keys(str(error))}") from None
     allowed = crane.load.mass_range
     if allowed is not None:
         if allowed[0] > allowed[1]:
