@@ -124,8 +124,8 @@ def build(
     for option, wanted in (("modelica", modelica), ("ssp", ssp)):
         if wanted:
             require_native(choice, option)
-    require_folder(output)
     title, interfaces = "", sized(waypoints)
+    require_folder(output, *(f"{spec.name}.fmu" for spec in interfaces))
     if mission is not None:
         task = load_mission(mission)
         with about(task.file):

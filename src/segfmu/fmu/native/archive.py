@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
@@ -10,15 +9,14 @@ from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 
-from segfmu.errors import BuildError
 from segfmu.fmu.models import named
 from segfmu.fmu.native import feeds, start, tables
 from segfmu.fmu.native.binaries import UNIT, binary
 from segfmu.fmu.native.compilers import PLATFORMS, host, universal
+from segfmu.fmu.placing import placing
 from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
-from segfmu.folders import work_folder
 
 KERNELS = (
     "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "problem.h",
@@ -48,26 +46,19 @@ def build_all(
     specs: Sequence[Spec], folder: Path, *, fmi: int = 2, platforms: Sequence[str] = (),
     report: Callable[[str], None] = lambda _: None,
 ) -> list[Path]:
-    """Build archives into a folder, by default for the host's platform.
+    """Build archives into a folder, by default for the host's platform; they appear together.
 
     Raises
     ------
     BuildError
-        When the folder cannot be written, and where a compiler is missing or fails.
+        When one of them cannot be written, and where a compiler is missing or fails.
     """
     names = tuple(platforms) or (host() or "this platform",)
-    built = []
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with work_folder(folder) as work:
-            for spec in specs:
-                report(f"building {spec.name}.fmu")
-                complete = work / f"{spec.name}.zip"
-                pack(entries(spec, fmi, names), complete)
-                built.append(folder / f"{spec.name}.fmu")
-                os.replace(complete, built[-1])
-    except OSError as error:
-        raise BuildError(f"{folder}: cannot be written: {error.strerror}") from error
+    built = [folder / f"{spec.name}.fmu" for spec in specs]
+    with placing(built) as work:
+        for spec, target in zip(specs, built, strict=True):
+            report(f"building {target.name}")
+            pack(entries(spec, fmi, names), work / target.name)
     return built
 
 

@@ -8,7 +8,6 @@ in one process share Python's module table, so every archive gets a script name 
 from __future__ import annotations
 
 import hashlib
-import os
 import sys
 import zipfile
 from collections.abc import Callable, Sequence
@@ -21,10 +20,10 @@ from pythonfmu import FmuBuilder
 from segfmu.errors import BuildError
 from segfmu.fmu.gantry_feedforward.interface import WAYPOINTS
 from segfmu.fmu.models import named, registered
+from segfmu.fmu.placing import placing
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.fmi2 import GENERATED, model_description
 from segfmu.fmu.standard.spec import Spec
-from segfmu.folders import work_folder
 
 SCRIPT = '''"""{name} as an FMU; the implementation is in the installed package segfmu."""
 
@@ -53,31 +52,23 @@ def build_all(
 ) -> list[Path]:
     """Build FMUs of `specs`, or of all models, into a folder; `report` gets a line before each.
 
+    They appear together, when all of them are complete.
+
     Raises
     ------
     BuildError
-        When the folder cannot be written, and for a model that this backend does not have.
+        When one of them cannot be written, and for a model that this backend does not have.
     """
-    built = []
-    for spec in specs or [m.spec() for m in registered() if m.slave]:
-        report(f"building {spec.name}.fmu")
-        built.append(build(spec, folder))
+    chosen = specs or [m.spec() for m in registered() if m.slave]
+    built = [folder / f"{spec.name}.fmu" for spec in chosen]
+    with placing(built) as work:
+        for spec, target in zip(chosen, built, strict=True):
+            report(f"building {target.name}")
+            # that of PythonFMU has the same name
+            own = work / spec.name
+            own.mkdir()
+            _complete(spec, _pack(spec, own), work / target.name)
     return built
-
-
-def build(spec: Spec, folder: Path) -> Path:
-    """Build one FMU; the archive appears under its name only when it is complete."""
-    target = folder / f"{spec.name}.fmu"
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with work_folder(folder) as work:
-            packed = _pack(spec, work)
-            complete = work / "complete.fmu"
-            _complete(spec, packed, complete)
-            os.replace(complete, target)
-    except OSError as error:
-        raise BuildError(f"{target}: cannot be written: {error.strerror}") from error
-    return target
 
 
 def _pack(spec: Spec, work: Path) -> Path:
