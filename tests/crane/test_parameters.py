@@ -53,3 +53,20 @@ def test_hanging_state_puts_the_load_where_asked() -> None:
     assert crane.load(crane.hanging([1.0, -2.0, -3.0]))[0].tolist() == [1.0, -2.0, -3.0]
     with pytest.raises(InputError, match="below the trolley"):
         crane.hanging([0.0, 0.0, 0.1])
+
+
+@pytest.mark.parametrize(("given", "words"), [
+    ((np.eye(2),), "driven must be True or False"),
+    ((None,), "driven must be True or False"),
+    ((True, np.eye(2)), "lag must be one number per axis"),
+    ((True, "x"), "lag must be a number or a list"),
+    ((True, {}), "lag must be a number or a list"),
+    ((True, 10**400), "lag must be a number or a list"),
+    ((True, float("nan")), "lag must be finite"),
+    ((True, float("inf")), "lag must be finite"),
+    ((True, -1.0), r"lag must be one or three times >= 0 s, got \[-1.0\]"),
+    ((True, [0.1, 0.2]), r"lag must be one or three times >= 0 s, got \[0.1, 0.2\]"),
+])
+def test_a_plant_of_wrong_values_is_refused(given: tuple, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        Crane(1.0, 1.0, 1.0).plant(*given)

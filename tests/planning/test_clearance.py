@@ -147,6 +147,7 @@ def test_excursions_are_those_of_samples() -> None:
         (lambda: Obstacle("a", [0, 0, 0], [1, 0, 1]), "obstacle a: minimum y 0.0 m is not below"),
         (lambda: Obstacle("a", [0, 0], [1, 1, 1]), "obstacle a: minimum must have 3 values"),
         (lambda: Obstacle("a", [0, 0, 0], [1, 1, 1], -1.0), "obstacle a: margin must be"),
+        (lambda: Obstacle(None, [0, 0, 0], [1, 1, 1]), "name of an obstacle must be a text, got"),
         (lambda: Clearance(["a"]), "an obstacle must be an Obstacle, got str"),
         (lambda: Clearance(load_size=[1, 1, -1]), "load_size must be >= 0 m"),
         (lambda: Clearance(minimum=[2, 0, 0], maximum=[1, 1, 1]), "workspace: minimum x 2.0 m"),
@@ -161,3 +162,12 @@ def test_clearance_needs_three_axes() -> None:
     trajectory = plan([Waypoint([0.0]), Waypoint([1.0])], Limits(1.0, 1.0, 1.0))
     with pytest.raises(InputError, match="clearance needs axes x, y, z; got 1 axes"):
         Clearance([STACK]).require(trajectory)
+
+
+@pytest.mark.parametrize(("trajectory", "obstacle", "words"), [
+    (None, STACK, "trajectory must be a plan, got NoneType"),
+    (plan(OVER, LIMITS), None, "an obstacle must be an Obstacle, got NoneType"),
+])
+def test_contact_is_one_of_a_plan_and_an_obstacle(trajectory, obstacle, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        Clearance().contact(trajectory, obstacle)

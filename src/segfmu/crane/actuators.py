@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane.bounds import NAMES as BOUNDS
-from segfmu.crane.bounds import ActuatorBounds, BoundUse, uses
+from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
 from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_lift
 from segfmu.crane.drive_task import SEARCHED, Task, with_motion
@@ -127,8 +127,7 @@ def plan_actuated(
         If no plan keeps limits and bounds. It names the bound, the value needed, and the time or
         the waypoint.
     """
-    if not isinstance(bounds, ActuatorBounds):
-        raise InputError(f"bounds must be an ActuatorBounds, got {type(bounds).__name__}")
+    require_bounds("bounds", bounds)
     if not isinstance(clearance, Clearance | None):
         raise InputError(f"clearance must be a segfmu.Clearance, got {type(clearance).__name__}")
     options: dict[str, Any] = {

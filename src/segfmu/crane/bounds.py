@@ -81,10 +81,23 @@ class ActuatorBounds(Frozen):
         return bool(np.isfinite(self.vector).any())
 
     def tightened(self, other: ActuatorBounds) -> ActuatorBounds:
-        """The lower of two bounds each: those of the drives and those that a mission sets."""
+        """The lower of two bounds each: those of the drives and those that a mission sets.
+
+        Raises
+        ------
+        InputError
+            For anything but ActuatorBounds.
+        """
+        require_bounds("other", other)
         return ActuatorBounds(
             **{n: np.minimum(getattr(self, n), getattr(other, n)) for n in QUANTITIES}
         )
+
+
+def require_bounds(name: str, value: object) -> None:
+    """Raise InputError for anything but ActuatorBounds."""
+    if not isinstance(value, ActuatorBounds):
+        raise InputError(f"{name} must be an ActuatorBounds, got {type(value).__name__}")
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DriveMode, Masses, Plant, RopeBounds
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
-from segfmu.planning.arrays import FloatArray
+from segfmu.planning.arrays import FloatArray, finite_vector, shown
 
 
 @dataclass(frozen=True)
@@ -66,11 +66,22 @@ class Crane:
         return self.bridge_mass, self.trolley_mass, self.payload_mass, self.gravity
 
     def plant(self, driven: bool, lag: ArrayLike = 0.0) -> FloatArray:
-        """The kernels' `Plant` with ideal drives but for lags [s], scalar or (3,)."""
+        """The kernels' `Plant` with ideal drives but for lags [s], scalar or (3,).
+
+        Raises
+        ------
+        InputError
+            For a `driven` that is no bool, and lags that are not one or three times >= 0.
+        """
+        if not isinstance(driven, bool | np.bool_):
+            raise InputError(f"driven must be True or False, got {shown(driven)}")
+        lags = finite_vector("lag", lag)
+        if lags.size not in (1, 3) or (lags < 0.0).any():
+            raise InputError(f"lag must be one or three times >= 0 s, got {lags.tolist()}")
         packed = np.zeros(Plant.SIZE)
         packed[Plant.BRIDGE_MASS : Plant.MODE] = self.masses
         packed[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
-        packed[Plant.LAG : Plant.FORCE_MAX] = lag
+        packed[Plant.LAG : Plant.FORCE_MAX] = lags
         return packed
 
     def values(self) -> dict[str, float]:

@@ -22,6 +22,7 @@ from segfmu.planning.arrays import (
     as_tuple,
     finite_vector,
     range_bounds,
+    shown,
 )
 from segfmu.planning.messages import told_apart
 from segfmu.planning.passages import both, outside, rounding, within
@@ -44,7 +45,7 @@ class Obstacle(Frozen):
     Raises
     ------
     InputError
-        For corners that are not in order and for a negative margin.
+        For a name that is no text, corners that are not in order and a negative margin.
     """
 
     name: str
@@ -55,6 +56,8 @@ class Obstacle(Frozen):
     def __init__(
         self, name: str, minimum: ArrayLike, maximum: ArrayLike, margin: float = 0.0
     ) -> None:
+        if not isinstance(name, str):
+            raise InputError(f"the name of an obstacle must be a text, got {shown(name)}")
         low, high = (
             _triple(f"obstacle {name}: {n}", v)
             for n, v in (("minimum", minimum), ("maximum", maximum))
@@ -68,7 +71,7 @@ class Obstacle(Frozen):
         if gap.size != 1 or gap[0] < 0.0:
             raise InputError(f"obstacle {name}: margin must be a distance >= 0 m, got {margin!r}")
         for key, value in (
-            ("name", str(name)), ("minimum", low), ("maximum", high), ("margin", float(gap[0]))
+            ("name", name), ("minimum", low), ("maximum", high), ("margin", float(gap[0]))
         ):
             object.__setattr__(self, key, value)
 
@@ -109,8 +112,7 @@ class Clearance(Frozen):
     ) -> None:
         boxes = as_tuple("obstacles", obstacles)
         for box in boxes:
-            if not isinstance(box, Obstacle):
-                raise InputError(f"an obstacle must be an Obstacle, got {type(box).__name__}")
+            _require_obstacle(box)
         low, high = _edges("minimum", minimum, -np.inf), _edges("maximum", maximum, np.inf)
         for axis in np.flatnonzero(low >= high):
             raise InputError(
@@ -127,7 +129,15 @@ class Clearance(Frozen):
             object.__setattr__(self, key, value)
 
     def contact(self, trajectory: Trajectory, obstacle: Obstacle) -> FloatArray:
-        """Intervals of time [s] in which the load is too close to an obstacle, (intervals, 2)."""
+        """Intervals of time [s] in which the load is too close to an obstacle, (intervals, 2).
+
+        Raises
+        ------
+        InputError
+            For anything but a trajectory of exactly three axes, and an Obstacle.
+        """
+        _require_axes(trajectory)
+        _require_obstacle(obstacle)
         low, high = self._kept(obstacle)
         # the load may touch
         low, high = low + rounding(trajectory), high - rounding(trajectory)
@@ -144,9 +154,7 @@ class Clearance(Frozen):
         InfeasibleError
             With the first contact: obstacle or axis, place, time, and the way out.
         """
-        require_plan(trajectory)
-        if trajectory.axes != 3:
-            raise InputError(f"clearance needs axes x, y, z; got {trajectory.axes} axes")
+        _require_axes(trajectory)
         self._require_range(trajectory)
         met = [(self.contact(trajectory, box), box) for box in self.obstacles]
         first = min(
@@ -199,6 +207,17 @@ class Clearance(Frozen):
                 axis=axis, interval=trajectory.interval(begin), limit="workspace",
                 value=value, bound=float(bound), time=begin,
             )
+
+
+def _require_axes(trajectory: Trajectory) -> None:
+    require_plan(trajectory)
+    if trajectory.axes != 3:
+        raise InputError(f"clearance needs axes x, y, z; got {trajectory.axes} axes")
+
+
+def _require_obstacle(box: object) -> None:
+    if not isinstance(box, Obstacle):
+        raise InputError(f"an obstacle must be an Obstacle, got {type(box).__name__}")
 
 
 def _triple(name: str, value: ArrayLike) -> FloatArray:

@@ -9,12 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from segfmu.errors import InputError
-from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import FloatArray, shown
+from segfmu.planning.arrays import FloatArray
 from segfmu.planning.polynomials import derivative_pieces, extrema
-from segfmu.planning.problem import SYNCHRONIZATIONS
 from segfmu.planning.trajectory import Trajectory, require_plan
+from segfmu.planning.whole import require_whole
 
 TOLERANCE = 1e-9
 # of times, which nothing but rounding changes
@@ -93,59 +91,14 @@ def verify(trajectory: Trajectory) -> Verification:
     Raises
     ------
     InputError
-        If it is not a Trajectory, or one whose waypoints, axes and times do not belong together.
+        If it is not a Trajectory, or one whose attributes are of other types or do not belong
+        together.
     """
     require_plan(trajectory)
-    _require_whole(trajectory)
+    require_whole(trajectory)
     # overflow gives inf or nan, and nan does not pass
     with np.errstate(all="ignore"):
         return _measured(trajectory)
-
-
-def _require_whole(trajectory: Trajectory) -> None:
-    times, points = trajectory.axis_waypoint_times, trajectory.waypoints
-    if times.shape != (len(points), trajectory.axes):
-        raise InputError(
-            f"trajectory has {len(points)} waypoints of {trajectory.axes} axes, but the times of "
-            f"{' x '.join(map(str, times.shape))}"
-        )
-    if len(points) < 2:
-        raise InputError(f"trajectory has {len(points)} waypoints, at least 2 are needed")
-    for number, point in enumerate(points, 1):
-        if point.axes != trajectory.axes:
-            raise InputError(
-                f"trajectory has {trajectory.axes} axes, but waypoint {number} has {point.axes}"
-            )
-    if len(trajectory.axis_names) != trajectory.axes:
-        raise InputError(
-            f"trajectory has {trajectory.axes} axes, but {len(trajectory.axis_names)} axis_names"
-        )
-    if trajectory.synchronize not in SYNCHRONIZATIONS:
-        raise InputError(
-            f"trajectory has synchronize {trajectory.synchronize!r}, not one of "
-            f"{', '.join(SYNCHRONIZATIONS)}"
-        )
-    _require_pieces(trajectory)
-
-
-def _require_pieces(trajectory: Trajectory) -> None:
-    """Raise InputError unless every axis has pieces, and all arrays have as many rows."""
-    offsets = trajectory.offsets
-    if offsets.ndim != 1 or offsets[0] != 0 or (np.diff(offsets) <= 0).any():
-        raise InputError(
-            f"trajectory needs offsets that ascend from 0, got {shown(offsets.tolist())}"
-        )
-    pieces = int(offsets[-1])
-    for name, array, shape in (
-        ("timing", trajectory.timing, (pieces, Timing.SIZE)),
-        ("coefficients", trajectory.coefficients, (pieces, trajectory.coefficients.shape[-1])),
-        ("axis_durations", trajectory.axis_durations, (trajectory.axes,)),
-    ):
-        if array.shape != shape:
-            raise InputError(
-                f"trajectory has {pieces} pieces of {trajectory.axes} axes; its {name} must have "
-                f"the shape {shape}, not {array.shape}"
-            )
 
 
 def _measured(trajectory: Trajectory) -> Verification:
