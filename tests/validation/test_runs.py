@@ -98,6 +98,21 @@ def test_a_run_knows_its_signals(run: segfmu.Run) -> None:
 
 
 @needs_native
+def test_a_run_iterates_over_its_names(run: segfmu.Run) -> None:
+    assert tuple(run) == run.signals and "time" in list(run)
+
+
+@needs_native
+def test_a_run_is_read_only(run: segfmu.Run) -> None:
+    for column in (run["error.load.norm"], run.time, run.rows, run.rows["time"]):
+        with pytest.raises(ValueError, match="read-only"):
+            column[5] = column[4]
+    table = run.to_pandas()
+    table.loc[table.index[5], "error.load.norm"] = 99.0
+    assert run["error.load.norm"].max() < 1.0
+
+
+@needs_native
 def test_a_run_as_a_table(run: segfmu.Run, tmp_path: Path) -> None:
     table = run.to_pandas()
     assert table.index.name == "time" and len(table) == run.time.size

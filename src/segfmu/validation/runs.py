@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -38,7 +39,7 @@ Picture = Literal["run", "plan", "path", "drives"]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Run:
-    """A mission that was co-simulated. `run["sway.x.angle"]` is one signal.
+    """A mission that was co-simulated. `run["sway.x.angle"]` is one signal; iterates over names.
 
     Attributes
     ----------
@@ -46,7 +47,7 @@ class Run:
     trajectory : Trajectory
         The plan.
     rows : structured array
-        "time" and the variables of both FMUs, a row for every communication step.
+        "time" and the variables of both FMUs, a row for every communication step; read-only.
     criteria : Criteria
         Measures of the run and what is allowed.
     note : str
@@ -73,6 +74,9 @@ class Run:
     def signals(self) -> tuple[str, ...]:
         """Names of all variables."""
         return self.rows.dtype.names or ()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.signals)
 
     def __contains__(self, name: object) -> bool:
         return name in self.signals
@@ -215,6 +219,7 @@ def simulate(
             task, archives.feedforward, archives.crane, trajectory,
             lambda share: progress("co-simulating", share),
         )
+    rows.flags.writeable = False
     settings = task.simulation
     found = judge(
         rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
