@@ -106,6 +106,25 @@ SCENARIOS = {
                "must be the name of a variable, or a list of names, got 5"),
     "window": (SCENARIO + CRITERION + "window = [0]\n", "window: must have at least 2 values, got "
                "[0]"),
+    "no time": (SCENARIO + CRITERION + "window = [nan, 1]", "sc.toml: criteria.1.window.1: must be "
+                'a time, or "start", "arrival" or "end" plus or minus a time, got nan'),
+    "endless time": (SCENARIO + CRITERION + "[[events]]\ntime = inf\nvalues = { a = 1 }",
+                     'sc.toml: events.1.time: must be a time, or "start", "arrival" or "end" plus '
+                     "or minus a time, got inf"),
+    "no name": (SCENARIO + CRITERION.replace('"sway.x.angle"', '""'), "sc.toml: criteria.1.signal: "
+                "must have at least 1 character, got ''"),
+    "no text": (SCENARIO + CRITERION + "[[events]]\ntime = 1\nvalues = { 'a.b' = [1] }", "sc.toml: "
+                "events.1.values.a.b: must be a number, true, false, or the name of an item"),
+    **{
+        f"times {times}": (
+            f'{SCENARIO}{CRITERION}[[profiles]]\nvariable = "a"\ntimes = {times}\n'
+            "values = [1, 2]", f"sc.toml: profiles.1: times must increase, got {words}; sort the "
+            "samples and give one for each time",
+        ) for times, words in (
+            ("[2, 1]", "1.0 after 2.0"), ("[1, 1]", "1.0 after 1.0"),
+            ('["start + 1", 0.5]', "0.5 after 'start + 1'"),
+        )
+    },
 }
 
 

@@ -106,6 +106,10 @@ REFUSED = {
     + '[[events]]\ntime = 1.0\nvalues = { "crane.gravity" = 1.0 }\n',
     "event too late": HEAD + CRITERION
     + '[[events]]\ntime = "end + 1"\nvalues = { "wind.x" = 1.0 }\n',
+    "event of true for a number": HEAD + CRITERION
+    + '[[events]]\ntime = 1.0\nvalues = { "wind.x" = true }\n',
+    "profile back in time": HEAD + CRITERION
+    + '[[profiles]]\nvariable = "wind.x"\ntimes = ["arrival", 0.5]\nvalues = [1.0, 0.0]\n',
     "parameter of no FMU": HEAD + CRITERION + "[parameters.Other]\nx = 1.0\n",
     "drives without bounds": HEAD.replace("inteco", "paper") + DRIVES,
     "missing reference": HEAD + CRITERION + 'kind = "tube"\nreference = "none.csv"\n',

@@ -93,6 +93,8 @@ class Setter:
                 allowed = ", ".join(items) or "a number"
                 raise InputError(f"{owner}: {variable.name} takes {allowed}, got {value!r}")
             return items[value]
+        if isinstance(value, bool | np.bool_) and kind is not bool:
+            raise InputError(f"{owner}: {variable.name} takes a number, got {value!r}")
         try:
             number = float(value)
         except (TypeError, ValueError):

@@ -20,7 +20,7 @@ from segfmu.validation.baselines import Course, course, position_gains
 from segfmu.validation.baselines import changes as inputs
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.scenario_file import Scenario
-from segfmu.validation.files.scenario_tables import moment
+from segfmu.validation.files.scenario_tables import moment, moments
 from segfmu.validation.kept import Kept
 from segfmu.validation.monitor import Finding, judge
 from segfmu.validation.pairs import Pairs, with_arrays
@@ -187,7 +187,7 @@ class Runner:
             found += inputs(own, CRANE, times)
         found += [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
         for p in file.profiles:
-            found += profile(p.fmu, p.variable, [moment(t, known) for t in p.times], p.values)
+            found += profile(p.fmu, p.variable, moments(p.times, known), p.values)
         return found
 
     def _findings(

@@ -31,6 +31,7 @@ CAMPAIGNS = {
     "too many runs": ("runs = 40", "runs = 2_000_000", "sampling.runs: must be at most 1e+06"),
     "seed": ("seed = 3", "seed = -3", "sampling.seed: must be at least 0"),
     "no factor": ("key = ", "keys = ", "keys: unknown key; did you mean key?"),
+    "no names": ("controller.design", "..", "key: must be names with a dot between each two, got"),
     "misspelt crane": (
         "true_crane.payload_mass", "true_crane.paylod_mass", "did you mean payload_mass",
     ),

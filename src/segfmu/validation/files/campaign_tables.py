@@ -24,6 +24,13 @@ def _own(name: str) -> str:
     return name
 
 
+def _parted(key: str) -> str:
+    """Refuse keys with empty names, which no table has."""
+    if not all(key.split(".")):
+        raise ValueError("must be names with a dot between each two")
+    return key
+
+
 FactorName = Annotated[Name, AfterValidator(_own)]
 
 
@@ -56,7 +63,7 @@ class FactorTable(Table):
 
     name: Annotated[FactorName, Key("of the factor, a column of the table of runs")]
     key: Annotated[
-        Name | None,
+        Annotated[Name, AfterValidator(_parted)] | None,
         Key("key of the scenario, with dots; of its crane, true_crane, limits, simulation, "
             "controller or plan; parameters.FMU.NAME is any parameter of an FMU",
             default="required, but for variants"),

@@ -69,7 +69,7 @@ def checked(kind: type[Checked], data: Mapping[str, Any], where: str) -> Checked
     try:
         return kind.model_validate(data)
     except ValidationError as error:
-        raise InputError(f"{where}: {_problem(kind, error)}") from None
+        raise InputError(f"{where}: {_problem(kind, data, error)}") from None
 
 
 def merged(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -82,12 +82,31 @@ def merged(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any
     return result
 
 
-def _problem(kind: type[Table], error: ValidationError) -> str:
+def _problem(kind: type[Table], data: Mapping[str, Any], error: ValidationError) -> str:
     """The first finding as `key: what is wrong, got value`; a misspelt key before a missing one."""
     problems = error.errors(include_url=False)
+    for problem in problems:
+        problem["loc"] = _keys(data, problem["loc"])
     misspelt = [p for p in problems if p["type"] == "extra_forbidden" and _similar(kind, p["loc"])]
-    more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+    others = len({p["loc"] for p in problems}) - 1
+    more = f" (and {others} more)" if others else ""
     return f"{_finding(kind, [*misspelt, *problems][0])}{more}".replace("\n", " ")
+
+
+def _keys(data: Any, place: tuple[int | str, ...]) -> tuple[int | str, ...]:
+    """A place in a file without the names that pydantic gives to the types of a value."""
+    found = []
+    for part in place:
+        if isinstance(part, str) and isinstance(data, str | int | float | list):
+            continue
+        found.append(part)
+        if isinstance(data, Mapping):
+            data = data.get(part)
+        elif isinstance(data, list) and isinstance(part, int) and part < len(data):
+            data = data[part]
+        else:
+            data = None
+    return tuple(found)
 
 
 def _finding(kind: type[Table], problem: ErrorDetails) -> str:

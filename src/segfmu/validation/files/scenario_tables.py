@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from math import nan
+from sys import float_info
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
 
+from segfmu.errors import InputError
 from segfmu.validation.files.keys import Key, NotNegative, Number, Table, printable
 
 INSTANT = re.compile(r"(start|arrival|end)(?:\s*([+-])\s*(\d+\.?\d*(?:[eE][+-]?\d+)?))?")
@@ -16,8 +20,13 @@ CRANE = "GantryCrane"
 
 def _instant(value: Any) -> Any:
     """Refuse what is neither a time nor words for one."""
-    words = isinstance(value, str) and INSTANT.fullmatch(value.strip())
-    if isinstance(value, bool) or not (words or isinstance(value, int | float)):
+    if isinstance(value, str):
+        fits = INSTANT.fullmatch(value.strip()) is not None
+    else:
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        # neither NaN nor an integer that is too large for a float
+        fits = number and abs(value) <= float_info.max
+    if not fits:
         raise ValueError('must be a time, or "start", "arrival" or "end" plus or minus a time')
     return value.strip() if isinstance(value, str) else value
 
@@ -30,6 +39,24 @@ def moment(value: float | str, known: Mapping[str, float]) -> float:
     assert found is not None
     word, sign, amount = found.groups()
     return known[word] + float(f"{sign or '+'}{amount or 0}")
+
+
+def moments(values: Sequence[float | str], known: Mapping[str, float]) -> list[float]:
+    """The times that instants of samples mean [s]; NaN for one that is not `known` yet.
+
+    Raises
+    ------
+    InputError
+        For times that do not increase.
+    """
+    found = [moment(value, known) for value in values]
+    for i, (first, second) in enumerate(pairwise(found), 1):
+        if second <= first:
+            raise InputError(
+                f"times must increase, got {values[i]!r} after {values[i - 1]!r}; sort the samples "
+                "and give one for each time"
+            )
+    return found
 
 
 def scalar(value: Any) -> Any:
@@ -73,6 +100,7 @@ class ProfileTable(Table):
     def _fits(self) -> Self:
         if len(self.times) != len(self.values):
             raise ValueError(f"has {len(self.times)} times but {len(self.values)} values")
+        moments(self.times, {"start": 0.0, "arrival": nan, "end": nan})
         return self
 
 
