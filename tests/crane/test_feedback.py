@@ -122,3 +122,20 @@ def test_bad_designs_are_refused() -> None:
             driven=True,
             weights=Weights(angle=0.0, rate=0.0),
         )
+
+
+@pytest.mark.parametrize(("masses", "weights", "words"), [
+    (LAB, {"position": 1e300}, "feedback.weight.position 1e[+]300 is too far from 1; choose one"),
+    (LAB, {"position": 1e-300}, "feedback.weight.position 1e-300 is too far from 1"),
+    (LAB, {"velocity": 1.7e308}, "feedback.weight.velocity 1.7e[+]308 is too far from 1"),
+    (LAB, {"angle": 1e30}, "feedback.weight.angle 1e[+]30 is too far from 1"),
+    (LAB, {"effort": 1e15}, "feedback.weight.effort 1e[+]15 is too far from 1"),
+    ((2.2, 1.155, 1e9), {}, "payload_mass 1e[+]09 kg is too far from trolley_mass 1.155 kg; check"),
+])
+@pytest.mark.filterwarnings("error")
+def test_why_there_is_no_gain(masses, weights: dict, words: str) -> None:
+    with pytest.raises(InputError, match=rf"^the feedback has no gain at 0.16 m of rope: {words}"):
+        design(
+            Crane(*masses), sample_time=0.01, shortest=0.16, longest=0.98,
+            weights=Weights(**weights),
+        )

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from segfmu import InputError, Limits, Suite, build, load_mission, validate
+from segfmu import InputError, Limits, Suite, build, load_mission, simulate, validate
 from segfmu.validation.output import file_path
 from segfmu.validation.runs import Run
+from tests.compiler import require_native
 
 MISSION = Path(__file__).parents[2] / "models" / "paper.toml"
 
@@ -63,3 +64,13 @@ def test_there_is_room_for_2_to_256_waypoints(waypoints: int, tmp_path: Path) ->
     with pytest.raises(InputError, match="waypoints must be from 2 to 256, got"):
         build(output=tmp_path / "fmus", waypoints=waypoints)
     assert not (tmp_path / "fmus").exists()
+
+
+@pytest.mark.parametrize("run", [simulate, build])
+def test_a_crane_without_gains_is_refused_by_its_file(run, tmp_path: Path) -> None:
+    require_native()
+    heavy = load_mission(MISSION, {"crane": {"payload_mass": 1e9}})
+    words = r"paper\.toml: the feedback has no gain .*: payload_mass 1e[+]09 kg is too far from"
+    with pytest.raises(InputError, match=words):
+        run(heavy, output=tmp_path)
+    assert not list(tmp_path.iterdir())

@@ -144,6 +144,15 @@ def test_what_the_fmus_refuse_is_one_line(
     assert str(scenario.path) in str(refusal.value) and "\n" not in str(refusal.value)
 
 
+def test_a_design_that_fails_names_keys_of_the_crane_file(runner: Runner, place: Path) -> None:
+    scenario = load_scenario(
+        written(place, HEAD + "[controller]\nweight.position = 1e300\n" + CRITERION)
+    )
+    words = r"s\.toml: the feedback has no gain .*: controller\.weight\.position 1e[+]300 is too"
+    with pytest.raises(ValueError, match=words):
+        runner.run(scenario)
+
+
 def test_bases_are_merged(place: Path) -> None:
     written(place, HEAD + "[simulation]\nsettle = 2.0\n" + CRITERION, "low.toml")
     written(place, 'base = "low.toml"\n[simulation]\nfeedback = false\n', "middle.toml")

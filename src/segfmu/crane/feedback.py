@@ -37,6 +37,10 @@ EFFORT = 3.0
 # pendulum's frequency times dead time and period [rad] from which on effort costs more
 PATIENCE, HOIST_PATIENCE = 0.25, 0.15
 
+# ratio of weights or masses from which on it is the reason why there is no gain
+FAR = 1e6
+MASSES = ("bridge_mass", "trolley_mass", "payload_mass")
+
 # these weights must be positive: without them no gain exists, or nothing holds the position
 NEEDED = ("position", "effort", "rope")
 
@@ -96,6 +100,8 @@ class SwayFeedback:
         object.__setattr__(self, "table", table)
 
 
+# numbers that are too large are refused below, with their names
+@np.errstate(all="ignore")
 def gain(
     crane: Crane,
     length: float,
@@ -133,19 +139,35 @@ def gain(
     effort = np.diag(w.effort * patience / largest**2)
     try:
         riccati = solve_discrete_are(ad, bd, state_cost, effort)
-    except (np.linalg.LinAlgError, ValueError) as error:
-        raise InputError(
-            f"no gain at a rope of {length:.6g} m exists for a bridge of "
-            f"{crane.bridge_mass:.6g} kg, a trolley of {crane.trolley_mass:.6g} kg, a payload of "
-            f"{crane.payload_mass:.6g} kg, a dead time of {dead_time:.6g} s and {weights} "
-            f"({error}); check masses and dead times, or raise the weights of angle and rate"
-        ) from None
-    solved = np.linalg.solve(effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad)
+        solved = np.linalg.solve(effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad)
+    except (np.linalg.LinAlgError, ValueError):
+        raise _without_gain(crane, length, dead_time, weights) from None
+    if not np.isfinite(solved).all():
+        raise _without_gain(crane, length, dead_time, weights)
     found = np.zeros((Axes.SIZE, GainInputs.SIZE))
     found[:, : State.SIZE] = solved[:, : State.SIZE]
     for column, axis in enumerate(lagging, State.SIZE):
         found[axis, GainInputs.COMMAND] = solved[axis, column]
     return found
+
+
+def _without_gain(crane: Crane, length: float, dead_time: float, weights: Weights) -> InputError:
+    """Why there is no gain: a weight or a mass far from the others; all of them if none is."""
+    positive = {n: v for n, v in vars(weights).items() if v > 0.0}
+    name, value = max(positive.items(), key=lambda item: abs(np.log10(item[1])))
+    masses = dict(zip(MASSES, crane.masses, strict=False))
+    (light, least), *_, (heavy, most) = sorted(masses.items(), key=lambda item: item[1])
+    if not 1.0 / FAR <= value <= FAR:
+        cause = f"feedback.weight.{name} {value:g} is too far from 1; choose one nearer to it"
+    elif most > FAR * least:
+        cause = f"{heavy} {most:g} kg is too far from {light} {least:g} kg; check both"
+    else:
+        given = ", ".join(f"{n} {v:g} kg" for n, v in masses.items())
+        cause = (
+            f"{given}, a dead time of {dead_time:g} s and {weights}; check masses and dead times, "
+            "or raise the weights of angle and rate"
+        )
+    return InputError(f"the feedback has no gain at {length:.6g} m of rope: {cause}")
 
 
 def design(

@@ -14,6 +14,7 @@ from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
 from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import as_index, shown
+from segfmu.validation.files.crane_parameters import with_keys
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.output import about, folder, require_folder
 from segfmu.validation.planned import planned
@@ -124,14 +125,16 @@ def build(
     for option, wanted in (("modelica", modelica), ("ssp", ssp)):
         if wanted:
             require_native(choice, option)
-    title, interfaces = "", sized(waypoints)
+    title, interfaces, file = "", sized(waypoints), None
     require_folder(output, *(f"{spec.name}.fmu" for spec in interfaces))
     if mission is not None:
         task = load_mission(mission)
-        with about(task.file):
+        file = task.file
+        with about(file):
             title, interfaces = task.name, specs(task, planned(task, progress), waypoints)
     target = folder(output)
-    feedforward, crane = written(target, choice, interfaces, progress)
+    with with_keys(file):
+        feedforward, crane = written(target, choice, interfaces, progress)
     others = describe(target, (feedforward, crane), interfaces, title, modelica=modelica, ssp=ssp)
     return Archives(feedforward, crane, tuple(others), choice.note)
 
@@ -141,7 +144,8 @@ def for_simulation(
 ) -> Archives:
     """FMUs for this machine with a mission's values."""
     choice = chosen(2, "native", "", everywhere=False)
-    paths = written(target, choice, specs(task, trajectory), progress)
+    with with_keys(task.file):
+        paths = written(target, choice, specs(task, trajectory), progress)
     return Archives(*paths, note=choice.note)
 
 

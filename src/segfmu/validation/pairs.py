@@ -14,6 +14,7 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec
 from segfmu.folders import make_folder, remove_folder
 from segfmu.planning import Trajectory
+from segfmu.validation.files.crane_parameters import with_keys
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_tables import SimulationEntry
 from segfmu.validation.kept import Kept
@@ -64,7 +65,8 @@ class Pairs:
         if key not in self._pairs:
             folder = self._folder / "_".join(map(str, key))
             interfaces = specs(_planned(mission), trajectory)
-            paths = build_all(folder, chosen(fmi, "native", "", everywhere=False), interfaces)
+            with with_keys():
+                paths = build_all(folder, chosen(fmi, "native", "", everywhere=False), interfaces)
             self._pairs[key] = Pair((paths[0], paths[1]), _native(interfaces))
         return self._pairs[key]
 
@@ -91,7 +93,8 @@ def _planned(mission: Mission) -> Mission:
 
 def _native(interfaces: Sequence[Spec]) -> tuple[Spec, Spec]:
     feedforward, crane = interfaces
-    return gantry_feedforward.native_spec(feedforward), gantry_crane.native_spec(crane)
+    with with_keys():
+        return gantry_feedforward.native_spec(feedforward), gantry_crane.native_spec(crane)
 
 
 def _differences(old: Spec, new: Spec) -> dict[str, Any]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache
 from math import radians
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -69,10 +71,17 @@ def _fed(entry: Entry, value: Any) -> Iterator[tuple[str, float | str]]:
                 yield name, radians(one) if entry.key.unit == "deg" else float(one)
 
 
-def with_keys(text: str) -> str:
-    """A message with the keys of crane files in place of the parameters of GantryCrane."""
-    keys = {name: ".".join(e.path) for e in _entries() for name in e.feeds}
-    return re.sub(r"[a-z_]+(\.[a-z_]+)+", lambda found: keys.get(found[0], found[0]), text)
+@contextmanager
+def with_keys(where: str | Path | None = None) -> Iterator[None]:
+    """Name keys of crane files in errors, in place of parameters of GantryCrane, behind `where`."""
+    try:
+        yield
+    except InputError as error:
+        keys = {name: ".".join(e.path) for e in _entries() for name in e.feeds}
+        text = re.sub(
+            r"[a-z_]+(\.[a-z_]+)+", lambda found: keys.get(found[0], found[0]), str(error)
+        )
+        raise InputError(text if where is None else f"{where}: {text}") from None
 
 
 def nominal(crane: CraneFile) -> Crane:
@@ -116,12 +125,10 @@ def check(crane: CraneFile, where: str) -> None:
     InputError
         For values that do not fit together.
     """
-    try:
+    with with_keys(where):
         nominal(crane)
         values = started(gantry_crane.spec(), parameters(crane))
         Rig.of({v.name: v.start for v in values.variables}.__getitem__)
-    except InputError as error:
-        raise InputError(f"{where}: {with_keys(str(error))}") from None
     allowed = crane.load.mass_range
     if allowed is not None:
         if allowed[0] > allowed[1]:
