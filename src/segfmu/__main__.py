@@ -26,6 +26,11 @@ def main() -> None:
     _handle(stop)
     try:
         code = run()
+    except BaseException:
+        # a stop within an import, or a callback, can come out as another exception
+        if not stop.code:
+            raise
+        code = stop.code
     finally:
         # what was asked is done; a signal while the interpreter ends would be a traceback
         stop.finish()

@@ -134,7 +134,9 @@ def test_bad_designs_are_refused() -> None:
 ])
 @pytest.mark.filterwarnings("error")
 def test_why_there_is_no_gain(masses, weights: dict, words: str) -> None:
-    with pytest.raises(InputError, match=rf"^the feedback has no gain at 0.16 m of rope: {words}"):
+    # the first rope that has none differs from one linear algebra library to another
+    message = rf"^the feedback has no gain at [0-9.]+ m of rope: {words}"
+    with pytest.raises(InputError, match=message):
         design(
             Crane(*masses), sample_time=0.01, shortest=0.16, longest=0.98,
             weights=Weights(**weights),
