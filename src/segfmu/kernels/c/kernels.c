@@ -290,6 +290,7 @@ static double loop_radius(int64_t arc, double place, double missing, double larg
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
 static double flush_tiny(double value, double scale);
 static double boundary_value(double value, double limit);
+static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above);
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis);
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
@@ -363,6 +364,7 @@ static bool close_dip(double first, double end, array_double_1d axis, array_doub
 static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work);
 static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work);
 static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
+static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work);
 static int64_t write_levels(array_double_2d phases, array_double_2d work);
 static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
@@ -410,7 +412,7 @@ static double problem_between(double depth, array_double_1d asked, array_double_
 static int64_t profile_between(array_double_1d rest, array_double_1d axis, array_double_2d work);
 static int64_t with_dips(double depth, int64_t count, array_double_2d phases, array_double_1d axis, array_double_2d work);
 static int64_t dipped_profile(double depth, double longest, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
-static bool set_both(double end, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool set_both_dips(double end, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t best_depth(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static void surround_with_dips(int64_t column, double depth, array_double_2d phases, array_double_1d axis, array_double_2d work);
@@ -511,6 +513,7 @@ static bool is_driven(array_double_2d memory);
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory);
 static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* result_2_0001, array_double_1d setpoints, int64_t i, double share, double duration, array_double_2d memory);
 static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory);
+static void set_polynomial(int64_t row, int64_t rates, int64_t i, double value, double slope, double square, double cube, array_double_2d memory);
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
 static void set_load_force(int64_t i, double value, double slope, double square, double cube, array_double_2d memory);
 static int64_t delay_rows(double longest, double period);
@@ -10216,10 +10219,24 @@ static double boundary_value(double value, double limit)
 {
     return span_min(span_max(flush_tiny(value, limit), -limit), limit);
 }
+static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above)
+{
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = basis;
+    (*cspan_at(&phases, count, INT64_C(2))) = start;
+    (*cspan_at(&phases, count, INT64_C(3))) = change;
+    (*cspan_at(&phases, count, INT64_C(4))) = above;
+    return count + INT64_C(1);
+}
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis)
 {
     double change;
     double slope;
+    int64_t result;
     if (duration <= 0.0)
     {
         return count;
@@ -10229,41 +10246,23 @@ static int64_t append_ramp(array_double_2d phases, int64_t count, double a, doub
     {
         change = -change;
     }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = duration;
-    (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = change;
-    (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
-    return count + INT64_C(1);
+    result = append_phase(phases, count, duration, duration, a, change, 0.0);
+    return result;
 }
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis)
 {
     double duration;
     double slope;
+    int64_t result;
     segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = duration;
-    (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = b - a;
-    (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
-    return count + INT64_C(1);
+    result = append_phase(phases, count, duration, duration, a, b - a, 0.0);
+    return result;
 }
 static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
 {
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = 0.0;
-    (*cspan_at(&phases, count, INT64_C(2))) = a;
-    (*cspan_at(&phases, count, INT64_C(3))) = 0.0;
-    (*cspan_at(&phases, count, INT64_C(4))) = 0.0;
-    return count + INT64_C(1);
+    int64_t result;
+    result = append_phase(phases, count, duration, 0.0, a, 0.0, 0.0);
+    return result;
 }
 static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
 {
@@ -12438,9 +12437,9 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
     double e_newest;
     double other;
     double e_other;
+    int64_t i;
     double before;
     double e_before;
-    int64_t i;
     double share;
     double second;
     double error;
@@ -12453,8 +12452,12 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
     }
     other = 2.0 * newest;
     e_other = last_jerk(other, axis, work);
-    while(e_other < 0.0)
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
+        if (e_other >= 0.0)
+        {
+            break;
+        }
         newest = other;
         e_newest = e_other;
         other = 2.0 * other;
@@ -12618,7 +12621,7 @@ static bool find_dips(double v, double a, double end, array_double_1d axis, arra
     double gain;
     int64_t lower;
     int64_t above;
-    double deepest;
+    double least;
     sign = 1.0;
     if (a < 0.0)
     {
@@ -12636,17 +12639,23 @@ static bool find_dips(double v, double a, double end, array_double_1d axis, arra
     for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(35)))); lower += INT64_C(1))
     {
         above = (int64_t)((*cspan_at(&axis, INT64_C(35)))) - lower;
-        (*cspan_at(&dips, INT64_C(3))) = above;
         begin_dip(above, sign * v, fabs(a), work);
-        (*cspan_at(&dips, INT64_C(4))) = find_edge(0, 0.02 * duration, -end, axis, work);
-        if ((*cspan_at(&dips, INT64_C(4))) > 0.0)
+        least = find_edge(0, 0.02 * duration, -end, axis, work);
+        if (least > 0.0)
         {
-            deepest = find_edge(1, (*cspan_at(&dips, INT64_C(4))), -end, axis, work);
-            (*cspan_at(&dips, INT64_C(5))) = span_max(deepest, (*cspan_at(&dips, INT64_C(4))));
+            (*cspan_at(&dips, INT64_C(3))) = above;
+            (*cspan_at(&dips, INT64_C(4))) = least;
+            (*cspan_at(&dips, INT64_C(5))) = least;
             return 1;
         }
     }
     return 0;
+}
+static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work)
+{
+    double end;
+    end = -fabs((*cspan_at(&dips, INT64_C(2))));
+    (*cspan_at(&dips, INT64_C(5))) = span_max(find_edge(1, (*cspan_at(&dips, INT64_C(4))), end, axis, work), (*cspan_at(&dips, INT64_C(4))));
 }
 static int64_t write_levels(array_double_2d phases, array_double_2d work)
 {
@@ -12654,6 +12663,7 @@ static int64_t write_levels(array_double_2d phases, array_double_2d work)
     double level;
     int64_t i;
     int64_t row;
+    double ramp;
     int64_t used;
     above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
     level = 0.0;
@@ -12661,21 +12671,10 @@ static int64_t write_levels(array_double_2d phases, array_double_2d work)
     for (i = INT64_C(0); i < (int64_t)(above) + INT64_C(2); i += INT64_C(1))
     {
         row = INT64_C(102) + i;
-        if ((*cspan_at(&work, row, INT64_C(11))) > 0.0)
-        {
-            (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
-            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11)));
-            (*cspan_at(&phases, used, INT64_C(2))) = level;
-            (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
-            (*cspan_at(&phases, used, INT64_C(4))) = above;
-            used = used + INT64_C(1);
-        }
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        used = append_phase(phases, used, ramp, ramp, level, (*cspan_at(&work, row, INT64_C(9))) - level, above);
         level = (*cspan_at(&work, row, INT64_C(9)));
-        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
-        {
-            used = append_hold(phases, used, level, (*cspan_at(&work, row, INT64_C(10))));
-            (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = above;
-        }
+        used = append_phase(phases, used, (*cspan_at(&work, row, INT64_C(10))), 0.0, level, 0.0, above);
     }
     return used;
 }
@@ -13546,6 +13545,9 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
     int64_t row;
     double after;
     int64_t state;
+    double ramp;
+    double basis;
+    double change;
     double held;
     double order;
     int64_t kind;
@@ -13563,19 +13565,16 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
         if (idle > 0.0)
         {
             state = INT64_C(0) + (int64_t)(above) + INT64_C(1);
-            used = append_hold(phases, used, (*cspan_at(&work, row, state)), idle);
-            (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = above - 1.0;
+            used = append_phase(phases, used, idle, 0.0, (*cspan_at(&work, row, state)), 0.0, above - 1.0);
             level = 0.0;
             continue;
         }
-        if (((*cspan_at(&work, row, INT64_C(11))) > 0.0) && (after == 0.0))
+        if (after == 0.0)
         {
-            (*cspan_at(&phases, used, INT64_C(0))) = (*cspan_at(&work, row, INT64_C(11)));
-            (*cspan_at(&phases, used, INT64_C(1))) = (*cspan_at(&work, row, INT64_C(11))) * (*cspan_at(&work, INT64_C(101), INT64_C(2)));
-            (*cspan_at(&phases, used, INT64_C(2))) = level;
-            (*cspan_at(&phases, used, INT64_C(3))) = (*cspan_at(&work, row, INT64_C(9))) - level;
-            (*cspan_at(&phases, used, INT64_C(4))) = above;
-            used = used + INT64_C(1);
+            ramp = (*cspan_at(&work, row, INT64_C(11)));
+            basis = ramp * (*cspan_at(&work, INT64_C(101), INT64_C(2)));
+            change = (*cspan_at(&work, row, INT64_C(9))) - level;
+            used = append_phase(phases, used, ramp, basis, level, change, above);
         }
         level = (*cspan_at(&work, row, INT64_C(9)));
         if (((*cspan_at(&work, row, INT64_C(10))) > 0.0) && ((*cspan_at(&work, row, INT64_C(7))) < 0.5))
@@ -13592,8 +13591,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
                     held = (*cspan_at(&work, row, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
                 }
             }
-            used = append_hold(phases, used, held, (*cspan_at(&work, row, INT64_C(10))));
-            (*cspan_at(&phases, used - INT64_C(1), INT64_C(4))) = order;
+            used = append_phase(phases, used, (*cspan_at(&work, row, INT64_C(10))), 0.0, held, 0.0, order);
         }
     }
     return used;
@@ -14041,7 +14039,6 @@ static bool set_dips(double v, double a, double end, array_double_1d axis, array
 {
     double duration;
     double slope;
-    bool result;
     (*cspan_at(&dips, INT64_C(0))) = v;
     (*cspan_at(&dips, INT64_C(2))) = a;
     (*cspan_at(&dips, INT64_C(3))) = 0.0;
@@ -14050,8 +14047,12 @@ static bool set_dips(double v, double a, double end, array_double_1d axis, array
     {
         return 1;
     }
-    result = find_dips(v, a, end, axis, dips, work);
-    return result;
+    if (!find_dips(v, a, end, axis, dips, work))
+    {
+        return 0;
+    }
+    find_deepest(axis, dips, work);
+    return 1;
 }
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work)
 {
@@ -14137,7 +14138,7 @@ static int64_t dipped_profile(double depth, double longest, array_double_2d phas
     result = with_dips(depth, count, phases, axis, work);
     return result;
 }
-static bool set_both(double end, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool set_both_dips(double end, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d first;
     array_double_1d last;
@@ -14198,7 +14199,7 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         end = 0.45 * i * (*cspan_at(&axis, INT64_C(3)));
-        if (set_both(end, asked, axis, work))
+        if (set_both_dips(end, asked, axis, work))
         {
             count = best_depth(count, phases, asked, axis, work);
         }
@@ -14259,7 +14260,7 @@ static double timed_dipped(array_double_1d axis, array_double_2d cell, array_dou
     double weight;
     problem = span_row(&work, INT64_C(59));
     rest = span_row(&work, INT64_C(61));
-    if (!set_both(0.0, problem, axis, work))
+    if (!set_both_dips(0.0, problem, axis, work))
     {
         return -1.0;
     }
@@ -14655,7 +14656,7 @@ static int64_t dip_ends(double after, array_double_1d problem, array_double_1d a
     rest = span_row(&work, INT64_C(61));
     between = span_rows(&work, INT64_C(65), INT64_C(98));
     ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    if (!set_both(0.0, problem, axis, work))
+    if (!set_both_dips(0.0, problem, axis, work))
     {
         return count;
     }
@@ -16856,19 +16857,20 @@ static double bounded_velocity(int64_t axis, double velocity, array_double_2d me
     }
     return velocity;
 }
+static void set_polynomial(int64_t row, int64_t rates, int64_t i, double value, double slope, double square, double cube, array_double_2d memory)
+{
+    (*cspan_at(&memory, INT64_C(14) + row, i)) = value;
+    (*cspan_at(&memory, INT64_C(14) + rates, INT64_C(0) + i)) = slope;
+    (*cspan_at(&memory, INT64_C(14) + rates, INT64_C(3) + i)) = square;
+    (*cspan_at(&memory, INT64_C(14) + rates, INT64_C(6) + i)) = cube;
+}
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory)
 {
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(0), axis)) = value;
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(0) + axis)) = slope;
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(3) + axis)) = square;
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(1), INT64_C(6) + axis)) = cube;
+    set_polynomial(INT64_C(0), INT64_C(1), axis, value, slope, square, cube, memory);
 }
 static void set_load_force(int64_t i, double value, double slope, double square, double cube, array_double_2d memory)
 {
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(2), i)) = value;
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(3), INT64_C(0) + i)) = slope;
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(3), INT64_C(3) + i)) = square;
-    (*cspan_at(&memory, INT64_C(14) + INT64_C(3), INT64_C(6) + i)) = cube;
+    set_polynomial(INT64_C(2), INT64_C(3), i, value, slope, square, cube, memory);
 }
 static int64_t delay_rows(double longest, double period)
 {

@@ -13,9 +13,9 @@ velocity is gained, and the lower the acceleration falls.
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.phases import append_hold, boundary_value, mirror_phases
+from segfmu.kernels.planner.phases import append_phase, boundary_value, mirror_phases
 from segfmu.kernels.planner.ramp import ramp_duration
-from segfmu.kernels.planner.records import Axis, Dip, Excess, Node, Passing, Phase, PlanWork
+from segfmu.kernels.planner.records import Axis, Dip, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sequence import advance, pass_node, sequence_duration, set_level
 
 
@@ -66,7 +66,9 @@ def balance_jerk(axis: 'float[:]', work: 'float[:,:]') -> None:
         return
     other = 2.0 * newest
     e_other = last_jerk(other, axis, work)
-    while e_other < 0.0:
+    for i in range(60):
+        if e_other >= 0.0:
+            break
         newest = other
         e_newest = e_other
         other = 2.0 * other
@@ -174,9 +176,9 @@ def find_edge(
 def find_dips(
     v: float, a: float, end: float, axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]'
 ) -> bool:
-    """Set the dips (Dip) from (v, a) that keep the limits; False if there are none.
+    """Set the least dip (Dip) from (v, a) that keeps the limits; False if there is none.
 
-    At their end the acceleration is -`end`, in the direction of a, and all derivatives above zero.
+    At its end the acceleration is -`end`, in the direction of a, and all derivatives above zero.
 
     With levels of the derivative that passing profiles have, or else of one below. With the snap as
     the highest limit, ramps of the acceleration do the same.
@@ -194,14 +196,20 @@ def find_dips(
     dips[Dip.END] = -sign * end
     for lower in range(int(axis[Axis.ABOVE])):
         above = int(axis[Axis.ABOVE]) - lower
-        dips[Dip.ABOVE] = above
         begin_dip(above, sign * v, abs(a), work)
-        dips[Dip.LEAST] = find_edge(False, 0.02 * duration, -end, axis, work)
-        if dips[Dip.LEAST] > 0.0:
-            deepest = find_edge(True, dips[Dip.LEAST], -end, axis, work)
-            dips[Dip.DEEPEST] = max(deepest, dips[Dip.LEAST])
+        least = find_edge(False, 0.02 * duration, -end, axis, work)
+        if least > 0.0:
+            dips[Dip.ABOVE] = above
+            dips[Dip.LEAST] = least
+            dips[Dip.DEEPEST] = least
             return True
     return False
+
+
+def find_deepest(axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> None:
+    """Set the deepest dip, right after `find_dips` set the least one."""
+    end = -abs(dips[Dip.END])
+    dips[Dip.DEEPEST] = max(find_edge(True, dips[Dip.LEAST], end, axis, work), dips[Dip.LEAST])
 
 
 def write_levels(phases: 'float[:,:]', work: 'float[:,:]') -> int:
@@ -211,17 +219,10 @@ def write_levels(phases: 'float[:,:]', work: 'float[:,:]') -> int:
     used = 0
     for i in range(int(above) + 2):
         row = PlanWork.NODES + i
-        if work[row, Node.RAMP] > 0.0:
-            phases[used, Phase.DURATION] = work[row, Node.RAMP]
-            phases[used, Phase.BASIS] = work[row, Node.RAMP]
-            phases[used, Phase.ACCELERATION] = level
-            phases[used, Phase.CHANGE] = work[row, Node.LEVEL] - level
-            phases[used, Phase.ABOVE] = above
-            used = used + 1
+        ramp = work[row, Node.RAMP]
+        used = append_phase(phases, used, ramp, ramp, level, work[row, Node.LEVEL] - level, above)
         level = work[row, Node.LEVEL]
-        if work[row, Node.HOLD] > 0.0:
-            used = append_hold(phases, used, level, work[row, Node.HOLD])
-            phases[used - 1, Phase.ABOVE] = above
+        used = append_phase(phases, used, work[row, Node.HOLD], 0.0, level, 0.0, above)
     return used
 
 

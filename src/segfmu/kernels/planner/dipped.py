@@ -6,7 +6,7 @@ and the acceleration at their ends are searched for: a deep one takes longer, bu
 motion in the other direction.
 """
 
-from segfmu.kernels.planner.dip import find_dips, write_dip
+from segfmu.kernels.planner.dip import find_deepest, find_dips, write_dip
 from segfmu.kernels.planner.enclose import clear_nearest, nearest_weight, timed_between
 from segfmu.kernels.planner.forms import braked_ramps, is_done, passing_either_way, shortest_between
 from segfmu.kernels.planner.passing import slower_form
@@ -32,7 +32,10 @@ def set_dips(
     duration, slope = ramp_duration(abs(a), axis)
     if abs(v + 0.5 * a * duration) <= axis[Axis.VELOCITY]:
         return True
-    return find_dips(v, a, end, axis, dips, work)
+    if not find_dips(v, a, end, axis, dips, work):
+        return False
+    find_deepest(axis, dips, work)
+    return True
 
 
 def problem_between(
@@ -96,7 +99,7 @@ def dipped_profile(
     return with_dips(depth, count, phases, axis, work)
 
 
-def set_both(end: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+def set_both_dips(end: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Set the dips at both ends; False if there are none, or none are needed."""
     first = work[PlanWork.DIP_FIRST, :]
     last = work[PlanWork.DIP_LAST, :]
@@ -136,7 +139,7 @@ def shorter_dipped(
     """Replace a profile of `count` phases by the shortest one with dips; its number of phases."""
     for i in range(3):
         end = 0.45 * i * axis[Axis.ACCELERATION]
-        if set_both(end, asked, axis, work):
+        if set_both_dips(end, asked, axis, work):
             count = best_depth(count, phases, asked, axis, work)
     return count
 
@@ -178,7 +181,7 @@ def timed_dipped(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
     """`timed_profile` with dips at the ends where ramps exceed the velocity limit."""
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.DIPPED, :]
-    if not set_both(0.0, problem, axis, work):
+    if not set_both_dips(0.0, problem, axis, work):
         return -1.0
     for i in range(5):
         depth = 0.25 * i

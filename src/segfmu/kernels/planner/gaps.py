@@ -9,7 +9,7 @@ the duration over a family.
 from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.dipped import problem_between, profile_between, set_both
+from segfmu.kernels.planner.dipped import problem_between, profile_between, set_both_dips
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import snap_is_last
@@ -241,7 +241,7 @@ def dip_ends(
     rest = work[PlanWork.DIPPED, :]
     between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    if not set_both(0.0, problem, axis, work):
+    if not set_both_dips(0.0, problem, axis, work):
         return count
     for i in range(5):
         spent = problem_between(0.25 * i, problem, axis, rest, work)

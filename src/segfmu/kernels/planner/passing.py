@@ -9,14 +9,14 @@ from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.phases import append_hold, is_passing, reverse_phases, reverse_problem
+from segfmu.kernels.planner.phases import append_phase, is_passing, reverse_phases, reverse_problem
 from segfmu.kernels.planner.plateaus import (
     keep_sequence,
     meet_limits,
     overlong_plateau,
     restore_sequence,
 )
-from segfmu.kernels.planner.records import Axis, Node, Passing, Phase, PlanWork, Problem, Tighten
+from segfmu.kernels.planner.records import Axis, Node, Passing, PlanWork, Problem, Tighten
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
 from segfmu.kernels.planner.starts import first_solution, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
@@ -96,17 +96,14 @@ def write_sequence(
         if idle > 0.0:
             # the derivative below the levels is held as long, with the ramp that follows
             state = Node.STATE + int(above) + 1
-            used = append_hold(phases, used, work[row, state], idle)
-            phases[used - 1, Phase.ABOVE] = above - 1.0
+            used = append_phase(phases, used, idle, 0.0, work[row, state], 0.0, above - 1.0)
             level = 0.0
             continue
-        if work[row, Node.RAMP] > 0.0 and after == 0.0:
-            phases[used, Phase.DURATION] = work[row, Node.RAMP]
-            phases[used, Phase.BASIS] = work[row, Node.RAMP] * work[PlanWork.PASSING, Passing.PACE]
-            phases[used, Phase.ACCELERATION] = level
-            phases[used, Phase.CHANGE] = work[row, Node.LEVEL] - level
-            phases[used, Phase.ABOVE] = above
-            used = used + 1
+        if after == 0.0:
+            ramp = work[row, Node.RAMP]
+            basis = ramp * work[PlanWork.PASSING, Passing.PACE]
+            change = work[row, Node.LEVEL] - level
+            used = append_phase(phases, used, ramp, basis, level, change, above)
         level = work[row, Node.LEVEL]
         if work[row, Node.HOLD] > 0.0 and work[row, Node.TOUCH] < 0.5:
             held = level
@@ -118,8 +115,7 @@ def write_sequence(
                 if work[row, Node.KIND] > 1.5:
                     kind = int(work[row, Node.KIND])
                     held = work[row, Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
-            used = append_hold(phases, used, held, work[row, Node.HOLD])
-            phases[used - 1, Phase.ABOVE] = order
+            used = append_phase(phases, used, work[row, Node.HOLD], 0.0, held, 0.0, order)
     return used
 
 

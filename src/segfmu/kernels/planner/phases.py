@@ -17,6 +17,21 @@ def boundary_value(value: float, limit: float) -> float:
     return min(max(flush_tiny(value, limit), -limit), limit)
 
 
+def append_phase(
+    phases: 'float[:,:]', count: int, duration: float, basis: float, start: float, change: float,
+    above: float,
+) -> int:
+    """Append a phase (Phase); nothing if it has no duration. Returns the number of phases."""
+    if duration <= 0.0:
+        return count
+    phases[count, Phase.DURATION] = duration
+    phases[count, Phase.BASIS] = basis
+    phases[count, Phase.ACCELERATION] = start
+    phases[count, Phase.CHANGE] = change
+    phases[count, Phase.ABOVE] = above
+    return count + 1
+
+
 def append_ramp(
     phases: 'float[:,:]', count: int, a: float, b: float, duration: float, axis: 'float[:]'
 ) -> int:
@@ -30,12 +45,7 @@ def append_ramp(
     change, slope = ramp_change(duration, axis)
     if b < a:
         change = -change
-    phases[count, Phase.DURATION] = duration
-    phases[count, Phase.BASIS] = duration
-    phases[count, Phase.ACCELERATION] = a
-    phases[count, Phase.CHANGE] = change
-    phases[count, Phase.ABOVE] = 0.0
-    return count + 1
+    return append_phase(phases, count, duration, duration, a, change, 0.0)
 
 
 def append_change(
@@ -43,26 +53,12 @@ def append_change(
 ) -> int:
     """Append the fastest ramp from a to b; nothing if they are equal."""
     duration, slope = ramp_duration(abs(b - a), axis)
-    if duration <= 0.0:
-        return count
-    phases[count, Phase.DURATION] = duration
-    phases[count, Phase.BASIS] = duration
-    phases[count, Phase.ACCELERATION] = a
-    phases[count, Phase.CHANGE] = b - a
-    phases[count, Phase.ABOVE] = 0.0
-    return count + 1
+    return append_phase(phases, count, duration, duration, a, b - a, 0.0)
 
 
 def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> int:
     """Append a phase of constant acceleration; nothing if it has no duration."""
-    if duration <= 0.0:
-        return count
-    phases[count, Phase.DURATION] = duration
-    phases[count, Phase.BASIS] = 0.0
-    phases[count, Phase.ACCELERATION] = a
-    phases[count, Phase.CHANGE] = 0.0
-    phases[count, Phase.ABOVE] = 0.0
-    return count + 1
+    return append_phase(phases, count, duration, 0.0, a, 0.0, 0.0)
 
 
 def insert_hold(

@@ -41,21 +41,26 @@ def bounded_velocity(axis: int, velocity: float, memory: 'float[:,:]') -> float:
     return velocity
 
 
+def set_polynomial(
+    row: int, rates: int, i: int, value: float, slope: float, square: float, cube: float,
+    memory: 'float[:,:]',
+) -> None:
+    """Component of a row of `Work`, and its coefficients over the elapsed time in another."""
+    memory[Memory.WORK + row, i] = value
+    memory[Memory.WORK + rates, CommandRates.LINEAR + i] = slope
+    memory[Memory.WORK + rates, CommandRates.SQUARE + i] = square
+    memory[Memory.WORK + rates, CommandRates.CUBE + i] = cube
+
+
 def set_command(
     axis: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
 ) -> None:
     """Command of a drive, and its coefficients over the elapsed time."""
-    memory[Memory.WORK + Work.COMMAND, axis] = value
-    memory[Memory.WORK + Work.RATES, CommandRates.LINEAR + axis] = slope
-    memory[Memory.WORK + Work.RATES, CommandRates.SQUARE + axis] = square
-    memory[Memory.WORK + Work.RATES, CommandRates.CUBE + axis] = cube
+    set_polynomial(Work.COMMAND, Work.RATES, axis, value, slope, square, cube, memory)
 
 
 def set_load_force(
     i: int, value: float, slope: float, square: float, cube: float, memory: 'float[:,:]'
 ) -> None:
     """Component of the given force on the load, and its coefficients over the elapsed time."""
-    memory[Memory.WORK + Work.LOAD_FORCE, i] = value
-    memory[Memory.WORK + Work.LOAD_RATES, CommandRates.LINEAR + i] = slope
-    memory[Memory.WORK + Work.LOAD_RATES, CommandRates.SQUARE + i] = square
-    memory[Memory.WORK + Work.LOAD_RATES, CommandRates.CUBE + i] = cube
+    set_polynomial(Work.LOAD_FORCE, Work.LOAD_RATES, i, value, slope, square, cube, memory)
