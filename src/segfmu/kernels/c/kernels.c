@@ -267,8 +267,12 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
 static bool may_go_on(array_double_2d work);
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool move_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool compares_levels(array_double_1d axis);
+static double sequence_cost(array_double_2d work);
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool stay_below(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool end_highest(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t vanishing_level(int64_t step, array_double_2d work);
@@ -7343,9 +7347,9 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
     double step;
     int64_t j;
     int64_t order;
-    state = span_row(&work, INT64_C(184));
-    end = span_row(&work, INT64_C(184) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(177), INT64_C(183));
+    state = span_row(&work, INT64_C(203));
+    end = span_row(&work, INT64_C(203) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(196), INT64_C(202));
     q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
     top = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
     rest = length;
@@ -7396,8 +7400,8 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     double length;
     double peak;
     passing = span_row(&work, INT64_C(101));
-    excess = span_rows(&work, INT64_C(177), INT64_C(183));
-    state = span_row(&work, INT64_C(184));
+    excess = span_rows(&work, INT64_C(196), INT64_C(202));
+    state = span_row(&work, INT64_C(203));
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
@@ -8529,7 +8533,7 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     if ((*cspan_at(&passing, INT64_C(5))) > 0.0)
     {
         error = sequence_duration(passing, nodes) - (*cspan_at(&passing, INT64_C(5)));
-        if ((*cspan_at(&passing, INT64_C(6))) > 0.5)
+        if ((*cspan_at(&passing, INT64_C(6))) != 0.0)
         {
             row = first_row((int64_t)((*cspan_at(&passing, INT64_C(0)))), passing, nodes);
         }
@@ -8594,7 +8598,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
 static bool has_pace(array_double_1d passing)
 {
     bool result;
-    result = ((*cspan_at(&passing, INT64_C(5))) > 0.0) && ((*cspan_at(&passing, INT64_C(6))) < 0.5);
+    result = ((*cspan_at(&passing, INT64_C(5))) > 0.0) && ((*cspan_at(&passing, INT64_C(6))) == 0.0);
     return result;
 }
 static double residual_norm(int64_t count, array_double_1d residual)
@@ -8618,15 +8622,15 @@ static void pace_column(int64_t count, array_double_1d problem, array_double_1d 
     double slope;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    residual = span_row(&work, INT64_C(183));
+    residual = span_row(&work, INT64_C(202));
     change = 1e-07;
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(184) + i, count - INT64_C(1))) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(203) + i, count - INT64_C(1))) = slope;
     }
     run_sequence(problem, passing, axis, nodes, residual);
 }
@@ -8652,13 +8656,13 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     double difference;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    residual = span_row(&work, INT64_C(183));
-    slopes = span_row(&work, INT64_C(216));
-    before = span_rows(&work, INT64_C(217), INT64_C(220));
-    moved = span_row(&work, INT64_C(220));
+    residual = span_row(&work, INT64_C(202));
+    slopes = span_row(&work, INT64_C(235));
+    before = span_rows(&work, INT64_C(236), INT64_C(239));
+    moved = span_row(&work, INT64_C(239));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     following = column + INT64_C(2);
-    base = span_row(&work, INT64_C(217) + INT64_C(2));
+    base = span_row(&work, INT64_C(236) + INT64_C(2));
     spent = 0.0;
     for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
     {
@@ -8683,7 +8687,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = begin; i < row; i += INT64_C(1))
     {
-        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)));
+        slope = (*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)));
         (*cspan_at(&slopes, INT64_C(0) + i)) = slope / change;
     }
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
@@ -8712,7 +8716,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(184) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(203) + i, column)) = (*cspan_at(&slopes, INT64_C(0) + i));
     }
 }
 static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8726,7 +8730,7 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     double slope;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    residual = span_row(&work, INT64_C(183));
+    residual = span_row(&work, INT64_C(202));
     time = (*cspan_at(&nodes, column, INT64_C(6)));
     change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
     (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
@@ -8734,8 +8738,8 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     (*cspan_at(&nodes, column, INT64_C(6))) = time;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)))) / change;
-        (*cspan_at(&work, INT64_C(184) + i, column)) = slope;
+        slope = ((*cspan_at(&residual, INT64_C(0) + i)) + (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)))) / change;
+        (*cspan_at(&work, INT64_C(203) + i, column)) = slope;
     }
 }
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -8749,19 +8753,19 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     double diagonal;
     array_double_2d matrix;
     passing = span_row(&work, INT64_C(101));
-    residual = span_row(&work, INT64_C(183));
+    residual = span_row(&work, INT64_C(202));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(200) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
+        (*cspan_at(&work, INT64_C(219) + i, INT64_C(0))) = -(*cspan_at(&residual, INT64_C(0) + i));
     }
     if (has_pace(passing))
     {
         pace_column(count, problem, axis, work);
     }
-    (*cspan_at(&work, INT64_C(181), INT64_C(4))) = (*cspan_at(&work, INT64_C(181), INT64_C(4))) + 1.0;
+    (*cspan_at(&work, INT64_C(200), INT64_C(4))) = (*cspan_at(&work, INT64_C(200), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        if (((*cspan_at(&passing, INT64_C(13))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) > 0.5))
+        if (((*cspan_at(&passing, INT64_C(13))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) != 0.0))
         {
             whole_column(j, count, problem, axis, work);
         }
@@ -8775,22 +8779,22 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
         largest = 0.0;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(184) + i, j))));
+            largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(203) + i, j))));
         }
         added = 1e-12 * largest;
         if (largest == 0.0)
         {
             added = 1.0;
         }
-        diagonal = (*cspan_at(&work, INT64_C(184) + j, j));
+        diagonal = (*cspan_at(&work, INT64_C(203) + j, j));
         if (diagonal < 0.0)
         {
             added = -added;
         }
-        (*cspan_at(&work, INT64_C(184) + j, j)) = diagonal + added;
+        (*cspan_at(&work, INT64_C(203) + j, j)) = diagonal + added;
     }
-    matrix = span_rows(&work, INT64_C(184), INT64_C(200));
-    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(200), INT64_C(216)));
+    matrix = span_rows(&work, INT64_C(203), INT64_C(219));
+    matrix_solve(count, INT64_C(1), matrix, span_rows(&work, INT64_C(219), INT64_C(235)));
 }
 static double longest_step(array_double_2d work)
 {
@@ -8808,7 +8812,7 @@ static double longest_step(array_double_2d work)
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)));
+        change = (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
         if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
@@ -8831,7 +8835,7 @@ static double longest_step(array_double_2d work)
     }
     if (has_pace(passing))
     {
-        change = fabs((*cspan_at(&work, INT64_C(200) + count, INT64_C(0))));
+        change = fabs((*cspan_at(&work, INT64_C(219) + count, INT64_C(0))));
         if (change * share > 0.3 * (*cspan_at(&passing, INT64_C(2))))
         {
             share = 0.3 * (*cspan_at(&passing, INT64_C(2))) / change;
@@ -8849,11 +8853,11 @@ static void take_step(double share, array_double_2d work)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         row = INT64_C(102) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(200) + i, INT64_C(0)));
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)));
     }
     if (has_pace(span_row(&work, INT64_C(101))))
     {
-        pace = (*cspan_at(&work, INT64_C(101), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(200) + count, INT64_C(0)));
+        pace = (*cspan_at(&work, INT64_C(101), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(219) + count, INT64_C(0)));
         (*cspan_at(&work, INT64_C(101), INT64_C(2))) = pace;
     }
 }
@@ -8872,7 +8876,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     int64_t j;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    residual = span_row(&work, INT64_C(183));
+    residual = span_row(&work, INT64_C(202));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     if (has_pace(passing))
     {
@@ -9111,7 +9115,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
     bool inside;
     bool result;
     passing = span_row(&work, INT64_C(101));
-    excess = span_row(&work, INT64_C(177) + kind);
+    excess = span_row(&work, INT64_C(196) + kind);
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
@@ -9171,7 +9175,7 @@ static bool rotate_levels(array_double_2d work)
     {
         return 0;
     }
-    if ((*cspan_at(&passing, INT64_C(6))) > 0.5)
+    if ((*cspan_at(&passing, INT64_C(6))) != 0.0)
     {
         return 0;
     }
@@ -9294,7 +9298,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         {
             kind = j + INT64_C(1);
         }
-        if ((*cspan_at(&work, INT64_C(177) + kind, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&work, INT64_C(196) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, INT64_C(0), axis, work))
             {
@@ -9303,7 +9307,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
         }
     }
     lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(177) + lowest, INT64_C(0))) > 0.0))
+    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(196) + lowest, INT64_C(0))) > 0.0))
     {
         if (release_touch(lowest, work))
         {
@@ -9375,7 +9379,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
 static bool may_go_on(array_double_2d work)
 {
     bool result;
-    result = (*cspan_at(&work, INT64_C(181), INT64_C(4))) < (*cspan_at(&work, INT64_C(181), INT64_C(5)));
+    result = (*cspan_at(&work, INT64_C(200), INT64_C(4))) < (*cspan_at(&work, INT64_C(200), INT64_C(5)));
     return result;
 }
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -9389,7 +9393,7 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     int64_t row;
     bool result;
     passing = span_row(&work, INT64_C(101));
-    node = (int64_t)((*cspan_at(&work, INT64_C(177) + order, INT64_C(1))));
+    node = (int64_t)((*cspan_at(&work, INT64_C(196) + order, INT64_C(1))));
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = node;
     beside = node;
@@ -9430,7 +9434,7 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
     }
     sign = sign * (*cspan_at(&work, row, INT64_C(5)));
     insert_node(place, INT64_C(0), sign, 0.5 * (*cspan_at(&work, row, INT64_C(6))), 0, work);
-    add_instant(order, (*cspan_at(&work, INT64_C(177) + order, INT64_C(3))), node, passing);
+    add_instant(order, (*cspan_at(&work, INT64_C(196) + order, INT64_C(3))), node, passing);
     result = solve_rotated(problem, axis, work);
     return result;
 }
@@ -9440,12 +9444,12 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
     int64_t node;
     int64_t peak;
     passing = span_row(&work, INT64_C(101));
-    node = (int64_t)((*cspan_at(&work, INT64_C(177) + order, INT64_C(1))));
+    node = (int64_t)((*cspan_at(&work, INT64_C(196) + order, INT64_C(1))));
     for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
     {
         if (((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))) == order) && may_go_on(work))
         {
-            place_instant(peak, order, (*cspan_at(&work, INT64_C(177) + order, INT64_C(3))), node, passing);
+            place_instant(peak, order, (*cspan_at(&work, INT64_C(196) + order, INT64_C(3))), node, passing);
             if (solve_rotated(problem, axis, work))
             {
                 return 1;
@@ -9455,22 +9459,61 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
     }
     return 0;
 }
+static bool compares_levels(array_double_1d axis)
+{
+    bool result;
+    result = ((*cspan_at(&axis, INT64_C(35))) < 1.5) && (!ramps_suffice(axis));
+    return result;
+}
+static double sequence_cost(array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t end;
+    double result;
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    if ((*cspan_at(&passing, INT64_C(6))) != 0.0)
+    {
+        end = (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1);
+        result = (-(*cspan_at(&passing, INT64_C(6)))) * (*cspan_at(&nodes, end, INT64_C(0)));
+        return result;
+    }
+    result = sequence_duration(passing, nodes);
+    return result;
+}
 static bool insert_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
+    double least;
     int64_t variant;
-    if (((*cspan_at(&work, INT64_C(181), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
+    double cost;
+    if (((*cspan_at(&work, INT64_C(200), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
     {
         return 1;
     }
+    least = 1e+300;
     for (variant = INT64_C(0); variant < INT64_C(6); variant += INT64_C(1))
     {
         if (may_go_on(work) && insert_level(variant, order, problem, axis, work))
         {
-            return 1;
+            if (has_pace(span_row(&work, INT64_C(101))) || (!compares_levels(axis)))
+            {
+                return 1;
+            }
+            cost = sequence_cost(work);
+            if (cost < least)
+            {
+                least = cost;
+                keep_sequence(INT64_C(177), work);
+            }
         }
         restore_sequence(INT64_C(120), work);
     }
-    return 0;
+    if (least < 1e+300)
+    {
+        restore_sequence(INT64_C(177), work);
+    }
+    return least < 1e+300;
 }
 static bool insert_limit(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -9487,8 +9530,8 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
     for (j = INT64_C(1); j < q - INT64_C(1); j += INT64_C(1))
     {
         lower = q - INT64_C(1) - j;
-        excess = (*cspan_at(&work, INT64_C(177) + order, INT64_C(0)));
-        if ((*cspan_at(&work, INT64_C(177) + lower, INT64_C(0))) > excess)
+        excess = (*cspan_at(&work, INT64_C(196) + order, INT64_C(0)));
+        if ((*cspan_at(&work, INT64_C(196) + lower, INT64_C(0))) > excess)
         {
             order = lower;
         }
@@ -9517,6 +9560,49 @@ static bool insert_limit(array_double_1d problem, array_double_1d axis, array_do
     result = (order >= q - INT64_C(2)) && insert_instant(order, problem, axis, work);
     return result;
 }
+static bool stay_below(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t row;
+    keep_sequence(INT64_C(120), work);
+    row = INT64_C(102) + place;
+    (*cspan_at(&work, row, INT64_C(7))) = 2.0;
+    (*cspan_at(&work, row, INT64_C(8))) = 0.0;
+    if (solve_rotated(problem, axis, work))
+    {
+        return 1;
+    }
+    restore_sequence(INT64_C(120), work);
+    return 0;
+}
+static bool end_highest(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    bool slower;
+    int64_t row;
+    int64_t order;
+    double sign;
+    double hold;
+    bool result;
+    slower = has_pace(span_row(&work, INT64_C(101))) || (!compares_levels(axis));
+    if (slower && stay_below(place, problem, axis, work))
+    {
+        return 1;
+    }
+    row = INT64_C(102) + place;
+    order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+    sign = (*cspan_at(&work, row, INT64_C(5)));
+    hold = (*cspan_at(&work, row, INT64_C(6)));
+    remove_node(place, work);
+    (*cspan_at(&work, INT64_C(196) + order, INT64_C(1))) = place;
+    (*cspan_at(&work, INT64_C(196) + order, INT64_C(3))) = sign;
+    keep_sequence(INT64_C(120), work);
+    if (insert_instant(order, problem, axis, work))
+    {
+        return 1;
+    }
+    insert_node(place, order, sign, hold, 0, work);
+    result = (!slower) && stay_below(place, problem, axis, work);
+    return result;
+}
 static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t row;
@@ -9527,23 +9613,12 @@ static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d 
     row = INT64_C(102) + place;
     order = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
     sign = (*cspan_at(&work, row, INT64_C(5)));
-    keep_sequence(INT64_C(120), work);
     if (order == (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(1))
     {
-        (*cspan_at(&work, row, INT64_C(7))) = 2.0;
-        (*cspan_at(&work, row, INT64_C(8))) = 0.0;
-        if (solve_rotated(problem, axis, work))
-        {
-            return 1;
-        }
-        restore_sequence(INT64_C(120), work);
-        remove_node(place, work);
-        (*cspan_at(&work, INT64_C(177) + order, INT64_C(1))) = place;
-        (*cspan_at(&work, INT64_C(177) + order, INT64_C(3))) = sign;
-        keep_sequence(INT64_C(120), work);
-        result = insert_instant(order, problem, axis, work);
+        result = end_highest(place, problem, axis, work);
         return result;
     }
+    keep_sequence(INT64_C(120), work);
     for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
     {
         remove_node(place, work);
@@ -12542,7 +12617,7 @@ static int64_t judge_dip(bool* result_0, bool* result_1, double first, double en
     bool shallow;
     bool deep;
     int64_t order;
-    excess = span_rows(&work, INT64_C(177), INT64_C(183));
+    excess = span_rows(&work, INT64_C(196), INT64_C(202));
     if (!close_dip(first, end, axis, work))
     {
         (*result_0) = 1;
@@ -13324,7 +13399,7 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
     {
         for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
         {
-            largest = span_max(largest, (*cspan_at(&work, INT64_C(177) + order, INT64_C(0))));
+            largest = span_max(largest, (*cspan_at(&work, INT64_C(196) + order, INT64_C(0))));
         }
     }
     return largest;
@@ -13377,7 +13452,7 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     int64_t i;
     int64_t order;
     double excess;
-    loose = span_row(&work, INT64_C(182));
+    loose = span_row(&work, INT64_C(201));
     for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
     {
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
@@ -13385,7 +13460,7 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     for (order = INT64_C(1); order < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
         i = INT64_C(2) + order - INT64_C(1);
-        excess = (*cspan_at(&work, INT64_C(181), INT64_C(0) + order));
+        excess = (*cspan_at(&work, INT64_C(200), INT64_C(0) + order));
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
     }
 }
@@ -13396,6 +13471,7 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
     array_double_1d steps;
     int64_t order;
     double most;
+    double each;
     double least;
     double target;
     double reached;
@@ -13403,20 +13479,26 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
     double share;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    steps = span_row(&work, INT64_C(181));
+    steps = span_row(&work, INT64_C(200));
     measure_excess(axis, work);
     for (order = INT64_C(1); order < (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2); order += INT64_C(1))
     {
-        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(177) + order, INT64_C(0)));
+        (*cspan_at(&steps, INT64_C(0) + order)) = (*cspan_at(&work, INT64_C(196) + order, INT64_C(0)));
     }
     (*cspan_at(&passing, INT64_C(3))) = sequence_duration(passing, nodes);
     keep_sequence(INT64_C(158), work);
     most = 150.0;
+    each = 40.0;
     least = 0.1;
     if (longest > 1.4 * (*cspan_at(&passing, INT64_C(3))))
     {
         most = 400.0;
         least = 0.02;
+    }
+    if (compares_levels(axis))
+    {
+        most = most + 500.0;
+        each = 200.0;
     }
     (*cspan_at(&steps, INT64_C(4))) = 0.0;
     (*cspan_at(&steps, INT64_C(6))) = 0.0;
@@ -13425,10 +13507,10 @@ static bool tighten(double longest, array_double_1d problem, array_double_1d axi
     step = 1.0;
     while((step > least) && ((*cspan_at(&steps, INT64_C(4))) < most))
     {
-        (*cspan_at(&steps, INT64_C(5))) = span_min((*cspan_at(&steps, INT64_C(4))) + 40.0, most);
+        (*cspan_at(&steps, INT64_C(5))) = span_min((*cspan_at(&steps, INT64_C(4))) + each, most);
         share = span_min(reached + step, 1.0);
         loosen(share, axis, work);
-        if (follow(target, problem, span_row(&work, INT64_C(182)), work))
+        if (follow(target, problem, span_row(&work, INT64_C(201)), work))
         {
             if (sequence_duration(passing, nodes) >= longest)
             {
@@ -13508,7 +13590,7 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
             (*cspan_at(&nodes, i, INT64_C(6))) = 0.0;
         }
     }
-    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(183)));
+    run_sequence(problem, passing, axis, nodes, span_row(&work, INT64_C(202)));
 }
 static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
 {
@@ -13711,7 +13793,7 @@ static bool pace_down(int64_t moving, double shortest, array_double_1d problem, 
     double duration;
     restore_sequence(INT64_C(139), work);
     passing = span_row(&work, INT64_C(101));
-    taken = span_row(&work, INT64_C(181));
+    taken = span_row(&work, INT64_C(200));
     target = (*cspan_at(&problem, INT64_C(5)));
     keep_sequence(INT64_C(158), work);
     (*cspan_at(&taken, INT64_C(4))) = 0.0;
@@ -14301,7 +14383,7 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(10))));
     (*cspan_at(&passing, INT64_C(4))) = acceleration;
     (*cspan_at(&passing, INT64_C(5))) = duration;
-    (*cspan_at(&passing, INT64_C(6))) = 1.0;
+    (*cspan_at(&passing, INT64_C(6))) = sign;
     q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
     set_alternating(sign, 0.6 * duration / q, work);
 }
@@ -18837,7 +18919,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     }
     problem = span_row(&lead, INT64_C(11));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(274)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(293)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -18860,7 +18942,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(274), INT64_C(278));
+    expansion = span_rows(&lead, INT64_C(293), INT64_C(297));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -18979,7 +19061,7 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     chain = span_row(&lead, INT64_C(46) + seen);
     problem = span_row(&lead, INT64_C(11));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    plan = span_rows(&lead, INT64_C(53), INT64_C(274));
+    plan = span_rows(&lead, INT64_C(53), INT64_C(293));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
     passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
@@ -19104,7 +19186,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(274)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(293)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -19168,7 +19250,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(278), INT64_C(323));
+    check = span_rows(&lead, INT64_C(297), INT64_C(342));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -20201,9 +20283,9 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(223), INT64_C(227)));
+    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(242), INT64_C(246)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(227), INT64_C(272)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(246), INT64_C(291)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
@@ -20214,7 +20296,7 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
 {
     array_double_2d planner;
     int64_t status;
-    planner = span_rows(&work, INT64_C(2), INT64_C(223));
+    planner = span_rows(&work, INT64_C(2), INT64_C(242));
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(99)));
     if (status == INT64_C(0))
     {

@@ -1462,7 +1462,7 @@ static PyObject *call_shortest_profile(
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 33)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 221)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 240)
         && has_at_least(&call, "work", 1, in_work->shape[1], 47)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
@@ -1492,7 +1492,7 @@ static PyObject *call_timed_profile(
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 221)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 240)
         && has_at_least(&call, "work", 1, in_work->shape[1], 47)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
@@ -1536,7 +1536,7 @@ static PyObject *call_plan_phases(
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 221)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 240)
         && has_at_least(&call, "work", 1, in_work->shape[1], 47)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
@@ -2487,7 +2487,7 @@ static PyObject *call_find_lead(
         && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 323)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 342)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 47)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -2892,7 +2892,7 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 272)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 291)
         && has_at_least(&call, "work", 1, in_work->shape[1], 47)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -2955,7 +2955,7 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 272)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 291)
         && has_at_least(&call, "work", 1, in_work->shape[1], 47)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {

@@ -7,6 +7,8 @@ the other sign, or go to the other end.
 
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import add_instant, place_instant
+from segfmu.kernels.planner.newton import has_pace
+from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.plateaus import (
     insert_node,
     insert_plateau,
@@ -16,7 +18,8 @@ from segfmu.kernels.planner.plateaus import (
     restore_sequence,
     solve_rotated,
 )
-from segfmu.kernels.planner.records import Excess, Node, Passing, PlanWork, Tighten
+from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Tighten
+from segfmu.kernels.planner.sequence import sequence_duration
 
 
 def may_go_on(work: 'float[:,:]') -> bool:
@@ -79,17 +82,47 @@ def move_instant(
     return False
 
 
+def compares_levels(axis: 'float[:]') -> bool:
+    """Whether all levels that can be inserted are compared: levels of the jerk beside a crackle.
+
+    Of levels of the snap the shortest one often leads to a sequence that meets no further limit.
+    """
+    return axis[Axis.ABOVE] < 1.5 and not ramps_suffice(axis)
+
+
+def sequence_cost(work: 'float[:,:]') -> float:
+    """What a solved sequence is better by having less of: its duration [s], or a distance [m]."""
+    passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    if passing[Passing.FREE] != 0.0:
+        end = int(passing[Passing.COUNT]) + 1
+        return -passing[Passing.FREE] * nodes[end, Node.STATE]
+    return sequence_duration(passing, nodes)
+
+
 def insert_instant(
     order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
-    """Let a derivative that exceeds its limit reach it for an instant; false: nothing changes."""
+    """Let a derivative that exceeds its limit reach it for an instant; false: nothing changes.
+
+    Of the levels that can be inserted the best one is taken where they are compared, but for a
+    slower pace; else the first one.
+    """
     if work[PlanWork.TIGHTEN, Tighten.MOVING] > 0.5 and move_instant(order, problem, axis, work):
         return True
+    least = 1e300
     for variant in range(6):
         if may_go_on(work) and insert_level(variant, order, problem, axis, work):
-            return True
+            if has_pace(work[PlanWork.PASSING, :]) or not compares_levels(axis):
+                return True
+            cost = sequence_cost(work)
+            if cost < least:
+                least = cost
+                keep_sequence(PlanWork.TRIED, work)
         restore_sequence(PlanWork.KEPT, work)
-    return False
+    if least < 1e300:
+        restore_sequence(PlanWork.TRIED, work)
+    return least < 1e300
 
 
 def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
@@ -115,6 +148,43 @@ def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> b
     return order >= q - 2 and insert_instant(order, problem, axis, work)
 
 
+def stay_below(
+    place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """Let the derivative q - 1 stay below its limit at a plateau whose hold is below zero."""
+    keep_sequence(PlanWork.KEPT, work)
+    row = PlanWork.NODES + place
+    work[row, Node.TOUCH] = 2.0
+    work[row, Node.AIM] = 0.0
+    if solve_rotated(problem, axis, work):
+        return True
+    restore_sequence(PlanWork.KEPT, work)
+    return False
+
+
+def end_highest(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """`end_plateau` of the derivative q - 1.
+
+    Where it stays below its limit all derivatives above are zero, which costs time; at a slower
+    pace it is the motion next to the one before.
+    """
+    slower = has_pace(work[PlanWork.PASSING, :]) or not compares_levels(axis)
+    if slower and stay_below(place, problem, axis, work):
+        return True
+    row = PlanWork.NODES + place
+    order = int(work[row, Node.KIND])
+    sign = work[row, Node.SIGN]
+    hold = work[row, Node.TIME]
+    remove_node(place, work)
+    work[PlanWork.EXCESS + order, Excess.NODE] = place
+    work[PlanWork.EXCESS + order, Excess.SIGN] = sign
+    keep_sequence(PlanWork.KEPT, work)
+    if insert_instant(order, problem, axis, work):
+        return True
+    insert_node(place, order, sign, hold, False, work)
+    return not slower and stay_below(place, problem, axis, work)
+
+
 def end_plateau(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Replace a plateau whose hold is below zero by an instant, or let its derivative stay below.
 
@@ -123,18 +193,9 @@ def end_plateau(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[
     row = PlanWork.NODES + place
     order = int(work[row, Node.KIND])
     sign = work[row, Node.SIGN]
-    keep_sequence(PlanWork.KEPT, work)
     if order == int(work[PlanWork.PASSING, Passing.ABOVE]) + 1:
-        work[row, Node.TOUCH] = 2.0
-        work[row, Node.AIM] = 0.0
-        if solve_rotated(problem, axis, work):
-            return True
-        restore_sequence(PlanWork.KEPT, work)
-        remove_node(place, work)
-        work[PlanWork.EXCESS + order, Excess.NODE] = place
-        work[PlanWork.EXCESS + order, Excess.SIGN] = sign
-        keep_sequence(PlanWork.KEPT, work)
-        return insert_instant(order, problem, axis, work)
+        return end_highest(place, problem, axis, work)
+    keep_sequence(PlanWork.KEPT, work)
     for side in range(2):
         # one of the levels around it goes as well
         remove_node(place, work)

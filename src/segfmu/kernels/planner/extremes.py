@@ -29,7 +29,7 @@ def set_extreme(
     acceleration = min(acceleration, acceleration * duration / axis[Axis.FULL_RAMP])
     passing[Passing.ACCELERATION] = acceleration
     passing[Passing.TARGET] = duration
-    passing[Passing.FREE] = 1.0
+    passing[Passing.FREE] = sign
     q = int(axis[Axis.ABOVE]) + 2
     set_alternating(sign, 0.6 * duration / q, work)
 

@@ -15,7 +15,7 @@ from segfmu.kernels.planner.sequence import (
 
 def has_pace(passing: 'float[:]') -> bool:
     """Whether the pace of a sequence is an unknown."""
-    return passing[Passing.TARGET] > 0.0 and passing[Passing.FREE] < 0.5
+    return passing[Passing.TARGET] > 0.0 and passing[Passing.FREE] == 0.0
 
 
 def residual_norm(count: int, residual: 'float[:]') -> float:
@@ -122,7 +122,7 @@ def newton_step(
         pace_column(count, problem, axis, work)
     work[PlanWork.TIGHTEN, Tighten.STEPS] = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for j in range(int(passing[Passing.COUNT])):
-        if passing[Passing.INSTANTS] > 0.5 or passing[Passing.FREE] > 0.5:
+        if passing[Passing.INSTANTS] > 0.5 or passing[Passing.FREE] != 0.0:
             whole_column(j, count, problem, axis, work)
         else:
             time_column(j, count, problem, axis, work)

@@ -171,7 +171,7 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     if count < 2 or work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
         return False
     # the largest distance would become the least one
-    if passing[Passing.FREE] > 0.5:
+    if passing[Passing.FREE] != 0.0:
         return False
     at_first = abs(work[first, Node.TIME])
     at_last = abs(work[last, Node.TIME])

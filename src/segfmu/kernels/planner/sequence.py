@@ -224,7 +224,7 @@ def run_sequence(
         row = row + 1
     if passing[Passing.TARGET] > 0.0:
         error = sequence_duration(passing, nodes) - passing[Passing.TARGET]
-        if passing[Passing.FREE] > 0.5:
+        if passing[Passing.FREE] != 0.0:
             # in place of the distance
             row = first_row(int(passing[Passing.COUNT]), passing, nodes)
         residual[Equations.VALUES + row] = error / passing[Passing.TIME]

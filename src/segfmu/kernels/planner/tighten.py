@@ -4,7 +4,7 @@ From the sequence without the limits below the levels, Newton's method can lead 
 are exceeded by far. So they come down in steps where a single one fails.
 """
 
-from segfmu.kernels.planner.active_set import follow
+from segfmu.kernels.planner.active_set import compares_levels, follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.plateaus import keep_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Passing, PlanWork, Tighten
@@ -37,17 +37,21 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
     passing[Passing.TIME] = sequence_duration(passing, nodes)
     keep_sequence(PlanWork.SOLVED, work)
     most = 150.0
+    each = 40.0
     least = 0.1
     if longest > 1.4 * passing[Passing.TIME]:
         most = 400.0
         least = 0.02
+    if compares_levels(axis):
+        most = most + 500.0
+        each = 200.0
     steps[Tighten.STEPS] = 0.0
     steps[Tighten.MOVING] = 0.0
     target = passing[Passing.TARGET]
     reached = 0.0
     step = 1.0
     while step > least and steps[Tighten.STEPS] < most:
-        steps[Tighten.MOST] = min(steps[Tighten.STEPS] + 40.0, most)
+        steps[Tighten.MOST] = min(steps[Tighten.STEPS] + each, most)
         share = min(reached + step, 1.0)
         loosen(share, axis, work)
         if follow(target, problem, work[PlanWork.LOOSE, :], work):
