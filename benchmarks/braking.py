@@ -57,7 +57,7 @@ def _ramp(change: float, n: int, limits: FloatArray) -> float:
     """Duration of a ramp [s]."""
     axis, work = np.zeros(Axis.SIZE), np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     backend.axis_limits(n, Shape.PLATEAU, limits, axis)
-    assert backend.ramp_parameters(usual_share(), axis, work)
+    assert backend.ramp_parameters(usual_share(axis), axis, work)
     return float(backend.ramp_duration(change, axis)[0])
 
 

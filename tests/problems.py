@@ -25,7 +25,7 @@ def packed_axis(smoothness: int, shape: int, limits: tuple[float, ...] | list[fl
     """Limits and ramp parameters of an axis (Axis)."""
     axis = np.zeros(Axis.SIZE)
     axis_limits(smoothness, shape, np.array(limits), axis)
-    assert ramp_parameters(usual_share(), axis, work_space())
+    assert ramp_parameters(usual_share(axis), axis, work_space())
     return axis
 
 

@@ -69,7 +69,7 @@ def test_shortest_profiles_agree(problem: AxisProblem) -> None:
         axis, phases = np.zeros(Axis.SIZE), np.zeros((Cell.ABOVE, Phase.SIZE))
         work = work_space()
         module.axis_limits(problem.smoothness, problem.shape, np.array(problem.limits), axis)
-        assert module.ramp_parameters(parameters.usual_share(), axis, work)
+        assert module.ramp_parameters(parameters.usual_share(axis), axis, work)
         count = module.shortest_profile(problem.boundary(), axis, phases, work)
         results.append((count, axis, phases[: max(count, 0)]))
     assert results[0][0] == results[1][0]

@@ -93,7 +93,7 @@ def _batch(n: int, shape: int, limits: np.ndarray, state: np.ndarray, tally: Tal
     rows, lengths, owners, ends = [], [], [], []
     for i in range(len(state)):
         axis_limits(n, shape, limits[i], axis)
-        assert ramp_parameters(usual_share(), axis, work)
+        assert ramp_parameters(usual_share(axis), axis, work)
         v, a, w, b, distance = (float(x) for x in state[i])
         problem[: Problem.DURATION] = state[i]
         count = shortest_profile(problem, axis, phases, work)

@@ -14,6 +14,8 @@ from tests.cosim.pair import SIGNALS
 from tests.fmu.native.importer import Importer
 
 MOVED: dict[str, Any] = {
+    # for forces that are held over steps
+    "planner.smoothness": 5,
     "waypoint.count": 2, "waypoint[1].position.x": 1.0, "waypoint[1].position.y": 0.4,
     "waypoint[1].position.z": -0.9, "waypoint[2].position.x": 1.5, "waypoint[2].position.z": -0.6,
     **{f"waypoint[2].{q}.{a}": 0.0 for q in ("velocity", "acceleration") for a in "xyz"},

@@ -213,7 +213,7 @@ static void add_instant(int64_t order, double sign, int64_t node, array_double_1
 static void transition_coefficients(int64_t order, array_double_1d coefficients);
 static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
 static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
-static double usual_share(void);
+static double usual_share(array_double_1d axis);
 static double steeper_above(void);
 static double moderate_share(void);
 static double steepest_share(void);
@@ -7996,8 +7996,14 @@ void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limit
         (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
     }
 }
-static double usual_share(void)
+static double usual_share(array_double_1d axis)
 {
+    int64_t raised;
+    raised = (int64_t)((*cspan_at(&axis, INT64_C(9))));
+    if (((*cspan_at(&axis, INT64_C(0))) + raised == 4.0) && (raised < INT64_C(2)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1) - raised)) > 0.0))
+    {
+        return 0.05;
+    }
     return 0.1;
 }
 static double steeper_above(void)
@@ -8065,7 +8071,7 @@ static bool plateau_parameters(double share, array_double_1d axis)
             (*cspan_at(&axis, INT64_C(23) + level)) = share;
             if (level > last)
             {
-                (*cspan_at(&axis, INT64_C(23) + level)) = span_max(share, usual_share());
+                (*cspan_at(&axis, INT64_C(23) + level)) = span_max(share, usual_share(axis));
             }
             if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
             {
@@ -16056,7 +16062,7 @@ static void plan_steeper(double missed, int64_t axis, array_double_2d axes, arra
 {
     double share;
     double factor;
-    share = usual_share();
+    share = usual_share(span_row(&axes, axis));
     if (snap_is_last(span_row(&axes, axis)))
     {
         factor = smoothness_share(share, moderate_share(), span_row(&axes, axis));
@@ -16087,7 +16093,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
 {
     double missed;
     int64_t status;
-    status = plan_with_share(axis, usual_share(), axes, cells, work);
+    status = plan_with_share(axis, usual_share(span_row(&axes, axis)), axes, cells, work);
     if ((*cspan_at(&axes, axis, INT64_C(11))) < 0.5)
     {
         return status;
@@ -18604,7 +18610,7 @@ static double natural_limit(int64_t order, double steep, array_double_1d axis, a
             top = given;
         }
     }
-    growth = pow(steep, (1.0 / (highest - top))) / usual_share();
+    growth = pow(steep, (1.0 / (highest - top))) / usual_share(axis);
     result = growth * below / shortest_scale(order - INT64_C(1), limits);
     return result;
 }
@@ -18661,7 +18667,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
                 (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&limits, order + INT64_C(1) + i));
             }
         }
-        segfmu_ramp_parameters(usual_share() / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
+        segfmu_ramp_parameters(usual_share(chain) / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
     }
 }
 static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
@@ -19712,7 +19718,7 @@ bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int
     }
     shape = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(1))));
     segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(45)));
-    if (!segfmu_ramp_parameters(usual_share(), span_row(&lead, INT64_C(45)), span_rows(&lead, INT64_C(46), INT64_C(53))))
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(45))), span_row(&lead, INT64_C(45)), span_rows(&lead, INT64_C(46), INT64_C(53))))
     {
         return 0;
     }

@@ -36,13 +36,16 @@ def axis_limits(
         axis[Axis.VELOCITY + i] = limits[i]
 
 
-def usual_share() -> float:
-    """Share of a rise in the rise it belongs to, where no limit bounds it.
+def usual_share(axis: 'float[:]') -> float:
+    """Share of a rise in the rise it belongs to, where no limit bounds it; the limits are set.
 
-    Ramps bounded by the snap alone take 1 / sqrt(1 - share) of those with jumps of the snap: 5 %
-    more. The derivatives without a limit grow with its inverse, and with them the errors of forces
-    that are held from sample to sample: with 0.06 they are more than three times as large.
+    Ramps bounded by the snap alone take 1 / sqrt(1 - share) of those with jumps of the snap: 3 %
+    more where the crackle may jump, at the smoothness 4, else 5 %. The derivatives without a limit
+    grow with its inverse, and with them the errors of forces that are held from sample to sample.
     """
+    raised = int(axis[Axis.RAISED])
+    if axis[Axis.SMOOTHNESS] + raised == 4.0 and raised < 2 and axis[Axis.JERK + 1 - raised] > 0.0:
+        return 0.05
     return 0.1
 
 
@@ -142,7 +145,7 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
             axis[Axis.SHARES + level] = share
             if level > last:
                 # it costs no time, and nested steep rises leave pieces of nanoseconds
-                axis[Axis.SHARES + level] = max(share, usual_share())
+                axis[Axis.SHARES + level] = max(share, usual_share(axis))
             if level + axis[Axis.RAISED] == 2.0 and last + axis[Axis.RAISED] > 1.5:
                 axis[Axis.SHARES + level] = steeper_above() * share
     for i in range(last):

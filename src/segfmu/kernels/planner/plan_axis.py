@@ -123,7 +123,7 @@ def plan_steeper(
     take much longer. missed as in Family. Moderate rises are tried first where the snap is the
     highest limit: forces are held from sample to sample, and nothing else bounds their errors.
     """
-    share = usual_share()
+    share = usual_share(axes[axis, :])
     if snap_is_last(axes[axis, :]):
         factor = smoothness_share(share, moderate_share(), axes[axis, :])
         if shorter_with(moderate_share(), share, factor, axis, axes, cells, work):
@@ -152,7 +152,7 @@ def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float
 
     The rises are the usual ones, or steeper where these fail.
     """
-    status = plan_with_share(axis, usual_share(), axes, cells, work)
+    status = plan_with_share(axis, usual_share(axes[axis, :]), axes, cells, work)
     if axes[axis, Axis.PLATEAU] < 0.5:
         return status
     if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:

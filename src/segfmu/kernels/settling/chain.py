@@ -36,7 +36,7 @@ def natural_limit(order: int, steep: float, axis: 'float[:]', limits: 'float[:]'
     for given in range(3, order):
         if axis[Axis.VELOCITY + given - 1] > 0.0:
             top = given
-    growth = steep ** (1.0 / (highest - top)) / usual_share()
+    growth = steep ** (1.0 / (highest - top)) / usual_share(axis)
     return growth * below / shortest_scale(order - 1, limits)
 
 
@@ -83,7 +83,7 @@ def set_chains(
             if i <= 2:
                 chain[Axis.VELOCITY + i] = limits[order + 1 + i]
         ramp_parameters(
-            usual_share() / min(steep, 10.0), chain, chains[smoothness - 1:smoothness + 1, :]
+            usual_share(chain) / min(steep, 10.0), chain, chains[smoothness - 1:smoothness + 1, :]
         )
 
 

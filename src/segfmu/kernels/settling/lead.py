@@ -102,7 +102,8 @@ def find_lead(
     shape = int(lead[LeadWork.AXIS, Axis.SHAPE])
     axis_limits(smoothness, shape, limits, lead[LeadWork.AXIS, :])
     if not ramp_parameters(
-        usual_share(), lead[LeadWork.AXIS, :], lead[LeadWork.CHAINS:LeadWork.PLAN, :]
+        usual_share(lead[LeadWork.AXIS, :]), lead[LeadWork.AXIS, :],
+        lead[LeadWork.CHAINS:LeadWork.PLAN, :],
     ):
         return False
     for i in range(1, smoothness + 1):

@@ -228,7 +228,7 @@ def load_mission(source: Source, changes: Mapping[str, Any] | None = None) -> Mi
     >>> mission
     <Mission 'across': 2 waypoints, payload 1 kg>
     >>> mission.plan()
-    <Trajectory of x, y, z: 2 waypoints, 2.67266 s, smoothness 4, plateau>
+    <Trajectory of x, y, z: 2 waypoints, 2.66682 s, smoothness 4, plateau>
     >>> segfmu.load_mission(mission, {"crane": {"payload_mass": 2.0}}).crane.payload_mass
     2.0
     """
