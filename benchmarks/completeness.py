@@ -81,7 +81,7 @@ def snap_share() -> float:
     """The usual share of the snap's rise at smoothness 4."""
     axis = np.zeros(Axis.SIZE)
     backend.axis_limits(4, Shape.PLATEAU, np.ones(5), axis)
-    return usual_share(axis)
+    return float(usual_share(axis))
 
 
 def random_limits(random: np.random.Generator, n: int) -> FloatArray:
