@@ -35,7 +35,7 @@ def test_axes_meet_as_early_as_they_can() -> None:
 @pytest.mark.parametrize("smoothness", [*FEW, 5, 6])
 @pytest.mark.parametrize("ends", [False, True])
 def test_plans_are_replanned_and_stopped_anywhere(smoothness: int, ends: bool) -> None:
-    count = 480 if COMPILED else 8
+    count = 480 if COMPILED else 4
     tally = soak_replan(smoothness, count, seed=7, ends=ends)
     assert tally.states >= count
     assert tally.refused == []

@@ -9582,14 +9582,14 @@ static bool stay_below(int64_t place, array_double_1d problem, array_double_1d a
 }
 static bool end_highest(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
-    bool slower;
+    bool first;
     int64_t row;
     int64_t order;
     double sign;
     double hold;
     bool result;
-    slower = has_pace(span_row(&work, INT64_C(101))) || (!compares_levels(axis));
-    if (slower && stay_below(place, problem, axis, work))
+    first = has_pace(span_row(&work, INT64_C(101))) || (!compares_levels(axis));
+    if (first && stay_below(place, problem, axis, work))
     {
         return 1;
     }
@@ -9606,7 +9606,7 @@ static bool end_highest(int64_t place, array_double_1d problem, array_double_1d 
         return 1;
     }
     insert_node(place, order, sign, hold, 0, work);
-    result = (!slower) && stay_below(place, problem, axis, work);
+    result = (!first) && stay_below(place, problem, axis, work);
     return result;
 }
 static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work)

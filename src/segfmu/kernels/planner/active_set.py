@@ -165,11 +165,11 @@ def stay_below(
 def end_highest(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """`end_plateau` of the derivative q - 1.
 
-    Where it stays below its limit all derivatives above are zero, which costs time; at a slower
-    pace it is the motion next to the one before.
+    Where it stays below its limit all derivatives above are zero, which costs time: where levels
+    are compared, that is tried last. At a slower pace it is the motion next to the one before.
     """
-    slower = has_pace(work[PlanWork.PASSING, :]) or not compares_levels(axis)
-    if slower and stay_below(place, problem, axis, work):
+    first = has_pace(work[PlanWork.PASSING, :]) or not compares_levels(axis)
+    if first and stay_below(place, problem, axis, work):
         return True
     row = PlanWork.NODES + place
     order = int(work[row, Node.KIND])
@@ -182,7 +182,7 @@ def end_highest(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[
     if insert_instant(order, problem, axis, work):
         return True
     insert_node(place, order, sign, hold, False, work)
-    return not slower and stay_below(place, problem, axis, work)
+    return not first and stay_below(place, problem, axis, work)
 
 
 def end_plateau(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
