@@ -50,7 +50,7 @@ def test_axes_meet_shortly_after_their_shortest_profiles() -> None:
     ]
     limits = Limits([0.642480269, 0.05042675], [1.57835254, 0.293392], 1.10022, 3.38771491)
     trajectory = plan(points, limits)
-    assert 0.98 < trajectory.duration < 0.985
+    assert 0.982 < trajectory.duration < 0.985
     assert verify(trajectory).passed
 
 
