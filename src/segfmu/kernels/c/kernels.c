@@ -388,6 +388,8 @@ static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
 static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
+static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing);
+static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work);
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double largest_excess(array_double_1d axis, array_double_2d work);
@@ -402,6 +404,8 @@ static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -461,6 +465,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -478,7 +483,8 @@ static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d ce
 static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
 static double smoothness_share(double usual, double share, array_double_1d axis);
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static void plan_steeper(double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void plan_touching(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
@@ -6814,7 +6820,7 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
-    result = span_min(span_max((*cspan_at(&axis, INT64_C(18) + level)), (*cspan_at(&axis, INT64_C(23) + level)) * rise), 0.5 * rise);
+    result = span_min(span_max((*cspan_at(&axis, INT64_C(19) + level)), (*cspan_at(&axis, INT64_C(24) + level)) * rise), 0.5 * rise);
     return result;
 }
 static double shifted_root(double value, int64_t power, double shift)
@@ -6872,8 +6878,8 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     for (level = first; level < boxes; level += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + level));
-        least = (*cspan_at(&axis, INT64_C(18) + level));
-        share = (*cspan_at(&axis, INT64_C(23) + level));
+        least = (*cspan_at(&axis, INT64_C(19) + level));
+        share = (*cspan_at(&axis, INT64_C(24) + level));
         power = level - first;
         x_power = 1.0;
         for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -6945,10 +6951,10 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     doubled = 1.0;
     for (level = first; level < boxes; level += INT64_C(1))
     {
-        least = (*cspan_at(&axis, INT64_C(18) + level));
+        least = (*cspan_at(&axis, INT64_C(19) + level));
         if (x >= 2.0 * least)
         {
-            share = (*cspan_at(&axis, INT64_C(23) + level));
+            share = (*cspan_at(&axis, INT64_C(24) + level));
             power = level - first;
             steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
             for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -6981,11 +6987,11 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     int64_t exponent;
     double root;
     int64_t e;
-    slowest = (*cspan_at(&axis, INT64_C(28))) * change;
+    slowest = (*cspan_at(&axis, INT64_C(29))) * change;
     exponent = INT64_C(1);
-    if ((*cspan_at(&axis, INT64_C(28) + INT64_C(1))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(29) + INT64_C(1))) > 0.0)
     {
-        root = sqrt((*cspan_at(&axis, INT64_C(28) + INT64_C(1))) * change);
+        root = sqrt((*cspan_at(&axis, INT64_C(29) + INT64_C(1))) * change);
         if (root > slowest)
         {
             slowest = root;
@@ -6994,9 +7000,9 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     }
     for (e = INT64_C(3); e < INT64_C(6); e += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) > 0.0)
         {
-            root = pow(((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) * change), (1.0 / e));
+            root = pow(((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) * change), (1.0 / e));
             if (root > slowest)
             {
                 slowest = root;
@@ -7021,9 +7027,9 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     for (e = INT64_C(1); e < INT64_C(6); e += INT64_C(1))
     {
         power = power * duration;
-        if ((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) > 0.0)
         {
-            change = power / (*cspan_at(&axis, INT64_C(28) + e - INT64_C(1)));
+            change = power / (*cspan_at(&axis, INT64_C(29) + e - INT64_C(1)));
             if ((fastest < 0.0) || (change < fastest))
             {
                 fastest = change;
@@ -7045,21 +7051,21 @@ SPAN_INLINE int64_t segfmu_ramp_duration(double* result_0, double* result_1, dou
         (*result_1) = 0.0;
         return 0;
     }
-    if (change >= (*cspan_at(&axis, INT64_C(12))))
+    if (change >= (*cspan_at(&axis, INT64_C(13))))
     {
-        slope = (*cspan_at(&axis, INT64_C(13)));
-        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(15)));
+        slope = (*cspan_at(&axis, INT64_C(14)));
+        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(16)));
         (*result_1) = slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(16))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(17))) > 0.0)
     {
-        duration = sqrt((*cspan_at(&axis, INT64_C(16))) * change);
+        duration = sqrt((*cspan_at(&axis, INT64_C(17))) * change);
         (*result_0) = duration;
         (*result_1) = 0.5 / change * duration;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
     {
         slowest_root(result_0, result_1, change, axis);
         return 0;
@@ -7076,21 +7082,21 @@ static SPAN_INLINE int64_t ramp_change(double* result_0, double* result_1, doubl
         (*result_1) = 0.0;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(16))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(17))) > 0.0)
     {
-        if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(18)))))
+        if (((*cspan_at(&axis, INT64_C(14))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(19)))))
         {
-            slope = (*cspan_at(&axis, INT64_C(14)));
-            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(15)))) * slope;
+            slope = (*cspan_at(&axis, INT64_C(15)));
+            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(16)))) * slope;
             (*result_1) = slope;
             return 0;
         }
-        slope = duration * (*cspan_at(&axis, INT64_C(17)));
+        slope = duration * (*cspan_at(&axis, INT64_C(18)));
         (*result_0) = slope * duration;
         (*result_1) = 2.0 * slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
     {
         fastest_power(result_0, result_1, duration, axis);
         return 0;
@@ -7128,19 +7134,19 @@ static SPAN_INLINE double ramp_variance(double basis, array_double_1d axis)
     double box;
     double fourth;
     double variance;
-    if (((*cspan_at(&axis, INT64_C(13))) > 0.0) && ((*cspan_at(&axis, INT64_C(11))) > 0.5))
+    if (((*cspan_at(&axis, INT64_C(14))) > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.5))
     {
-        rise = (*cspan_at(&axis, INT64_C(18)));
-        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(23))) == 0.0))
+        rise = (*cspan_at(&axis, INT64_C(19)));
+        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(24))) == 0.0))
         {
             box = basis - rise;
-            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(34)));
+            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(35)));
             return variance;
         }
     }
-    if ((*cspan_at(&axis, INT64_C(33))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(34))) > 0.0)
     {
-        variance = (*cspan_at(&axis, INT64_C(33))) * basis * basis;
+        variance = (*cspan_at(&axis, INT64_C(34))) * basis * basis;
         return variance;
     }
     rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
@@ -7166,7 +7172,7 @@ int64_t segfmu_ramp_pieces(array_double_1d axis)
 {
     int64_t i;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
     {
         return INT64_C(1);
     }
@@ -7470,18 +7476,18 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     double integral;
     int64_t j;
     int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(36))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(37))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(37) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(37) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(38) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(38) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(37) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(38) + i));
         }
     }
     (*result_0) = value;
@@ -7536,7 +7542,7 @@ static double extreme_gain(double a, double b, double duration, double basis, ar
     double smaller;
     double slowness;
     smaller = span_min(fabs(a), fabs(b));
-    if ((*cspan_at(&axis, INT64_C(11))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
     {
         return 0.5 * smaller * duration;
     }
@@ -7684,12 +7690,12 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         start = v + 0.5 * (a + b) * duration;
         first = -b;
     }
-    if ((*cspan_at(&axis, INT64_C(11))) > 0.5)
+    if ((*cspan_at(&axis, INT64_C(12))) > 0.5)
     {
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    if ((*cspan_at(&axis, INT64_C(36))) == 2.0)
+    if ((*cspan_at(&axis, INT64_C(37))) == 2.0)
     {
         return start - 0.5 * first * first * duration / change;
     }
@@ -7985,7 +7991,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -8021,19 +8027,19 @@ static double steepest_share(void)
 static bool ramps_suffice(array_double_1d axis)
 {
     bool result;
-    result = (*cspan_at(&axis, INT64_C(18) + INT64_C(1))) == 0.0;
+    result = (*cspan_at(&axis, INT64_C(19) + INT64_C(1))) == 0.0;
     return result;
 }
 static bool snap_is_last(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(23))) == 0.0) && ramps_suffice(axis);
+    result = ((*cspan_at(&axis, INT64_C(24))) == 0.0) && ramps_suffice(axis);
     return result;
 }
 static double saving(array_double_1d axis)
 {
     double result;
-    result = 0.6 * (*cspan_at(&axis, INT64_C(23) + INT64_C(1)));
+    result = 0.6 * (*cspan_at(&axis, INT64_C(24) + INT64_C(1)));
     return result;
 }
 static bool plateau_parameters(double share, array_double_1d axis)
@@ -8050,7 +8056,7 @@ static bool plateau_parameters(double share, array_double_1d axis)
     double fourth;
     double jerk;
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(11))) = 1.0;
+    (*cspan_at(&axis, INT64_C(12))) = 1.0;
     last = -INT64_C(1);
     for (level = INT64_C(0); level < boxes; level += INT64_C(1))
     {
@@ -8063,19 +8069,19 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
-    (*cspan_at(&axis, INT64_C(35))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    (*cspan_at(&axis, INT64_C(36))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
-            (*cspan_at(&axis, INT64_C(23) + level)) = share;
+            (*cspan_at(&axis, INT64_C(24) + level)) = share;
             if (level > last)
             {
-                (*cspan_at(&axis, INT64_C(23) + level)) = span_max(share, usual_share(axis));
+                (*cspan_at(&axis, INT64_C(24) + level)) = span_max(share, usual_share(axis));
             }
             if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
             {
-                (*cspan_at(&axis, INT64_C(23) + level)) = steeper_above() * share;
+                (*cspan_at(&axis, INT64_C(24) + level)) = steeper_above() * share;
             }
         }
     }
@@ -8088,34 +8094,34 @@ static bool plateau_parameters(double share, array_double_1d axis)
         {
             plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
         }
-        (*cspan_at(&axis, INT64_C(18) + level)) = rise;
+        (*cspan_at(&axis, INT64_C(19) + level)) = rise;
     }
     if (last == INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(17))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(23) + INT64_C(1))));
-        (*cspan_at(&axis, INT64_C(16))) = 1.0 / (*cspan_at(&axis, INT64_C(17)));
+        (*cspan_at(&axis, INT64_C(18))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(24) + INT64_C(1))));
+        (*cspan_at(&axis, INT64_C(17))) = 1.0 / (*cspan_at(&axis, INT64_C(18)));
     }
     if (last <= INT64_C(1))
     {
         time = 1.0;
         if (last == INT64_C(1))
         {
-            time = (*cspan_at(&axis, INT64_C(18)));
+            time = (*cspan_at(&axis, INT64_C(19)));
         }
         rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(33))) = variance / (time * time);
+        (*cspan_at(&axis, INT64_C(34))) = variance / (time * time);
     }
     jerk = (*cspan_at(&axis, INT64_C(4)));
     if (jerk > 0.0)
     {
-        rise = (*cspan_at(&axis, INT64_C(18)));
-        (*cspan_at(&axis, INT64_C(12))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(14))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(23))));
-        (*cspan_at(&axis, INT64_C(13))) = 1.0 / (*cspan_at(&axis, INT64_C(14)));
-        (*cspan_at(&axis, INT64_C(15))) = rise;
+        rise = (*cspan_at(&axis, INT64_C(19)));
+        (*cspan_at(&axis, INT64_C(13))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(15))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(24))));
+        (*cspan_at(&axis, INT64_C(14))) = 1.0 / (*cspan_at(&axis, INT64_C(15)));
+        (*cspan_at(&axis, INT64_C(16))) = rise;
         if (rise > 0.0)
         {
-            rise_moments(cspan_at(&axis, INT64_C(34)), &fourth, rise, INT64_C(1), axis);
+            rise_moments(cspan_at(&axis, INT64_C(35)), &fourth, rise, INT64_C(1), axis);
         }
     }
     return 1;
@@ -8132,31 +8138,31 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(36))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(37))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(37) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(38) + j)) = (*cspan_at(&psi, j));
     }
-    (*cspan_at(&axis, INT64_C(33))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    (*cspan_at(&axis, INT64_C(34))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
         if (limit > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(28) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(29) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
             bounded = 1;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(28)));
+    slope = (*cspan_at(&axis, INT64_C(29)));
     if (slope > 0.0)
     {
-        (*cspan_at(&axis, INT64_C(12))) = 0.0;
-        (*cspan_at(&axis, INT64_C(13))) = slope;
-        (*cspan_at(&axis, INT64_C(14))) = 1.0 / slope;
+        (*cspan_at(&axis, INT64_C(13))) = 0.0;
+        (*cspan_at(&axis, INT64_C(14))) = slope;
+        (*cspan_at(&axis, INT64_C(15))) = 1.0 / slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
-            change = pow(((*cspan_at(&axis, INT64_C(28) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(12))) = span_max((*cspan_at(&axis, INT64_C(12))), change);
+            change = pow(((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
         }
     }
     return bounded;
@@ -8167,11 +8173,11 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     double duration;
     double slope;
     bool bounded;
-    for (i = INT64_C(10); i < INT64_C(47); i += INT64_C(1))
+    for (i = INT64_C(11); i < INT64_C(48); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
-    (*cspan_at(&axis, INT64_C(12))) = 1e+300;
+    (*cspan_at(&axis, INT64_C(13))) = 1e+300;
     bounded = 0;
     if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
     {
@@ -8184,7 +8190,7 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     if (bounded)
     {
         segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(10))) = duration;
+        (*cspan_at(&axis, INT64_C(11))) = duration;
     }
     return bounded;
 }
@@ -8231,7 +8237,7 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     }
     rise = fabs(time);
     (*cspan_at(&node, INT64_C(10))) = 0.0;
-    most = (*cspan_at(&axis, INT64_C(18) + above - INT64_C(1)));
+    most = (*cspan_at(&axis, INT64_C(19) + above - INT64_C(1)));
     if (rise >= most)
     {
         (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
@@ -8367,7 +8373,7 @@ static double residual_scale(int64_t order, array_double_1d passing, array_doubl
     time = (*cspan_at(&passing, INT64_C(3)));
     if (order > INT64_C(1))
     {
-        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(10)))), order - INT64_C(2));
+        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(11)))), order - INT64_C(2));
         return speed;
     }
     speed = span_min((*cspan_at(&axis, INT64_C(2))), acceleration * time);
@@ -9056,7 +9062,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess,
     }
     time = (*cspan_at(&work, row, INT64_C(6)));
     level_sign = (*cspan_at(&work, row, INT64_C(5)));
-    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(18) + kind - INT64_C(1))));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(19) + kind - INT64_C(1))));
     split_guess(&before, &depth, &after, guess);
     (*cspan_at(&work, row, INT64_C(6))) = before * time;
     insert_node(place + INT64_C(1), kind, sign, (-depth) * dip, 0, work);
@@ -9468,7 +9474,7 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
 static bool compares_levels(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(35))) < 1.5) && (!ramps_suffice(axis));
+    result = ((*cspan_at(&axis, INT64_C(36))) < 1.5) && (!ramps_suffice(axis));
     return result;
 }
 static double sequence_cost(array_double_2d work)
@@ -9779,8 +9785,8 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     double half;
     double rest;
     double square;
-    slope = (*cspan_at(&axis, INT64_C(13)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(15)));
+    slope = (*cspan_at(&axis, INT64_C(14)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(16)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
     square = half * half + slope * rest;
     if (square <= 0.0)
@@ -9899,13 +9905,13 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double t_low;
     double least;
     double start;
-    linear_from = (*cspan_at(&axis, INT64_C(12)));
+    linear_from = (*cspan_at(&axis, INT64_C(13)));
     if (span_max(a, b) + linear_from <= high)
     {
         level = linear_level(gain, a, b, axis);
         if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
         {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(13))) + (*cspan_at(&axis, INT64_C(15)));
+            t = (level - a) * (*cspan_at(&axis, INT64_C(14))) + (*cspan_at(&axis, INT64_C(16)));
             (*result_0_0001) = t;
             (*result_1_0001) = 0.0;
             (*result_2_0001) = level;
@@ -10452,7 +10458,7 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), acceleration);
     (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), velocity);
     (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), acceleration);
-    ramp = acceleration * (*cspan_at(&axis, INT64_C(10))) * (*cspan_at(&axis, INT64_C(10)));
+    ramp = acceleration * (*cspan_at(&axis, INT64_C(11))) * (*cspan_at(&axis, INT64_C(11)));
     scale = span_min(velocity * velocity / acceleration, ramp);
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
@@ -10577,7 +10583,7 @@ static bool is_passing(array_double_2d phases, int64_t count, array_double_1d ax
     {
         if ((*cspan_at(&phases, i, INT64_C(3))) != 0.0)
         {
-            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(35)))))
+            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(36)))))
             {
                 return 0;
             }
@@ -10896,7 +10902,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     double duration;
     double result;
     samples = INT64_C(12);
-    span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(10))));
+    span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(11))));
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
         if (only_farther(family))
@@ -10961,7 +10967,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     double f_upper;
     double duration;
     double result;
-    upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(10))));
+    upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(11))));
     if (upper <= lower)
     {
         upper = 2.0 * lower;
@@ -12717,9 +12723,9 @@ static bool find_dips(double v, double a, double end, array_double_1d axis, arra
     (*cspan_at(&dips, INT64_C(0))) = v;
     (*cspan_at(&dips, INT64_C(1))) = a;
     (*cspan_at(&dips, INT64_C(2))) = (-sign) * end;
-    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(35)))); lower += INT64_C(1))
+    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(36)))); lower += INT64_C(1))
     {
-        above = (int64_t)((*cspan_at(&axis, INT64_C(35)))) - lower;
+        above = (int64_t)((*cspan_at(&axis, INT64_C(36)))) - lower;
         begin_dip(above, sign * v, fabs(a), work);
         least = find_edge(0, 0.02 * duration, -end, axis, work);
         if (least > 0.0)
@@ -13314,17 +13320,11 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     }
     append_levels(pending, axis, work);
 }
-static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing)
 {
-    array_double_1d passing;
-    int64_t q;
     int64_t i;
     double a;
-    double factor;
-    int64_t row;
-    passing = span_row(&work, INT64_C(101));
-    q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(36)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
@@ -13339,6 +13339,51 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
         a = fabs((*cspan_at(&phases, i, INT64_C(2))));
         (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
     }
+}
+static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work)
+{
+    int64_t q;
+    double sign;
+    double time;
+    int64_t node;
+    double accelerated;
+    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
+    sign = 1.0;
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        sign = -1.0;
+    }
+    time = duration / (q + INT64_C(2));
+    if (q == INT64_C(4))
+    {
+        time = 0.7 * time;
+    }
+    set_alternating(sign, time, work);
+    insert_node(q, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(q, INT64_C(2)))), time, 0, work);
+    node = INT64_C(1);
+    accelerated = (*cspan_at(&problem, INT64_C(1)));
+    if (variant >= INT64_C(2))
+    {
+        node = q - INT64_C(1);
+        accelerated = -(*cspan_at(&problem, INT64_C(3)));
+    }
+    sign = 1.0;
+    if (accelerated < 0.0)
+    {
+        sign = -1.0;
+    }
+    add_instant(INT64_C(1), sign, node, span_row(&work, INT64_C(101)));
+}
+static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t q;
+    double factor;
+    int64_t i;
+    int64_t row;
+    passing = span_row(&work, INT64_C(101));
+    q = (int64_t)((*cspan_at(&axis, INT64_C(36)))) + INT64_C(2);
+    begin_sequence(count, phases, axis, passing);
     if (((*cspan_at(&passing, INT64_C(4))) == 0.0) || has_dip(phases, count))
     {
         return 0;
@@ -13459,7 +13504,7 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     int64_t order;
     double excess;
     loose = span_row(&work, INT64_C(201));
-    for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
     {
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
     }
@@ -13788,6 +13833,73 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     }
     return used;
 }
+static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    double whole;
+    int64_t used;
+    double before;
+    int64_t attempt;
+    double duration;
+    int64_t found;
+    passing = span_row(&work, INT64_C(101));
+    whole = total_duration(ramps, count);
+    used = INT64_C(0);
+    before = 0.0;
+    for (attempt = INT64_C(0); attempt < INT64_C(12); attempt += INT64_C(1))
+    {
+        begin_sequence(count, ramps, axis, passing);
+        set_touching(span_floor_div(attempt, INT64_C(3)), (0.5 + 0.25 * (span_floor_mod(attempt, INT64_C(3)))) * whole, problem, work);
+        if (!solve_rotated(problem, axis, work))
+        {
+            continue;
+        }
+        duration = sequence_duration(passing, span_rows(&work, INT64_C(102), INT64_C(120)));
+        if ((duration < longest) && (fabs(duration - before) > 1e-09 * duration))
+        {
+            before = duration;
+            keep_sequence(INT64_C(158), work);
+            shortest_way(&found, &longest, longest, longest, phases, problem, axis, work);
+            if (found > INT64_C(0))
+            {
+                used = found;
+            }
+        }
+    }
+    (*result_0) = used;
+    (*result_1_0001) = longest;
+    return 0;
+}
+static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d ramps;
+    double longest;
+    int64_t result;
+    int64_t backwards;
+    passing = span_row(&work, INT64_C(101));
+    ramps = span_rows(&work, INT64_C(0), INT64_C(21));
+    copy_phases(phases, ramps, count);
+    (*cspan_at(&passing, INT64_C(8))) = 0.0;
+    (*cspan_at(&passing, INT64_C(9))) = 0.0;
+    longest = total_duration(ramps, count) * (1.0 - 1e-09);
+    touching_starts(&result, &longest, count, longest, ramps, phases, problem, axis, work);
+    reverse_problem(problem);
+    touching_starts(&backwards, &longest, count, longest, ramps, phases, problem, axis, work);
+    reverse_problem(problem);
+    if (backwards > INT64_C(0))
+    {
+        reverse_phases(phases, INT64_C(0), backwards);
+        (*cspan_at(&passing, INT64_C(7))) = 1.0;
+        return backwards;
+    }
+    if (result > INT64_C(0))
+    {
+        (*cspan_at(&passing, INT64_C(7))) = 0.0;
+        return result;
+    }
+    return count;
+}
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -13880,7 +13992,7 @@ static double usual_duration(array_double_1d problem, array_double_1d axis)
     double change;
     double result;
     limit = (*cspan_at(&axis, INT64_C(2)));
-    change = limit / (*cspan_at(&axis, INT64_C(3))) + (*cspan_at(&axis, INT64_C(10)));
+    change = limit / (*cspan_at(&axis, INT64_C(3))) + (*cspan_at(&axis, INT64_C(11)));
     result = 4.0 * change + fabs((*cspan_at(&problem, INT64_C(4)))) / limit;
     return result;
 }
@@ -14382,15 +14494,15 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     {
         (*cspan_at(&passing, i)) = 0.0;
     }
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(35)));
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(36)));
     (*cspan_at(&passing, INT64_C(2))) = pace;
     (*cspan_at(&passing, INT64_C(3))) = duration;
     acceleration = (*cspan_at(&axis, INT64_C(3)));
-    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(10))));
+    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(11))));
     (*cspan_at(&passing, INT64_C(4))) = acceleration;
     (*cspan_at(&passing, INT64_C(5))) = duration;
     (*cspan_at(&passing, INT64_C(6))) = sign;
-    q = (int64_t)((*cspan_at(&axis, INT64_C(35)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&axis, INT64_C(36)))) + INT64_C(2);
     set_alternating(sign, 0.6 * duration / q, work);
 }
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -14460,7 +14572,7 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
                 (*cspan_at(&nearest, found + INT64_C(1))) = reached;
                 break;
             }
-            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(35))) < 1.5))
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(36))) < 1.5))
             {
                 return 0;
             }
@@ -15175,7 +15287,7 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     last = 0.0;
     late = 0.0;
     early = 0.0;
-    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.0))
+    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(13))) > 0.0))
     {
         first = 0.5 * a * a / jerk;
         last = 0.5 * b * b / jerk;
@@ -15307,7 +15419,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     if (status > INT64_C(0))
     {
         settled = 0;
-        if ((*cspan_at(&axis, INT64_C(35))) > 0.5)
+        if ((*cspan_at(&axis, INT64_C(36))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
             settled = ((*cspan_at(&work, INT64_C(101), INT64_C(10))) > 0.5) && ramps_suffice(axis);
@@ -15342,7 +15454,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     {
         return status;
     }
-    if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    if (((*cspan_at(&axis, INT64_C(36))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
     {
         result = passing_either_way(count, phases, asked, axis, work);
         return result;
@@ -15358,7 +15470,14 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     if ((status > INT64_C(0)) && (!ramps_suffice(axis)) && (total_duration(phases, status) > 1.05 * free))
     {
         status = shorter_dipped(status, phases, asked, axis, work);
-        return status;
+        if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
+        {
+            status = touching_form(status, phases, asked, axis, work);
+        }
+        if (total_duration(phases, status) > 1.05 * free)
+        {
+            (*cspan_at(&work, INT64_C(98), INT64_C(18))) = 3.0;
+        }
     }
     return status;
 }
@@ -15404,13 +15523,17 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     {
         free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
+        if ((*cspan_at(&family, INT64_C(18))) > 2.5)
+        {
+            missed = 3.0;
+        }
         if ((*cspan_at(&work, INT64_C(101), INT64_C(10))) < 0.5)
         {
             missed = span_max(missed, 1.0);
         }
         if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
         {
-            missed = 2.0;
+            missed = span_max(missed, 2.0);
         }
     }
     else
@@ -15425,20 +15548,20 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
                 missed = 2.0;
             }
         }
-        if (((*cspan_at(&axis, INT64_C(35))) > 0.5) && (!ramps_suffice(axis)))
+        if (((*cspan_at(&axis, INT64_C(36))) > 0.5) && (!ramps_suffice(axis)))
         {
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    linear = (*cspan_at(&axis, INT64_C(12))) <= (*cspan_at(&axis, INT64_C(3)));
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(11))) < 0.5) && linear)
+    linear = (*cspan_at(&axis, INT64_C(13))) <= (*cspan_at(&axis, INT64_C(3)));
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) < 0.5) && linear)
     {
         trial = span_rows(&work, INT64_C(0), INT64_C(21));
         count = shorter_cruise(count, phases, asked, axis, trial);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {
-        missed = 2.0;
+        missed = span_max(missed, 2.0);
     }
     (*cspan_at(&family, INT64_C(18))) = missed;
     return count;
@@ -15611,12 +15734,20 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
     }
     return -1.0;
 }
+static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t count;
+    int64_t result;
+    count = segfmu_shortest_profile(problem, axis, phases, work);
+    result = slower_form(count, phases, problem, axis, work);
+    return result;
+}
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(35))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(36))) < 0.5)
     {
         return -1.0;
     }
@@ -15625,8 +15756,13 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     count = INT64_C(0);
     if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) > 0.5)
     {
-        count = segfmu_shortest_profile(problem, axis, phases, work);
-        count = slower_form(count, phases, problem, axis, work);
+        count = slowed_shortest(phases, problem, axis, work);
+        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(10))) > 0.5))
+        {
+            (*cspan_at(&axis, INT64_C(10))) = 0.0;
+            count = slowed_shortest(phases, problem, axis, work);
+            (*cspan_at(&axis, INT64_C(10))) = 1.0;
+        }
     }
     if ((count == INT64_C(0)) && (!ramps_suffice(axis)))
     {
@@ -15690,7 +15826,7 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     {
         return -1.0;
     }
-    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(35))) > 0.5))
+    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(36))) > 0.5))
     {
         weight = slower_passing(axis, cell, work);
         if (weight < 0.0)
@@ -15857,7 +15993,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
             duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
-                if (((*cspan_at(&axis, INT64_C(11))) < 0.5) || (!ramps_suffice(axis)))
+                if (((*cspan_at(&axis, INT64_C(12))) < 0.5) || (!ramps_suffice(axis)))
                 {
                     duration = first_feasible(4e-09, after, duration, cell, axis, work);
                 }
@@ -16037,7 +16173,7 @@ static double smoothness_share(double usual, double share, array_double_1d axis)
 {
     double power;
     power = 0.5;
-    if ((*cspan_at(&axis, INT64_C(23))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(24))) > 0.0)
     {
         power = 1.0 / 3.0;
     }
@@ -16058,7 +16194,7 @@ static bool shorter_with(double share, double kept, double factor, int64_t axis,
     restore_shortest(axis, axes, cells);
     return 0;
 }
-static void plan_steeper(double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double share;
     double factor;
@@ -16075,26 +16211,60 @@ static void plan_steeper(double missed, int64_t axis, array_double_2d axes, arra
     if (missed > 1.5)
     {
         factor = smoothness_share(share, steepest_share(), span_row(&axes, axis));
-        shorter_with(steepest_share(), share, factor, axis, axes, cells, work);
+        if (shorter_with(steepest_share(), share, factor, axis, axes, cells, work))
+        {
+            (*result_0) = steepest_share();
+            (*result_1_0001) = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+            return 0;
+        }
+    }
+    (*result_0) = share;
+    (*result_1_0001) = missed;
+    return 0;
+}
+static void plan_touching(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    (*cspan_at(&axes, axis, INT64_C(10))) = 1.0;
+    if (!shorter_with(share, share, 1.0 - 1e-09, axis, axes, cells, work))
+    {
+        (*cspan_at(&axes, axis, INT64_C(10))) = 0.0;
     }
 }
 static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    int64_t result;
-    if (plan_with_share(axis, moderate_share(), axes, cells, work) == INT64_C(0))
+    double share;
+    double missed;
+    int64_t status;
+    share = moderate_share();
+    status = plan_with_share(axis, share, axes, cells, work);
+    if (status == INT64_C(0))
     {
-        shorter_with(steepest_share(), moderate_share(), 1.0, axis, axes, cells, work);
-        return INT64_C(0);
+        missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+        if (shorter_with(steepest_share(), share, 1.0, axis, axes, cells, work))
+        {
+            share = steepest_share();
+            missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+        }
     }
-    result = plan_with_share(axis, steepest_share(), axes, cells, work);
-    return result;
+    else
+    {
+        share = steepest_share();
+        status = plan_with_share(axis, share, axes, cells, work);
+        missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+    }
+    if ((status == INT64_C(0)) && (missed > 2.5))
+    {
+        plan_touching(share, axis, axes, cells, work);
+    }
+    return status;
 }
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double missed;
+    double share;
     int64_t status;
     status = plan_with_share(axis, usual_share(span_row(&axes, axis)), axes, cells, work);
-    if ((*cspan_at(&axes, axis, INT64_C(11))) < 0.5)
+    if ((*cspan_at(&axes, axis, INT64_C(12))) < 0.5)
     {
         return status;
     }
@@ -16104,9 +16274,14 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
         return status;
     }
     missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+    share = usual_share(span_row(&axes, axis));
     if ((status == INT64_C(0)) && (missed > 0.5))
     {
-        plan_steeper(missed, axis, axes, cells, work);
+        plan_steeper(&share, &missed, missed, axis, axes, cells, work);
+    }
+    if ((status == INT64_C(0)) && (missed > 2.5))
+    {
+        plan_touching(share, axis, axes, cells, work);
     }
     return status;
 }
@@ -18652,7 +18827,7 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
     for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
     {
         chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(47); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
         {
             (*cspan_at(&chain, i)) = 0.0;
         }
@@ -18853,7 +19028,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     psi = span_row(&work, INT64_C(0));
     state = span_row(&work, INT64_C(1));
     order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    plateau = (*cspan_at(&axis, INT64_C(11))) > 0.5;
+    plateau = (*cspan_at(&axis, INT64_C(12))) > 0.5;
     if (!plateau)
     {
         transition_coefficients(order, psi);
@@ -19027,7 +19202,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(46) + seen, INT64_C(35))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(46) + seen, INT64_C(36))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);

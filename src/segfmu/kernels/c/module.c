@@ -1317,7 +1317,7 @@ static PyObject *call_ramp_duration(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_change)
         && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
         double result_0;
         double result_1;
         segfmu_ramp_duration(
@@ -1340,7 +1340,7 @@ static PyObject *call_ramp_pieces(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_axis = take_array(&call, 0, 1, 'd', false)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
         answer = PyLong_FromLongLong(segfmu_ramp_pieces(
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}}));
     }
@@ -1364,7 +1364,7 @@ static PyObject *call_axis_limits(
         && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
         segfmu_axis_limits(
             in_smoothness,
             in_shape,
@@ -1389,7 +1389,7 @@ static PyObject *call_ramp_parameters(
         && take_float(&call, 0, &in_share)
         && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
         && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
         && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
         answer = PyBool_FromLong(segfmu_ramp_parameters(
@@ -1420,7 +1420,7 @@ static PyObject *call_measure_phases(
         && (in_axis = take_array(&call, 4, 1, 'd', false)) != NULL
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
         double result_0;
         double result_1;
         double result_2;
@@ -1459,11 +1459,11 @@ static PyObject *call_shortest_profile(
         && (in_phases = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && has_at_least(&call, "problem", 0, in_problem->shape[0], 6)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 33)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 47)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1489,11 +1489,11 @@ static PyObject *call_timed_profile(
         && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
         && (in_cell = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 47)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1532,12 +1532,12 @@ static PyObject *call_plan_phases(
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "options", 0, in_options->shape[0], 5)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 47)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 47)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -2433,7 +2433,7 @@ static PyObject *call_expand_phases(
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 47)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "work", 0, in_work->shape[0], 4)
         && has_at_least(&call, "work", 1, in_work->shape[1], 12)
@@ -2488,7 +2488,7 @@ static PyObject *call_find_lead(
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 342)
-        && has_at_least(&call, "lead", 1, in_lead->shape[1], 47)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 48)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 800)
@@ -2780,7 +2780,7 @@ static PyObject *call_count_pieces(
         && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 47)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)) {
         answer = PyLong_FromLongLong(segfmu_count_pieces(
@@ -2822,7 +2822,7 @@ static PyObject *call_expand_plan(
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 47)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
@@ -2885,7 +2885,7 @@ static PyObject *call_plan_motion(
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 47)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
@@ -2893,7 +2893,7 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 291)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 47)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_plan_motion(
@@ -2948,7 +2948,7 @@ static PyObject *call_expand_motion(
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 47)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
@@ -2956,7 +2956,7 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 291)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 47)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_motion(

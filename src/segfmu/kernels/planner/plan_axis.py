@@ -116,8 +116,10 @@ def shorter_with(
 
 def plan_steeper(
     missed: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
-) -> None:
+) -> 'tuple[float, float]':
     """Plan an axis again with steeper rises, if the usual ones cost more than smoothness does.
+
+    Returns the share of the rises, and what is missed with it.
 
     The limits can leave no room for the usual rises: the profile then is another one, which can
     take much longer. missed as in Family. Moderate rises are tried first where the snap is the
@@ -131,7 +133,22 @@ def plan_steeper(
         missed = min(missed, work[PlanWork.FAMILY, Family.MISSED])
     if missed > 1.5:
         factor = smoothness_share(share, steepest_share(), axes[axis, :])
-        shorter_with(steepest_share(), share, factor, axis, axes, cells, work)
+        if shorter_with(steepest_share(), share, factor, axis, axes, cells, work):
+            return steepest_share(), work[PlanWork.FAMILY, Family.MISSED]
+    return share, missed
+
+
+def plan_touching(
+    share: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> None:
+    """Plan an axis again with more starts of passing profiles.
+
+    share: that of the rises of the present plan. It stays, so that all durations which that plan
+    could last are feasible still (`slower_passing`).
+    """
+    axes[axis, Axis.TOUCHING] = 1.0
+    if not shorter_with(share, share, 1.0 - 1e-9, axis, axes, cells, work):
+        axes[axis, Axis.TOUCHING] = 0.0
 
 
 def plan_refused(
@@ -141,10 +158,20 @@ def plan_refused(
 
     Where it fails by little, the steepest ramps decide whether it is feasible.
     """
-    if plan_with_share(axis, moderate_share(), axes, cells, work) == PlanStatus.PLANNED:
-        shorter_with(steepest_share(), moderate_share(), 1.0, axis, axes, cells, work)
-        return PlanStatus.PLANNED
-    return plan_with_share(axis, steepest_share(), axes, cells, work)
+    share = moderate_share()
+    status = plan_with_share(axis, share, axes, cells, work)
+    if status == PlanStatus.PLANNED:
+        missed = work[PlanWork.FAMILY, Family.MISSED]
+        if shorter_with(steepest_share(), share, 1.0, axis, axes, cells, work):
+            share = steepest_share()
+            missed = work[PlanWork.FAMILY, Family.MISSED]
+    else:
+        share = steepest_share()
+        status = plan_with_share(axis, share, axes, cells, work)
+        missed = work[PlanWork.FAMILY, Family.MISSED]
+    if status == PlanStatus.PLANNED and missed > 2.5:
+        plan_touching(share, axis, axes, cells, work)
+    return status
 
 
 def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]') -> int:
@@ -158,6 +185,9 @@ def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float
     if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:
         return plan_refused(axis, axes, cells, work)
     missed = work[PlanWork.FAMILY, Family.MISSED]
+    share = usual_share(axes[axis, :])
     if status == PlanStatus.PLANNED and missed > 0.5:
-        plan_steeper(missed, axis, axes, cells, work)
+        share, missed = plan_steeper(missed, axis, axes, cells, work)
+    if status == PlanStatus.PLANNED and missed > 2.5:
+        plan_touching(share, axis, axes, cells, work)
     return status

@@ -20,6 +20,7 @@ from segfmu.kernels.planner.forms import (
     usual_duration,
 )
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
+from segfmu.kernels.planner.passing import touching_form
 from segfmu.kernels.planner.phases import boundary_problem, is_resting, total_duration
 from segfmu.kernels.planner.records import (
     Axis,
@@ -93,10 +94,12 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
     if count == 0:
         free = family[Family.FREE]
         count = shortest_braked(asked, axis, phases, work)
+        if family[Family.MISSED] > 2.5:
+            missed = 3.0
         if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
             missed = max(missed, 1.0)
         if count > 0 and misses_little(free, total_duration(phases, count), asked, axis):
-            missed = 2.0
+            missed = max(missed, 2.0)
     else:
         rest = work[PlanWork.REST, :]
         longest = short_window(total_duration(phases, count), asked, axis, rest)
@@ -113,7 +116,7 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
         count = shorter_cruise(count, phases, asked, axis, trial)
     # where the snap is not the highest limit, steeper rises are always tried
     if not snap_is_last(axis) and not is_resting(asked, axis):
-        missed = 2.0
+        missed = max(missed, 2.0)
     family[Family.MISSED] = missed
     return count
 
@@ -126,7 +129,11 @@ def shortest_braked(
     status = usual_braked(asked, axis, phases, work)
     # of 16,000 random problems, dips shorten none that takes less than 1.09 of this
     if status > 0 and not ramps_suffice(axis) and total_duration(phases, status) > 1.05 * free:
-        return shorter_dipped(status, phases, asked, axis, work)
+        status = shorter_dipped(status, phases, asked, axis, work)
+        if axis[Axis.TOUCHING] > 0.5:
+            status = touching_form(status, phases, asked, axis, work)
+        if total_duration(phases, status) > 1.05 * free:
+            work[PlanWork.FAMILY, Family.MISSED] = 3.0
     return status
 
 

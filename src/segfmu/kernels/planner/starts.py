@@ -7,6 +7,7 @@ levels that alternate.
 from math import sqrt
 
 from segfmu.kernels.planner.excess import measure_excess
+from segfmu.kernels.planner.instant import add_instant
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
 from segfmu.kernels.planner.plateaus import (
@@ -93,13 +94,10 @@ def copy_levels(
     append_levels(pending, axis, work)
 
 
-def set_sequence(
-    attempt: int, count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
-    work: 'float[:,:]',
-) -> bool:
-    """Set what Newton's method starts from in an attempt; False if it is that of another one."""
-    passing = work[PlanWork.PASSING, :]
-    q = int(axis[Axis.ABOVE]) + 2
+def begin_sequence(
+    count: int, phases: 'float[:,:]', axis: 'float[:]', passing: 'float[:]'
+) -> None:
+    """Set all of a sequence but its nodes; phases are those of an ordinary profile."""
     passing[Passing.ABOVE] = axis[Axis.ABOVE]
     passing[Passing.PACE] = 1.0
     passing[Passing.TARGET] = 0.0
@@ -113,6 +111,46 @@ def set_sequence(
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
         a = abs(phases[i, Phase.ACCELERATION])
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
+
+
+def set_touching(
+    variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Set levels that alternate, one more than the conditions at the end need.
+
+    The velocity touches its limit at the start (variants 0 and 1) or at the end (2 and 3), where
+    the acceleration is to be braked. The first level is above (0, 2) or below zero. duration: about
+    what the sequence takes [s].
+    """
+    q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    sign = 1.0
+    if variant % 2 == 1:
+        sign = -1.0
+    time = duration / (q + 2)
+    if q == 4:
+        # two levels of the snap make one of the jerk
+        time = 0.7 * time
+    set_alternating(sign, time, work)
+    insert_node(q, 0, sign * (1.0 - 2.0 * (q % 2)), time, False, work)
+    node = 1
+    accelerated = problem[Problem.A]
+    if variant >= 2:
+        node = q - 1
+        accelerated = -problem[Problem.B]
+    sign = 1.0
+    if accelerated < 0.0:
+        sign = -1.0
+    add_instant(1, sign, node, work[PlanWork.PASSING, :])
+
+
+def set_sequence(
+    attempt: int, count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
+) -> bool:
+    """Set what Newton's method starts from in an attempt; False if it is that of another one."""
+    passing = work[PlanWork.PASSING, :]
+    q = int(axis[Axis.ABOVE]) + 2
+    begin_sequence(count, phases, axis, passing)
     # a cruise alone has no ramps to start from, and nothing is shorter; a dip has other levels
     if passing[Passing.ACCELERATION] == 0.0 or has_dip(phases, count):
         return False

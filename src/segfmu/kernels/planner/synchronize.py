@@ -187,6 +187,14 @@ def between_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -
     return nearest_weight(problem, axis, work[PlanWork.NEAREST, :])
 
 
+def slowed_shortest(
+    phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """The shortest profile, slowed down if it passes zero jerk with snap; 0: that fails."""
+    count = shortest_profile(problem, axis, phases, work)
+    return slower_form(count, phases, problem, axis, work)
+
+
 def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """The shortest profile, if it passes zero jerk with snap, slowed down; as `timed_profile`.
 
@@ -198,8 +206,12 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     count = 0
     if cell[Cell.RESULT, Interval.PASSING] > 0.5:
-        count = shortest_profile(problem, axis, phases, work)
-        count = slower_form(count, phases, problem, axis, work)
+        count = slowed_shortest(phases, problem, axis, work)
+        if count == 0 and axis[Axis.TOUCHING] > 0.5:
+            # one whose velocity touches its limit may be alone between gaps
+            axis[Axis.TOUCHING] = 0.0
+            count = slowed_shortest(phases, problem, axis, work)
+            axis[Axis.TOUCHING] = 1.0
     if count == 0 and not ramps_suffice(axis):
         count = plain_profile(problem, axis, phases, work)
         count = slower_form(count, phases, problem, axis, work)
