@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from benchmarks.completeness import random_problem
-from benchmarks.optimal_control import Transition, feasible
+from benchmarks.optimal_control import Transition, earliest, feasible
 from benchmarks.smooth_motions import boundary, smooth_motion
 
 from segfmu import InfeasibleError, Limits, Waypoint, plan, verify
@@ -78,9 +78,9 @@ def test_most_durations_of_smooth_motions(smoothness: int, highest: int, refused
     assert sum(not prolonged(rng, smoothness, highest) for i in range(300)) <= refused
 
 
-@pytest.mark.parametrize(("n", "missed"), [(4, 0), (5, 1), (6, 8)])
+@pytest.mark.parametrize(("n", "missed"), [(4, 0), (5, 2), (6, 12)])
 def test_durations_are_refused_where_no_motion_lasts_them(n: int, missed: int) -> None:
-    """Of 240, judged by linear programs."""
+    """Of 240, judged by linear programs, as is the optimum that they are measured in."""
     rng = np.random.default_rng(n)
     wrong = 0
     planned = 0
@@ -94,13 +94,14 @@ def test_durations_are_refused_where_no_motion_lasts_them(n: int, missed: int) -
         except InfeasibleError:
             continue
         planned += 1
-        for factor in (1.01, 1.05, 1.2, 1.5):
+        transition = Transition("", (0.0, v, a), (distance, w, b), tuple(limits[:n]))
+        optimum = earliest(transition, shortest, 50, 2e-3)
+        for factor in (1.06, 1.1, 1.2, 1.5):
             try:
-                found = plan(points, given, smoothness=n, duration=factor * shortest)
+                found = plan(points, given, smoothness=n, duration=factor * optimum)
                 assert verify(found).passed
             except InfeasibleError:
-                transition = Transition("", (0.0, v, a), (distance, w, b), tuple(limits[:n]))
-                wrong += feasible(transition, factor * shortest, 50)
+                wrong += feasible(transition, factor * optimum, 50)
     assert wrong <= missed
 
 
