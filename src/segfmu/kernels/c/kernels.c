@@ -388,6 +388,7 @@ static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
 static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
+static double sign_of(double value);
 static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing);
 static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work);
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -404,6 +405,7 @@ static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt);
 static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -13320,6 +13322,14 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     }
     append_levels(pending, axis, work);
 }
+static double sign_of(double value)
+{
+    if (value < 0.0)
+    {
+        return -1.0;
+    }
+    return 1.0;
+}
 static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing)
 {
     int64_t i;
@@ -13342,12 +13352,13 @@ static void begin_sequence(int64_t count, array_double_2d phases, array_double_1
 }
 static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work)
 {
+    array_double_1d passing;
     int64_t q;
     double sign;
     double time;
-    int64_t node;
-    double accelerated;
-    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
+    double last;
+    passing = span_row(&work, INT64_C(101));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     sign = 1.0;
     if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
     {
@@ -13359,20 +13370,21 @@ static void set_touching(int64_t variant, double duration, array_double_1d probl
         time = 0.7 * time;
     }
     set_alternating(sign, time, work);
-    insert_node(q, INT64_C(0), sign * (1.0 - 2.0 * (span_floor_mod(q, INT64_C(2)))), time, 0, work);
-    node = INT64_C(1);
-    accelerated = (*cspan_at(&problem, INT64_C(1)));
-    if (variant >= INT64_C(2))
+    last = sign * (1.0 - 2.0 * (span_floor_mod(q, INT64_C(2))));
+    insert_node(q, INT64_C(0), last, time, 0, work);
+    if (variant < INT64_C(4))
     {
-        node = q - INT64_C(1);
-        accelerated = -(*cspan_at(&problem, INT64_C(3)));
+        add_instant(INT64_C(1), sign_of((*cspan_at(&problem, INT64_C(1)))), INT64_C(1) + span_floor_div(variant, INT64_C(2)), passing);
     }
-    sign = 1.0;
-    if (accelerated < 0.0)
+    else
     {
-        sign = -1.0;
+        add_instant(INT64_C(1), sign_of(-(*cspan_at(&problem, INT64_C(3)))), q - INT64_C(1), passing);
     }
-    add_instant(INT64_C(1), sign, node, span_row(&work, INT64_C(101)));
+    if (variant >= INT64_C(6))
+    {
+        insert_node(q + INT64_C(1), INT64_C(0), -last, time, 0, work);
+        add_instant(INT64_C(1), sign_of((*cspan_at(&problem, INT64_C(1)))), INT64_C(1), passing);
+    }
 }
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -13833,6 +13845,30 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     }
     return used;
 }
+static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt)
+{
+    int64_t time;
+    double share;
+    if (attempt >= INT64_C(30))
+    {
+        (*result_0_0001) = INT64_C(6) + span_floor_mod(attempt, INT64_C(2));
+        (*result_1) = 0.5 + 0.15 * (span_floor_div((attempt - INT64_C(30)), INT64_C(2)));
+        return 0;
+    }
+    time = span_floor_mod(attempt, INT64_C(5));
+    share = 0.5 + 0.25 * time;
+    if (time == INT64_C(3))
+    {
+        share = 0.35;
+    }
+    else if (time == INT64_C(4))
+    {
+        share = 0.65;
+    }
+    (*result_0_0001) = span_floor_div(attempt, INT64_C(5));
+    (*result_1) = share;
+    return 0;
+}
 static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -13840,16 +13876,19 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
     int64_t used;
     double before;
     int64_t attempt;
+    int64_t variant;
+    double share;
     double duration;
     int64_t found;
     passing = span_row(&work, INT64_C(101));
     whole = total_duration(ramps, count);
     used = INT64_C(0);
     before = 0.0;
-    for (attempt = INT64_C(0); attempt < INT64_C(12); attempt += INT64_C(1))
+    for (attempt = INT64_C(0); attempt < INT64_C(34); attempt += INT64_C(1))
     {
+        touching_guess(&variant, &share, attempt);
         begin_sequence(count, ramps, axis, passing);
-        set_touching(span_floor_div(attempt, INT64_C(3)), (0.5 + 0.25 * (span_floor_mod(attempt, INT64_C(3)))) * whole, problem, work);
+        set_touching(variant, share * whole, problem, work);
         if (!solve_rotated(problem, axis, work))
         {
             continue;

@@ -214,6 +214,22 @@ def passing_form(
     return used
 
 
+def touching_guess(attempt: int) -> 'tuple[int, float]':
+    """Variant of `set_touching`, and what it takes over the duration of a longer profile.
+
+    Of 34 attempts the last four are those whose velocity touches its limit at both ends.
+    """
+    if attempt >= 30:
+        return 6 + attempt % 2, 0.5 + 0.15 * ((attempt - 30) // 2)
+    time = attempt % 5
+    share = 0.5 + 0.25 * time
+    if time == 3:
+        share = 0.35
+    elif time == 4:
+        share = 0.65
+    return attempt // 5, share
+
+
 def touching_starts(
     count: int, longest: float, ramps: 'float[:,:]', phases: 'float[:,:]', problem: 'float[:]',
     axis: 'float[:]', work: 'float[:,:]',
@@ -226,9 +242,10 @@ def touching_starts(
     whole = total_duration(ramps, count)
     used = 0
     before = 0.0
-    for attempt in range(12):
+    for attempt in range(34):
+        variant, share = touching_guess(attempt)
         begin_sequence(count, ramps, axis, passing)
-        set_touching(attempt // 3, (0.5 + 0.25 * (attempt % 3)) * whole, problem, work)
+        set_touching(variant, share * whole, problem, work)
         if not solve_rotated(problem, axis, work):
             continue
         duration = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])

@@ -94,6 +94,13 @@ def copy_levels(
     append_levels(pending, axis, work)
 
 
+def sign_of(value: float) -> float:
+    """-1 below zero, else 1."""
+    if value < 0.0:
+        return -1.0
+    return 1.0
+
+
 def begin_sequence(
     count: int, phases: 'float[:,:]', axis: 'float[:]', passing: 'float[:]'
 ) -> None:
@@ -116,13 +123,15 @@ def begin_sequence(
 def set_touching(
     variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]'
 ) -> None:
-    """Set levels that alternate, one more than the conditions at the end need.
+    """Set levels that alternate, with a velocity that touches its limit where braking exceeds it.
 
-    The velocity touches its limit at the start (variants 0 and 1) or at the end (2 and 3), where
-    the acceleration is to be braked. The first level is above (0, 2) or below zero. duration: about
-    what the sequence takes [s].
+    There is one level more than the conditions at the end need for each place where it touches: at
+    the first level (variants 0 and 1), the second one (2 and 3), the last one (4 and 5), or at both
+    ends (6 and 7). The first level is above (0, 2, 4, 6) or below zero. duration: about what the
+    sequence takes [s].
     """
-    q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
+    passing = work[PlanWork.PASSING, :]
+    q = int(passing[Passing.ABOVE]) + 2
     sign = 1.0
     if variant % 2 == 1:
         sign = -1.0
@@ -131,16 +140,15 @@ def set_touching(
         # two levels of the snap make one of the jerk
         time = 0.7 * time
     set_alternating(sign, time, work)
-    insert_node(q, 0, sign * (1.0 - 2.0 * (q % 2)), time, False, work)
-    node = 1
-    accelerated = problem[Problem.A]
-    if variant >= 2:
-        node = q - 1
-        accelerated = -problem[Problem.B]
-    sign = 1.0
-    if accelerated < 0.0:
-        sign = -1.0
-    add_instant(1, sign, node, work[PlanWork.PASSING, :])
+    last = sign * (1.0 - 2.0 * (q % 2))
+    insert_node(q, 0, last, time, False, work)
+    if variant < 4:
+        add_instant(1, sign_of(problem[Problem.A]), 1 + variant // 2, passing)
+    else:
+        add_instant(1, sign_of(-problem[Problem.B]), q - 1, passing)
+    if variant >= 6:
+        insert_node(q + 1, 0, -last, time, False, work)
+        add_instant(1, sign_of(problem[Problem.A]), 1, passing)
 
 
 def set_sequence(
