@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.braked_states import barely_braked
 from benchmarks.optimal_control import Transition, earliest, smoothest
 from benchmarks.problems import FloatArray
 from benchmarks.report import Part, Record, Section, Settings
@@ -54,7 +55,8 @@ def measure(settings: Settings) -> Part:
             f"constructed: ramps and holds that keep {SLACK:.0%} of every limit; short: the "
             f"acceleration changes by up to {SIZES['short']:g} of its limit in a ramp",
             f"optimum: linear program over {CELLS} cells, velocity and acceleration at the nodes; "
-            "the highest limited derivative jumps, as it may with a smoothness of one less",
+            "the highest limited derivative jumps, as it may with a smoothness of one less; "
+            "braked: states that can barely be braked within the velocity limit",
             "prolonged: 1.05 to 2 times the shortest duration; smoothest: quadratic program over "
             f"{CELLS} cells within the same limits",
             "cliffs: the problems of the optima; ramps with a continuous snap take up to "
@@ -154,13 +156,15 @@ def random_problem(
     state = np.array([*(share * limits[[0, 1, 0, 1]] * 0.8), distance])
     if kind == "rest":
         state[:4] = 0.0
+    elif kind == "braked":
+        state = barely_braked(random, limits, state)
     return limits, state
 
 
 def _optima(count: int) -> Section:
     records: list[Record] = []
     for n in (4, 5, 6):
-        for kind in ("rest", "moving", "short", "ties"):
+        for kind in ("rest", "moving", "short", "ties", "braked"):
             random = np.random.default_rng((SEED, n, len(kind)))
             ratios: list[FloatArray] = []
             while len(ratios) < count:
