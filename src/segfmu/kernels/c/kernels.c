@@ -15506,9 +15506,12 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     int64_t status;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
     status = usual_braked(asked, axis, phases, work);
-    if ((status > INT64_C(0)) && (!ramps_suffice(axis)) && (total_duration(phases, status) > 1.05 * free))
+    if ((status > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(36))) > 0.5) && (total_duration(phases, status) > 1.05 * free))
     {
-        status = shorter_dipped(status, phases, asked, axis, work);
+        if (!ramps_suffice(axis))
+        {
+            status = shorter_dipped(status, phases, asked, axis, work);
+        }
         if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
         {
             status = touching_form(status, phases, asked, axis, work);

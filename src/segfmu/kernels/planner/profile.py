@@ -128,8 +128,9 @@ def shortest_braked(
     free = work[PlanWork.FAMILY, Family.FREE]
     status = usual_braked(asked, axis, phases, work)
     # of 16,000 random problems, dips shorten none that takes less than 1.09 of this
-    if status > 0 and not ramps_suffice(axis) and total_duration(phases, status) > 1.05 * free:
-        status = shorter_dipped(status, phases, asked, axis, work)
+    if status > 0 and axis[Axis.ABOVE] > 0.5 and total_duration(phases, status) > 1.05 * free:
+        if not ramps_suffice(axis):
+            status = shorter_dipped(status, phases, asked, axis, work)
         if axis[Axis.TOUCHING] > 0.5:
             status = touching_form(status, phases, asked, axis, work)
         if total_duration(phases, status) > 1.05 * free:
