@@ -15503,23 +15503,30 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     double free;
+    double most;
     int64_t status;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
     status = usual_braked(asked, axis, phases, work);
-    if ((status > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(36))) > 0.5) && (total_duration(phases, status) > 1.05 * free))
+    if ((status <= INT64_C(0)) || ((*cspan_at(&axis, INT64_C(36))) < 0.5))
     {
-        if (!ramps_suffice(axis))
-        {
-            status = shorter_dipped(status, phases, asked, axis, work);
-        }
-        if ((*cspan_at(&axis, INT64_C(10))) > 0.5)
-        {
-            status = touching_form(status, phases, asked, axis, work);
-        }
-        if (total_duration(phases, status) > 1.05 * free)
-        {
-            (*cspan_at(&work, INT64_C(98), INT64_C(18))) = 3.0;
-        }
+        return status;
+    }
+    most = 1.05 * free;
+    if (ramps_suffice(axis))
+    {
+        most = 1.1 * free;
+    }
+    else if (total_duration(phases, status) > most)
+    {
+        status = shorter_dipped(status, phases, asked, axis, work);
+    }
+    if (((*cspan_at(&axis, INT64_C(10))) > 0.5) && (total_duration(phases, status) > most))
+    {
+        status = touching_form(status, phases, asked, axis, work);
+    }
+    if (total_duration(phases, status) > most)
+    {
+        (*cspan_at(&work, INT64_C(98), INT64_C(18))) = 3.0;
     }
     return status;
 }

@@ -127,14 +127,19 @@ def shortest_braked(
     """`shortest_profile` where the optimal forms fail, with dips where they shorten it."""
     free = work[PlanWork.FAMILY, Family.FREE]
     status = usual_braked(asked, axis, phases, work)
-    # of 16,000 random problems, dips shorten none that takes less than 1.09 of this
-    if status > 0 and axis[Axis.ABOVE] > 0.5 and total_duration(phases, status) > 1.05 * free:
-        if not ramps_suffice(axis):
-            status = shorter_dipped(status, phases, asked, axis, work)
-        if axis[Axis.TOUCHING] > 0.5:
-            status = touching_form(status, phases, asked, axis, work)
-        if total_duration(phases, status) > 1.05 * free:
-            work[PlanWork.FAMILY, Family.MISSED] = 3.0
+    if status <= 0 or axis[Axis.ABOVE] < 0.5:
+        return status
+    # nothing is shorter than without the velocity limit; of 16,000 random problems, dips shorten
+    # none that takes less than 1.09 of that
+    most = 1.05 * free
+    if ramps_suffice(axis):
+        most = 1.1 * free
+    elif total_duration(phases, status) > most:
+        status = shorter_dipped(status, phases, asked, axis, work)
+    if axis[Axis.TOUCHING] > 0.5 and total_duration(phases, status) > most:
+        status = touching_form(status, phases, asked, axis, work)
+    if total_duration(phases, status) > most:
+        work[PlanWork.FAMILY, Family.MISSED] = 3.0
     return status
 
 
