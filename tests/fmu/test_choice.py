@@ -64,7 +64,8 @@ def test_other_platforms_are_for_zig(monkeypatch) -> None:
     monkeypatch.setattr(compilers.metadata, "version", lambda name: "0.13.0")
     monkeypatch.setattr(compilers, "host", lambda: "x86_64-linux")
     command = compilers.compiler("aarch64-linux").command
-    assert command[1:] == ("-m", "ziglang", "cc", "-target", "aarch64-linux-gnu.2.17")
+    target = ("-m", "ziglang", "cc", "-target", "aarch64-linux-gnu.2.17")
+    assert command[1:] == (*target, "-mllvm", "-inline-threshold=150")
 
 
 @needs_native
