@@ -388,9 +388,7 @@ static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
 static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
-static double sign_of(double value);
 static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing);
-static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work);
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double largest_excess(array_double_1d axis, array_double_2d work);
@@ -405,9 +403,6 @@ static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt);
-static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -453,6 +448,12 @@ static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static double sign_of(double value);
+static bool may_touch(double v, double a, array_double_1d axis);
+static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work);
+static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt);
+static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
@@ -13322,14 +13323,6 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     }
     append_levels(pending, axis, work);
 }
-static double sign_of(double value)
-{
-    if (value < 0.0)
-    {
-        return -1.0;
-    }
-    return 1.0;
-}
 static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing)
 {
     int64_t i;
@@ -13348,42 +13341,6 @@ static void begin_sequence(int64_t count, array_double_2d phases, array_double_1
         (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
         a = fabs((*cspan_at(&phases, i, INT64_C(2))));
         (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
-    }
-}
-static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work)
-{
-    array_double_1d passing;
-    int64_t q;
-    double sign;
-    double time;
-    double last;
-    passing = span_row(&work, INT64_C(101));
-    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    sign = 1.0;
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        sign = -1.0;
-    }
-    time = duration / (q + INT64_C(2));
-    if (q == INT64_C(4))
-    {
-        time = 0.7 * time;
-    }
-    set_alternating(sign, time, work);
-    last = sign * (1.0 - 2.0 * (span_floor_mod(q, INT64_C(2))));
-    insert_node(q, INT64_C(0), last, time, 0, work);
-    if (variant < INT64_C(4))
-    {
-        add_instant(INT64_C(1), sign_of((*cspan_at(&problem, INT64_C(1)))), INT64_C(1) + span_floor_div(variant, INT64_C(2)), passing);
-    }
-    else
-    {
-        add_instant(INT64_C(1), sign_of(-(*cspan_at(&problem, INT64_C(3)))), q - INT64_C(1), passing);
-    }
-    if (variant >= INT64_C(6))
-    {
-        insert_node(q + INT64_C(1), INT64_C(0), -last, time, 0, work);
-        add_instant(INT64_C(1), sign_of((*cspan_at(&problem, INT64_C(1)))), INT64_C(1), passing);
     }
 }
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -13844,100 +13801,6 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
         return others;
     }
     return used;
-}
-static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt)
-{
-    int64_t time;
-    double share;
-    if (attempt >= INT64_C(30))
-    {
-        (*result_0_0001) = INT64_C(6) + span_floor_mod(attempt, INT64_C(2));
-        (*result_1) = 0.5 + 0.15 * (span_floor_div((attempt - INT64_C(30)), INT64_C(2)));
-        return 0;
-    }
-    time = span_floor_mod(attempt, INT64_C(5));
-    share = 0.5 + 0.25 * time;
-    if (time == INT64_C(3))
-    {
-        share = 0.35;
-    }
-    else if (time == INT64_C(4))
-    {
-        share = 0.65;
-    }
-    (*result_0_0001) = span_floor_div(attempt, INT64_C(5));
-    (*result_1) = share;
-    return 0;
-}
-static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    double whole;
-    int64_t used;
-    double before;
-    int64_t attempt;
-    int64_t variant;
-    double share;
-    double duration;
-    int64_t found;
-    passing = span_row(&work, INT64_C(101));
-    whole = total_duration(ramps, count);
-    used = INT64_C(0);
-    before = 0.0;
-    for (attempt = INT64_C(0); attempt < INT64_C(34); attempt += INT64_C(1))
-    {
-        touching_guess(&variant, &share, attempt);
-        begin_sequence(count, ramps, axis, passing);
-        set_touching(variant, share * whole, problem, work);
-        if (!solve_rotated(problem, axis, work))
-        {
-            continue;
-        }
-        duration = sequence_duration(passing, span_rows(&work, INT64_C(102), INT64_C(120)));
-        if ((duration < longest) && (fabs(duration - before) > 1e-09 * duration))
-        {
-            before = duration;
-            keep_sequence(INT64_C(158), work);
-            shortest_way(&found, &longest, longest, longest, phases, problem, axis, work);
-            if (found > INT64_C(0))
-            {
-                used = found;
-            }
-        }
-    }
-    (*result_0) = used;
-    (*result_1_0001) = longest;
-    return 0;
-}
-static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d ramps;
-    double longest;
-    int64_t result;
-    int64_t backwards;
-    passing = span_row(&work, INT64_C(101));
-    ramps = span_rows(&work, INT64_C(0), INT64_C(21));
-    copy_phases(phases, ramps, count);
-    (*cspan_at(&passing, INT64_C(8))) = 0.0;
-    (*cspan_at(&passing, INT64_C(9))) = 0.0;
-    longest = total_duration(ramps, count) * (1.0 - 1e-09);
-    touching_starts(&result, &longest, count, longest, ramps, phases, problem, axis, work);
-    reverse_problem(problem);
-    touching_starts(&backwards, &longest, count, longest, ramps, phases, problem, axis, work);
-    reverse_problem(problem);
-    if (backwards > INT64_C(0))
-    {
-        reverse_phases(phases, INT64_C(0), backwards);
-        (*cspan_at(&passing, INT64_C(7))) = 1.0;
-        return backwards;
-    }
-    if (result > INT64_C(0))
-    {
-        (*cspan_at(&passing, INT64_C(7))) = 0.0;
-        return result;
-    }
-    return count;
 }
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -15254,6 +15117,179 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
         }
         count = append_hold(phases, used, b, (*cspan_at(&gentle, INT64_C(7) + i)));
         a = b;
+    }
+    return count;
+}
+static double sign_of(double value)
+{
+    if (value < 0.0)
+    {
+        return -1.0;
+    }
+    return 1.0;
+}
+static bool may_touch(double v, double a, array_double_1d axis)
+{
+    double duration;
+    double slope;
+    bool result;
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    result = sign_of(a) * v + 0.5 * fabs(a) * duration > 0.9 * (*cspan_at(&axis, INT64_C(2)));
+    return result;
+}
+static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work)
+{
+    array_double_1d passing;
+    int64_t q;
+    double sign;
+    double time;
+    double last;
+    passing = span_row(&work, INT64_C(101));
+    q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
+    sign = 1.0;
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        sign = -1.0;
+    }
+    time = duration / (q + INT64_C(2));
+    if (q == INT64_C(4))
+    {
+        time = 0.7 * time;
+    }
+    set_alternating(sign, time, work);
+    last = sign * (1.0 - 2.0 * (span_floor_mod(q, INT64_C(2))));
+    insert_node(q, INT64_C(0), last, time, 0, work);
+    if (variant < INT64_C(4))
+    {
+        add_instant(INT64_C(1), sign_of((*cspan_at(&problem, INT64_C(1)))), INT64_C(1) + span_floor_div(variant, INT64_C(2)), passing);
+    }
+    else
+    {
+        add_instant(INT64_C(1), sign_of(-(*cspan_at(&problem, INT64_C(3)))), q - INT64_C(1), passing);
+    }
+    if (variant >= INT64_C(6))
+    {
+        insert_node(q + INT64_C(1), INT64_C(0), -last, time, 0, work);
+        add_instant(INT64_C(1), sign_of((*cspan_at(&problem, INT64_C(1)))), INT64_C(1), passing);
+    }
+}
+static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt)
+{
+    int64_t time;
+    double share;
+    if (attempt >= INT64_C(30))
+    {
+        (*result_0_0001) = INT64_C(6) + span_floor_mod(attempt, INT64_C(2));
+        (*result_1) = 0.5 + 0.15 * (span_floor_div((attempt - INT64_C(30)), INT64_C(2)));
+        return 0;
+    }
+    time = span_floor_div(attempt, INT64_C(6));
+    share = 0.65;
+    if (time == INT64_C(1))
+    {
+        share = 0.5;
+    }
+    else if (time == INT64_C(2))
+    {
+        share = 0.75;
+    }
+    else if (time == INT64_C(3))
+    {
+        share = 1.0;
+    }
+    else if (time == INT64_C(4))
+    {
+        share = 0.35;
+    }
+    (*result_0_0001) = span_floor_mod(attempt, INT64_C(6));
+    (*result_1) = share;
+    return 0;
+}
+static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    double whole;
+    bool first;
+    bool last;
+    int64_t used;
+    double before;
+    int64_t attempts;
+    int64_t attempt;
+    int64_t variant;
+    double share;
+    double duration;
+    int64_t found;
+    passing = span_row(&work, INT64_C(101));
+    whole = total_duration(ramps, count);
+    first = may_touch((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis);
+    last = may_touch((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis);
+    used = INT64_C(0);
+    before = 0.0;
+    attempts = INT64_C(34);
+    if (ramps_suffice(axis))
+    {
+        attempts = INT64_C(12);
+    }
+    for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))
+    {
+        touching_guess(&variant, &share, attempt);
+        if (((variant < INT64_C(4)) || (variant > INT64_C(5))) && (!first))
+        {
+            continue;
+        }
+        if ((variant > INT64_C(3)) && (!last))
+        {
+            continue;
+        }
+        begin_sequence(count, ramps, axis, passing);
+        set_touching(variant, share * whole, problem, work);
+        if (!solve_rotated(problem, axis, work))
+        {
+            continue;
+        }
+        duration = sequence_duration(passing, span_rows(&work, INT64_C(102), INT64_C(120)));
+        if ((duration < longest) && (fabs(duration - before) > 1e-09 * duration))
+        {
+            before = duration;
+            keep_sequence(INT64_C(158), work);
+            shortest_way(&found, &longest, longest, longest, phases, problem, axis, work);
+            if (found > INT64_C(0))
+            {
+                used = found;
+            }
+        }
+    }
+    (*result_0) = used;
+    (*result_1_0001) = longest;
+    return 0;
+}
+static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d ramps;
+    double longest;
+    int64_t result;
+    int64_t backwards;
+    passing = span_row(&work, INT64_C(101));
+    ramps = span_rows(&work, INT64_C(0), INT64_C(21));
+    copy_phases(phases, ramps, count);
+    (*cspan_at(&passing, INT64_C(8))) = 0.0;
+    (*cspan_at(&passing, INT64_C(9))) = 0.0;
+    longest = total_duration(ramps, count) * (1.0 - 1e-09);
+    touching_starts(&result, &longest, count, longest, ramps, phases, problem, axis, work);
+    reverse_problem(problem);
+    touching_starts(&backwards, &longest, count, longest, ramps, phases, problem, axis, work);
+    reverse_problem(problem);
+    if (backwards > INT64_C(0))
+    {
+        reverse_phases(phases, INT64_C(0), backwards);
+        (*cspan_at(&passing, INT64_C(7))) = 1.0;
+        return backwards;
+    }
+    if (result > INT64_C(0))
+    {
+        (*cspan_at(&passing, INT64_C(7))) = 0.0;
+        return result;
     }
     return count;
 }

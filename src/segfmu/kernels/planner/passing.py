@@ -11,27 +11,19 @@ from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
     append_phase,
-    copy_phases,
     is_passing,
     reverse_phases,
     reverse_problem,
-    total_duration,
 )
 from segfmu.kernels.planner.plateaus import (
     keep_sequence,
     meet_limits,
     overlong_plateau,
     restore_sequence,
-    solve_rotated,
 )
 from segfmu.kernels.planner.records import Axis, Node, Passing, PlanWork, Problem, Tighten
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
-from segfmu.kernels.planner.starts import (
-    begin_sequence,
-    first_solution,
-    set_touching,
-    shorter_solution,
-)
+from segfmu.kernels.planner.starts import first_solution, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
 
@@ -212,79 +204,6 @@ def passing_form(
     if others > 0:
         return others
     return used
-
-
-def touching_guess(attempt: int) -> 'tuple[int, float]':
-    """Variant of `set_touching`, and what it takes over the duration of a longer profile.
-
-    Of 34 attempts the last four are those whose velocity touches its limit at both ends.
-    """
-    if attempt >= 30:
-        return 6 + attempt % 2, 0.5 + 0.15 * ((attempt - 30) // 2)
-    time = attempt % 5
-    share = 0.5 + 0.25 * time
-    if time == 3:
-        share = 0.35
-    elif time == 4:
-        share = 0.65
-    return attempt // 5, share
-
-
-def touching_starts(
-    count: int, longest: float, ramps: 'float[:,:]', phases: 'float[:,:]', problem: 'float[:]',
-    axis: 'float[:]', work: 'float[:,:]',
-) -> 'tuple[int, float]':
-    """As `shortest_way`, from sequences in which the velocity touches its limit at one end.
-
-    ramps: `count` phases of a profile that takes longer.
-    """
-    passing = work[PlanWork.PASSING, :]
-    whole = total_duration(ramps, count)
-    used = 0
-    before = 0.0
-    for attempt in range(34):
-        variant, share = touching_guess(attempt)
-        begin_sequence(count, ramps, axis, passing)
-        set_touching(variant, share * whole, problem, work)
-        if not solve_rotated(problem, axis, work):
-            continue
-        duration = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])
-        if duration < longest and abs(duration - before) > 1e-9 * duration:
-            before = duration
-            keep_sequence(PlanWork.SOLVED, work)
-            found, longest = shortest_way(longest, longest, phases, problem, axis, work)
-            if found > 0:
-                used = found
-    return used, longest
-
-
-def touching_form(
-    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> int:
-    """Replace a profile of `count` phases by a shorter passing one; its number of phases.
-
-    Newton's method starts from sequences in which the velocity touches its limit at one end, of
-    the motion and of that reversed. Other starts do not lead there where shorter motions are in a
-    gap of feasible durations.
-    """
-    passing = work[PlanWork.PASSING, :]
-    ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    copy_phases(phases, ramps, count)
-    passing[Passing.START] = 0.0
-    passing[Passing.JERK] = 0.0
-    longest = total_duration(ramps, count) * (1.0 - 1e-9)
-    result, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
-    reverse_problem(problem)
-    backwards, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
-    reverse_problem(problem)
-    if backwards > 0:
-        reverse_phases(phases, 0, backwards)
-        passing[Passing.REVERSED] = 1.0
-        return backwards
-    if result > 0:
-        passing[Passing.REVERSED] = 0.0
-        return result
-    return count
 
 
 def pace_down(

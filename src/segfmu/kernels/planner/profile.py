@@ -20,7 +20,6 @@ from segfmu.kernels.planner.forms import (
     usual_duration,
 )
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
-from segfmu.kernels.planner.passing import touching_form
 from segfmu.kernels.planner.phases import boundary_problem, is_resting, total_duration
 from segfmu.kernels.planner.records import (
     Axis,
@@ -31,6 +30,7 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
+from segfmu.kernels.planner.touching import touching_form
 from segfmu.kernels.planner.window import early_window, short_window
 
 

@@ -7,7 +7,6 @@ levels that alternate.
 from math import sqrt
 
 from segfmu.kernels.planner.excess import measure_excess
-from segfmu.kernels.planner.instant import add_instant
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
 from segfmu.kernels.planner.plateaus import (
@@ -94,13 +93,6 @@ def copy_levels(
     append_levels(pending, axis, work)
 
 
-def sign_of(value: float) -> float:
-    """-1 below zero, else 1."""
-    if value < 0.0:
-        return -1.0
-    return 1.0
-
-
 def begin_sequence(
     count: int, phases: 'float[:,:]', axis: 'float[:]', passing: 'float[:]'
 ) -> None:
@@ -118,37 +110,6 @@ def begin_sequence(
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
         a = abs(phases[i, Phase.ACCELERATION])
         passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
-
-
-def set_touching(
-    variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]'
-) -> None:
-    """Set levels that alternate, with a velocity that touches its limit where braking exceeds it.
-
-    There is one level more than the conditions at the end need for each place where it touches: at
-    the first level (variants 0 and 1), the second one (2 and 3), the last one (4 and 5), or at both
-    ends (6 and 7). The first level is above (0, 2, 4, 6) or below zero. duration: about what the
-    sequence takes [s].
-    """
-    passing = work[PlanWork.PASSING, :]
-    q = int(passing[Passing.ABOVE]) + 2
-    sign = 1.0
-    if variant % 2 == 1:
-        sign = -1.0
-    time = duration / (q + 2)
-    if q == 4:
-        # two levels of the snap make one of the jerk
-        time = 0.7 * time
-    set_alternating(sign, time, work)
-    last = sign * (1.0 - 2.0 * (q % 2))
-    insert_node(q, 0, last, time, False, work)
-    if variant < 4:
-        add_instant(1, sign_of(problem[Problem.A]), 1 + variant // 2, passing)
-    else:
-        add_instant(1, sign_of(-problem[Problem.B]), q - 1, passing)
-    if variant >= 6:
-        insert_node(q + 1, 0, -last, time, False, work)
-        add_instant(1, sign_of(problem[Problem.A]), 1, passing)
 
 
 def set_sequence(

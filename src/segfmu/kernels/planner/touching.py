@@ -1,0 +1,154 @@
+"""Passing profiles (passing.py) whose velocity touches its limit near an end.
+
+Where braking exceeds the velocity limit, the shortest motions can be in windows of feasible
+durations. No other start of Newton's method leads there.
+"""
+
+from segfmu.kernels.planner.instant import add_instant
+from segfmu.kernels.planner.parameters import ramps_suffice
+from segfmu.kernels.planner.passing import shortest_way
+from segfmu.kernels.planner.phases import (
+    copy_phases,
+    reverse_phases,
+    reverse_problem,
+    total_duration,
+)
+from segfmu.kernels.planner.plateaus import (
+    insert_node,
+    keep_sequence,
+    set_alternating,
+    solve_rotated,
+)
+from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.records import Axis, Passing, PlanWork, Problem
+from segfmu.kernels.planner.sequence import sequence_duration
+from segfmu.kernels.planner.starts import begin_sequence
+
+
+def sign_of(value: float) -> float:
+    """-1 below zero, else 1."""
+    if value < 0.0:
+        return -1.0
+    return 1.0
+
+
+def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
+    """Whether the ramp from the acceleration a to zero comes near the velocity limit."""
+    duration, slope = ramp_duration(abs(a), axis)
+    return sign_of(a) * v + 0.5 * abs(a) * duration > 0.9 * axis[Axis.VELOCITY]
+
+
+def set_touching(
+    variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Set levels that alternate, with a velocity that touches its limit where braking exceeds it.
+
+    There is one level more than the conditions at the end need for each place where it touches: at
+    the first level (variants 0 and 1), the second one (2 and 3), the last one (4 and 5), or at both
+    ends (6 and 7). The first level is above (0, 2, 4, 6) or below zero. duration: about what the
+    sequence takes [s].
+    """
+    passing = work[PlanWork.PASSING, :]
+    q = int(passing[Passing.ABOVE]) + 2
+    sign = 1.0
+    if variant % 2 == 1:
+        sign = -1.0
+    time = duration / (q + 2)
+    if q == 4:
+        # two levels of the snap make one of the jerk
+        time = 0.7 * time
+    set_alternating(sign, time, work)
+    last = sign * (1.0 - 2.0 * (q % 2))
+    insert_node(q, 0, last, time, False, work)
+    if variant < 4:
+        add_instant(1, sign_of(problem[Problem.A]), 1 + variant // 2, passing)
+    else:
+        add_instant(1, sign_of(-problem[Problem.B]), q - 1, passing)
+    if variant >= 6:
+        insert_node(q + 1, 0, -last, time, False, work)
+        add_instant(1, sign_of(problem[Problem.A]), 1, passing)
+
+
+def touching_guess(attempt: int) -> 'tuple[int, float]':
+    """Variant of `set_touching`, and what it takes over the duration of a longer profile.
+
+    Of 34 attempts the last four are those whose velocity touches its limit at both ends.
+    """
+    if attempt >= 30:
+        return 6 + attempt % 2, 0.5 + 0.15 * ((attempt - 30) // 2)
+    time = attempt // 6
+    share = 0.65
+    if time == 1:
+        share = 0.5
+    elif time == 2:
+        share = 0.75
+    elif time == 3:
+        share = 1.0
+    elif time == 4:
+        share = 0.35
+    return attempt % 6, share
+
+
+def touching_starts(
+    count: int, longest: float, ramps: 'float[:,:]', phases: 'float[:,:]', problem: 'float[:]',
+    axis: 'float[:]', work: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """As `shortest_way`, from sequences in which the velocity touches its limit at an end.
+
+    ramps: `count` phases of a profile that takes longer.
+    """
+    passing = work[PlanWork.PASSING, :]
+    whole = total_duration(ramps, count)
+    first = may_touch(problem[Problem.V], problem[Problem.A], axis)
+    last = may_touch(problem[Problem.W], -problem[Problem.B], axis)
+    used = 0
+    before = 0.0
+    attempts = 34
+    if ramps_suffice(axis):
+        # the others find a fifth of the shorter profiles, which save little, in twice the time
+        attempts = 12
+    for attempt in range(attempts):
+        variant, share = touching_guess(attempt)
+        if (variant < 4 or variant > 5) and not first:
+            continue
+        if variant > 3 and not last:
+            continue
+        begin_sequence(count, ramps, axis, passing)
+        set_touching(variant, share * whole, problem, work)
+        if not solve_rotated(problem, axis, work):
+            continue
+        duration = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])
+        if duration < longest and abs(duration - before) > 1e-9 * duration:
+            before = duration
+            keep_sequence(PlanWork.SOLVED, work)
+            found, longest = shortest_way(longest, longest, phases, problem, axis, work)
+            if found > 0:
+                used = found
+    return used, longest
+
+
+def touching_form(
+    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """Replace a profile of `count` phases by a shorter passing one; its number of phases.
+
+    Newton's method starts from the motion and from that reversed.
+    """
+    passing = work[PlanWork.PASSING, :]
+    ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    copy_phases(phases, ramps, count)
+    passing[Passing.START] = 0.0
+    passing[Passing.JERK] = 0.0
+    longest = total_duration(ramps, count) * (1.0 - 1e-9)
+    result, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
+    reverse_problem(problem)
+    backwards, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
+    reverse_problem(problem)
+    if backwards > 0:
+        reverse_phases(phases, 0, backwards)
+        passing[Passing.REVERSED] = 1.0
+        return backwards
+    if result > 0:
+        passing[Passing.REVERSED] = 0.0
+        return result
+    return count
