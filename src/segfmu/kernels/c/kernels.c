@@ -392,6 +392,7 @@ static void begin_sequence(int64_t count, array_double_2d phases, array_double_1
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double largest_excess(array_double_1d axis, array_double_2d work);
+static bool is_brief(array_double_1d axis);
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void loosen(double share, array_double_1d axis, array_double_2d work);
 static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -401,7 +402,8 @@ static double idle_time(int64_t i, array_double_1d axis, array_double_2d work);
 static int64_t write_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool stays_below(array_double_2d work);
 static double passing_duration(int64_t way, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t usual_ways(array_double_1d axis, array_double_2d work);
+static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t ways, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -487,7 +489,7 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
 static double smoothness_share(double usual, double share, array_double_1d axis);
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static void plan_touching(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
@@ -13424,6 +13426,12 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
     }
     return largest;
 }
+static bool is_brief(array_double_1d axis)
+{
+    bool result;
+    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(10))) < 0.5);
+    return result;
+}
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
@@ -13432,12 +13440,13 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     double most;
     double duration;
     double sign;
+    double scale;
     int64_t attempt;
     bool shorter;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    if (ramps_suffice(axis) || is_resting(problem, axis))
+    if (is_brief(axis) || is_resting(problem, axis))
     {
         return 0;
     }
@@ -13448,11 +13457,20 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     }
     duration = sequence_duration(passing, nodes);
     sign = (*cspan_at(&work, INT64_C(102), INT64_C(5)));
+    scale = duration;
     (*cspan_at(&passing, INT64_C(12))) = 1.0;
-    for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
+    for (attempt = INT64_C(0); attempt < INT64_C(4); attempt += INT64_C(1))
     {
         sign = -sign;
-        set_alternating(sign, 0.35 * duration / q, work);
+        if (attempt == INT64_C(2))
+        {
+            if ((*cspan_at(&work, INT64_C(98), INT64_C(17))) >= duration)
+            {
+                break;
+            }
+            scale = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+        }
+        set_alternating(sign, 0.35 * scale / q, work);
         if (solve_rotated(problem, axis, work))
         {
             shorter = sequence_duration(passing, nodes) < 0.9 * duration;
@@ -13734,23 +13752,27 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     result = sequence_duration(span_row(&work, INT64_C(101)), span_rows(&work, INT64_C(102), INT64_C(120)));
     return result;
 }
-static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t usual_ways(array_double_1d axis, array_double_2d work)
+{
+    if (is_brief(axis))
+    {
+        return INT64_C(2);
+    }
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
+    {
+        return INT64_C(4);
+    }
+    return INT64_C(3);
+}
+static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t ways, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t used;
-    bool few;
-    int64_t ways;
     int64_t way;
     double found;
     used = INT64_C(0);
-    few = ramps_suffice(axis);
-    ways = INT64_C(3);
-    if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
-    {
-        ways = INT64_C(4);
-    }
     for (way = INT64_C(0); way < ways; way += INT64_C(1))
     {
-        if (few && ((way > INT64_C(1)) || ((way == INT64_C(1)) && (used == INT64_C(0)))))
+        if ((ways == INT64_C(2)) && (way == INT64_C(1)) && (used == INT64_C(0)))
         {
             break;
         }
@@ -13777,10 +13799,12 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, double sho
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
+    int64_t ways;
     int64_t used;
     int64_t others;
     passing = span_row(&work, INT64_C(101));
     (*cspan_at(&passing, INT64_C(10))) = 0.0;
+    ways = usual_ways(axis, work);
     if (!first_solution(count, ramps, problem, axis, work))
     {
         return INT64_C(0);
@@ -13788,14 +13812,14 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     used = INT64_C(0);
     if (((*cspan_at(&passing, INT64_C(11))) < 0.5) && shorter_solution(problem, axis, work))
     {
-        shortest_way(&used, &shortest, shortest, longest, phases, problem, axis, work);
+        shortest_way(&used, &shortest, ways, shortest, longest, phases, problem, axis, work);
         if ((*cspan_at(&passing, INT64_C(10))) > 0.5)
         {
             return used;
         }
         first_solution(count, ramps, problem, axis, work);
     }
-    shortest_way(&others, &shortest, shortest, longest, phases, problem, axis, work);
+    shortest_way(&others, &shortest, ways, shortest, longest, phases, problem, axis, work);
     if (others > INT64_C(0))
     {
         return others;
@@ -15214,6 +15238,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
     int64_t used;
     double before;
     int64_t attempts;
+    int64_t ways;
     int64_t attempt;
     int64_t variant;
     double share;
@@ -15226,9 +15251,11 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
     used = INT64_C(0);
     before = 0.0;
     attempts = INT64_C(34);
+    ways = usual_ways(axis, work);
     if (ramps_suffice(axis))
     {
         attempts = INT64_C(12);
+        ways = INT64_C(2);
     }
     for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))
     {
@@ -15252,7 +15279,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
         {
             before = duration;
             keep_sequence(INT64_C(158), work);
-            shortest_way(&found, &longest, longest, longest, phases, problem, axis, work);
+            shortest_way(&found, &longest, ways, longest, longest, phases, problem, axis, work);
             if (found > INT64_C(0))
             {
                 used = found;
@@ -15540,6 +15567,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
 {
     double free;
     double most;
+    double far;
     int64_t status;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
     status = usual_braked(asked, axis, phases, work);
@@ -15548,15 +15576,17 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
         return status;
     }
     most = 1.05 * free;
+    far = most;
     if (ramps_suffice(axis))
     {
         most = 1.1 * free;
+        far = 2.0 * free;
     }
     else if (total_duration(phases, status) > most)
     {
         status = shorter_dipped(status, phases, asked, axis, work);
     }
-    if (((*cspan_at(&axis, INT64_C(10))) > 0.5) && (total_duration(phases, status) > most))
+    if (((*cspan_at(&axis, INT64_C(10))) > 0.5) && (total_duration(phases, status) > far))
     {
         status = touching_form(status, phases, asked, axis, work);
     }
@@ -16307,7 +16337,7 @@ static int64_t plan_steeper(double* result_0, double* result_1_0001, double miss
     (*result_1_0001) = missed;
     return 0;
 }
-static void plan_touching(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     (*cspan_at(&axes, axis, INT64_C(10))) = 1.0;
     if (!shorter_with(share, share, 1.0 - 1e-09, axis, axes, cells, work))
@@ -16339,7 +16369,7 @@ static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d 
     }
     if ((status == INT64_C(0)) && (missed > 2.5))
     {
-        plan_touching(share, axis, axes, cells, work);
+        plan_thoroughly(share, axis, axes, cells, work);
     }
     return status;
 }
@@ -16366,7 +16396,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     }
     if ((status == INT64_C(0)) && (missed > 2.5))
     {
-        plan_touching(share, axis, axes, cells, work);
+        plan_thoroughly(share, axis, axes, cells, work);
     }
     return status;
 }

@@ -8,7 +8,6 @@ sequence is slowed down until it keeps the limits; levels of the snap have anoth
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
-from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
     append_phase,
     is_passing,
@@ -23,7 +22,7 @@ from segfmu.kernels.planner.plateaus import (
 )
 from segfmu.kernels.planner.records import Axis, Node, Passing, PlanWork, Problem, Tighten
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
-from segfmu.kernels.planner.starts import first_solution, shorter_solution
+from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
 
@@ -152,22 +151,27 @@ def passing_duration(
     return sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
 
 
+def usual_ways(axis: 'float[:]', work: 'float[:,:]') -> int:
+    """In how many ways sequences meet the limits (`passing_duration`)."""
+    if is_brief(axis):
+        return 2
+    if work[PlanWork.PASSING, Passing.PLAIN] < 0.5:
+        return 4
+    return 3
+
+
 def shortest_way(
-    shortest: float, longest: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
-    work: 'float[:,:]',
+    ways: int, shortest: float, longest: float, phases: 'float[:,:]', problem: 'float[:]',
+    axis: 'float[:]', work: 'float[:,:]',
 ) -> 'tuple[int, float]':
     """Write the profile in which a solved sequence meets the limits soonest, as `passing_form`.
 
     Returns its phases, 0 if there is none, and the duration that the next one has to be below.
     """
     used = 0
-    # where levels of the jerk fail at first, other ways hardly help: 0.5 % in one of 2,000 plans
-    few = ramps_suffice(axis)
-    ways = 3
-    if work[PlanWork.PASSING, Passing.PLAIN] < 0.5:
-        ways = 4
     for way in range(ways):
-        if few and (way > 1 or (way == 1 and used == 0)):
+        # the second of two hardly helps where the first one fails
+        if ways == 2 and way == 1 and used == 0:
             break
         found = passing_duration(way, shortest, problem, axis, work)
         if found > 0.0 and found < shortest:
@@ -192,15 +196,16 @@ def passing_form(
     """
     passing = work[PlanWork.PASSING, :]
     passing[Passing.SETTLED] = 0.0
+    ways = usual_ways(axis, work)
     if not first_solution(count, ramps, problem, axis, work):
         return 0
     used = 0
     if passing[Passing.PLAIN] < 0.5 and shorter_solution(problem, axis, work):
-        used, shortest = shortest_way(shortest, longest, phases, problem, axis, work)
+        used, shortest = shortest_way(ways, shortest, longest, phases, problem, axis, work)
         if passing[Passing.SETTLED] > 0.5:
             return used
         first_solution(count, ramps, problem, axis, work)
-    others, shortest = shortest_way(shortest, longest, phases, problem, axis, work)
+    others, shortest = shortest_way(ways, shortest, longest, phases, problem, axis, work)
     if others > 0:
         return others
     return used

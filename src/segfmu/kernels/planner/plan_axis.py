@@ -138,17 +138,17 @@ def plan_steeper(
     return share, missed
 
 
-def plan_touching(
+def plan_thoroughly(
     share: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> None:
-    """Plan an axis again with more starts of passing profiles.
+    """Plan an axis again with more starts of passing profiles, and more ways to meet limits.
 
     share: that of the rises of the present plan. It stays, so that all durations which that plan
     could last are feasible still (`slower_passing`).
     """
-    axes[axis, Axis.TOUCHING] = 1.0
+    axes[axis, Axis.THOROUGH] = 1.0
     if not shorter_with(share, share, 1.0 - 1e-9, axis, axes, cells, work):
-        axes[axis, Axis.TOUCHING] = 0.0
+        axes[axis, Axis.THOROUGH] = 0.0
 
 
 def plan_refused(
@@ -170,7 +170,7 @@ def plan_refused(
         status = plan_with_share(axis, share, axes, cells, work)
         missed = work[PlanWork.FAMILY, Family.MISSED]
     if status == PlanStatus.PLANNED and missed > 2.5:
-        plan_touching(share, axis, axes, cells, work)
+        plan_thoroughly(share, axis, axes, cells, work)
     return status
 
 
@@ -189,5 +189,5 @@ def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float
     if status == PlanStatus.PLANNED and missed > 0.5:
         share, missed = plan_steeper(missed, axis, axes, cells, work)
     if status == PlanStatus.PLANNED and missed > 2.5:
-        plan_touching(share, axis, axes, cells, work)
+        plan_thoroughly(share, axis, axes, cells, work)
     return status

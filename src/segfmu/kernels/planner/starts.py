@@ -16,7 +16,16 @@ from segfmu.kernels.planner.plateaus import (
     solve_rotated,
 )
 from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
-from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import (
+    Axis,
+    Excess,
+    Family,
+    Node,
+    Passing,
+    Phase,
+    PlanWork,
+    Problem,
+)
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
 
 
@@ -167,6 +176,14 @@ def largest_excess(axis: 'float[:]', work: 'float[:,:]') -> float:
     return largest
 
 
+def is_brief(axis: 'float[:]') -> bool:
+    """Whether few starts and ways are tried, as with levels of the jerk others hardly help.
+
+    Of 2,000 plans one would be shorter by 0.5 %.
+    """
+    return ramps_suffice(axis) and axis[Axis.THOROUGH] < 0.5
+
+
 def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Keep a much shorter sequence of free levels, if there is one, in place of that which is kept.
 
@@ -176,7 +193,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     q = int(passing[Passing.ABOVE]) + 2
-    if ramps_suffice(axis) or is_resting(problem, axis):
+    if is_brief(axis) or is_resting(problem, axis):
         return False
     # beside one with plateaus it has to keep the limits nearly
     most = 0.3
@@ -184,10 +201,16 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
         most = 1e300
     duration = sequence_duration(passing, nodes)
     sign = work[PlanWork.NODES, Node.SIGN]
+    scale = duration
     passing[Passing.QUICK] = 1.0
-    for attempt in range(2):
+    for attempt in range(4):
         sign = -sign
-        set_alternating(sign, 0.35 * duration / q, work)
+        if attempt == 2:
+            # the levels of a motion that the velocity limit makes much longer are too long
+            if work[PlanWork.FAMILY, Family.FREE] >= duration:
+                break
+            scale = work[PlanWork.FAMILY, Family.FREE]
+        set_alternating(sign, 0.35 * scale / q, work)
         if solve_rotated(problem, axis, work):
             shorter = sequence_duration(passing, nodes) < 0.9 * duration
             if shorter and largest_excess(axis, work) < most:

@@ -207,11 +207,11 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     count = 0
     if cell[Cell.RESULT, Interval.PASSING] > 0.5:
         count = slowed_shortest(phases, problem, axis, work)
-        if count == 0 and axis[Axis.TOUCHING] > 0.5:
+        if count == 0 and axis[Axis.THOROUGH] > 0.5:
             # one whose velocity touches its limit may be alone between gaps
-            axis[Axis.TOUCHING] = 0.0
+            axis[Axis.THOROUGH] = 0.0
             count = slowed_shortest(phases, problem, axis, work)
-            axis[Axis.TOUCHING] = 1.0
+            axis[Axis.THOROUGH] = 1.0
     if count == 0 and not ramps_suffice(axis):
         count = plain_profile(problem, axis, phases, work)
         count = slower_form(count, phases, problem, axis, work)

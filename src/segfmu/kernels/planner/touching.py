@@ -6,7 +6,7 @@ durations. No other start of Newton's method leads there.
 
 from segfmu.kernels.planner.instant import add_instant
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.passing import shortest_way
+from segfmu.kernels.planner.passing import shortest_way, usual_ways
 from segfmu.kernels.planner.phases import (
     copy_phases,
     reverse_phases,
@@ -104,9 +104,11 @@ def touching_starts(
     used = 0
     before = 0.0
     attempts = 34
+    ways = usual_ways(axis, work)
     if ramps_suffice(axis):
-        # the others find a fifth of the shorter profiles, which save little, in twice the time
+        # more attempts and ways find a fifth of the shorter profiles, in at least twice the time
         attempts = 12
+        ways = 2
     for attempt in range(attempts):
         variant, share = touching_guess(attempt)
         if (variant < 4 or variant > 5) and not first:
@@ -121,7 +123,7 @@ def touching_starts(
         if duration < longest and abs(duration - before) > 1e-9 * duration:
             before = duration
             keep_sequence(PlanWork.SOLVED, work)
-            found, longest = shortest_way(longest, longest, phases, problem, axis, work)
+            found, longest = shortest_way(ways, longest, longest, phases, problem, axis, work)
             if found > 0:
                 used = found
     return used, longest
