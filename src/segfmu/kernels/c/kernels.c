@@ -15254,7 +15254,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
     ways = usual_ways(axis, work);
     if (ramps_suffice(axis))
     {
-        attempts = INT64_C(12);
+        attempts = INT64_C(6);
         ways = INT64_C(2);
     }
     for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))
