@@ -1,7 +1,7 @@
 """Passing profiles (passing.py) whose velocity touches its limit near an end.
 
 Where braking exceeds the velocity limit, the shortest motions can be in windows of feasible
-durations. No other start of Newton's method leads there.
+durations. Other starts of Newton's method often do not lead there.
 """
 
 from segfmu.kernels.planner.instant import add_instant
@@ -35,6 +35,7 @@ def sign_of(value: float) -> float:
 def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
     """Whether the ramp from the acceleration a to zero comes near the velocity limit."""
     duration, slope = ramp_duration(abs(a), axis)
+    # of 122 motions that touching starts shorten, 0.9 loses none, 0.95 two
     return sign_of(a) * v + 0.5 * abs(a) * duration > 0.9 * axis[Axis.VELOCITY]
 
 
@@ -135,7 +136,8 @@ def touching_form(
 ) -> int:
     """Replace a profile of `count` phases by a shorter passing one; its number of phases.
 
-    Newton's method starts from the motion and from that reversed.
+    Newton's method starts from the motion and from that reversed. Unlike `passing_either_way`, the
+    reversed one is always tried, as the level at which the velocity touches is another one there.
     """
     passing = work[PlanWork.PASSING, :]
     ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
