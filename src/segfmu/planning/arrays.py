@@ -42,7 +42,7 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
         raise InputError(f"{name} must be one number per axis, not an array of shape {array.shape}")
     if not all(map(isfinite, array.tolist())):
         raise InputError(f"{name} must be finite, got {array.tolist()}")
-    array.flags.writeable = False
+    array.setflags(write=False)
     return array
 
 
@@ -55,7 +55,7 @@ def range_bounds(name: str, value: Range, absent: float) -> FloatArray:
         raise InputError(
             f"{name} must be finite, or None or {absent} for no bound, got {_given(value)}"
         )
-    array.flags.writeable = False
+    array.setflags(write=False)
     return array
 
 
@@ -118,7 +118,7 @@ def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> Float
         raise InputError(f"{name} must be greater than 0, got {_given(value)}")
     if required and inf in values:
         raise InputError(f"{name} must be finite, got {_given(value)}")
-    array.flags.writeable = False
+    array.setflags(write=False)
     return array
 
 

@@ -93,13 +93,14 @@ class Limits(Frozen):
                     "give one value, or one per axis"
                 )
             if i <= smoothness:
-                table[:, i] = np.where(np.isinf(values), 0.0, values)
+                table[:, i] = values
             elif limited(values):
                 raise InputError(
                     f"limits.{name} cannot be kept with smoothness {smoothness}, which leaves this "
                     f"derivative unbounded; raise smoothness to {i} or omit the limit"
                 )
-        table.flags.writeable = False
+        table[np.isinf(table)] = 0.0
+        table.setflags(write=False)
         return table
 
 

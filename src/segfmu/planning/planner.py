@@ -105,16 +105,10 @@ def _within(allowed: FloatArray, trajectory: Trajectory, request: Request) -> Tr
 
 
 def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
-    """The verified trajectory of a request; it may follow a plan from its start on at first."""
-    first = request.waypoints[0]
-    request = choose_states(request)
-    if not first.settled:
-        chosen, *others = request.waypoints
-        start = Waypoint(
-            chosen.position, chosen.velocity, chosen.acceleration, first.jerk, first.snap,
-            first.crackle, first.pop,
-        )
-        request = request._replace(waypoints=(start, *others))
+    """The verified trajectory of a request without free states.
+
+    follow: a plan from its start, which it may follow at first.
+    """
     trajectory, proved = solve(request, TOLERANCE, follow)
     if not proved:
         require(trajectory)

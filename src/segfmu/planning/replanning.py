@@ -158,7 +158,7 @@ def _kept(
 def _planned(request: Request, rest: Pieces) -> Trajectory:
     """The plan of a request; behind all that is left of the old plan if there is no other."""
     try:
-        return planned(request, rest)
+        return planned(choose_states(request), rest)
     except InfeasibleError:
         states = rest.all_ends()
         # with rounding errors in its velocity an axis at rest would count as moving

@@ -52,11 +52,11 @@ def checked_request(
     axis_names: Sequence[str] | None,
 ) -> Request:
     """Return the request for the arguments of `plan`; raises InputError as documented there."""
-    points = _checked_waypoints(waypoints)
-    axes = points[0].axes
-    names = _names(axis_names, axes)
     if not isinstance(smoothness, NUMBERS) or smoothness not in SMOOTHNESS:
         raise InputError(f"smoothness must be an integer from 2 to 6, got {shown(smoothness)}")
+    points = _checked_waypoints(waypoints, smoothness)
+    axes = points[0].axes
+    names = _names(axis_names, axes)
     if not isinstance(limits, Limits):
         raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
     chosen = options(
@@ -66,7 +66,6 @@ def checked_request(
     )
     states = np.array([p.planned for p in points])
     dwells = np.array([p.dwell for p in points])
-    _require_settled(points, chosen.smoothness)
     table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
     if backend.settle_states(states if points[0].settled else states[1:], table) > 0:
@@ -104,37 +103,35 @@ def _position_bounds(name: str, given: Range, axes: int, absent: float) -> Float
     return np.broadcast_to(bounds, (axes,))
 
 
-def _checked_waypoints(waypoints: Sequence[Waypoint]) -> tuple[Waypoint, ...]:
+def _checked_waypoints(waypoints: Sequence[Waypoint], smoothness: float) -> tuple[Waypoint, ...]:
     points = as_tuple("waypoints", waypoints)
-    axes = 0
     for i, point in enumerate(points, 1):
         if not isinstance(point, Waypoint):
             raise InputError(f"waypoint {i} must be a segfmu.Waypoint, got {type(point).__name__}")
-        axes = axes or point.axes
-        if point.axes != axes:
-            raise InputError(f"waypoint {i} has {point.axes} axes, waypoint 1 has {axes}")
+        if point.axes != points[0].axes:
+            raise InputError(f"waypoint {i} has {point.axes} axes, waypoint 1 has {points[0].axes}")
+        if not point.settled:
+            _require_start(i, point, smoothness)
     if len(points) < 2:
         raise InputError(f"a plan needs at least 2 waypoints, got {len(points)}")
     return points
 
 
-def _require_settled(points: tuple[Waypoint, ...], smoothness: int) -> None:
-    for i, point in enumerate(points, 1):
-        if point.settled:
-            continue
-        for order, name in enumerate(DERIVATIVES[FREE:], FREE + 1):
-            given = getattr(point, name)
-            if i > 1 and given.any():
-                raise InputError(
-                    f"waypoint {i}: {name} is {given.tolist()}; only the first waypoint has one"
-                )
-            if order > smoothness and given.any():
-                raise InputError(
-                    f"waypoint {i}: {name} is {given.tolist()}; with smoothness {smoothness} it "
-                    f"may jump anywhere; omit it or raise smoothness to {order}"
-                )
-    if not points[0].settled and points[0].dwell > 0.0:
-        raise InputError("waypoint 1: a dwell needs a point at rest")
+def _require_start(number: int, point: Waypoint, smoothness: float) -> None:
+    """InputError for derivatives above the acceleration where a waypoint cannot have them."""
+    for order, name in enumerate(DERIVATIVES[FREE:], FREE + 1):
+        given = getattr(point, name)
+        if number > 1 and given.any():
+            raise InputError(
+                f"waypoint {number}: {name} is {given.tolist()}; only the first waypoint has one"
+            )
+        if order > smoothness and given.any():
+            raise InputError(
+                f"waypoint {number}: {name} is {given.tolist()}; with smoothness {smoothness:g} "
+                f"it may jump anywhere; omit it or raise smoothness to {order}"
+            )
+    if point.dwell > 0.0:
+        raise InputError(f"waypoint {number}: a dwell needs a point at rest")
 
 
 def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from segfmu.planning.sketch import sketch
 from segfmu.planning.waypoint import Waypoint
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, init=False)
 class Trajectory:
     """A trajectory y*(t) of several axes, y in C^n with n = `smoothness`.
 
@@ -47,6 +47,19 @@ class Trajectory:
     offsets: NDArray[np.int64]
     axis_waypoint_times: FloatArray
     axis_durations: FloatArray
+
+    def __init__(
+        self, waypoints: tuple[Waypoint, ...], limits: Limits, smoothness: int, shape: str,
+        synchronize: str, axis_names: tuple[str, ...], timing: FloatArray, coefficients: FloatArray,
+        offsets: NDArray[np.int64], axis_waypoint_times: FloatArray, axis_durations: FloatArray,
+    ) -> None:
+        # all at once: one assignment a field, as frozen classes make them, takes a microsecond
+        vars(self).update(
+            waypoints=waypoints, limits=limits, smoothness=smoothness, shape=shape,
+            synchronize=synchronize, axis_names=axis_names, timing=timing,
+            coefficients=coefficients, offsets=offsets, axis_waypoint_times=axis_waypoint_times,
+            axis_durations=axis_durations,
+        )
 
     def __repr__(self) -> str:
         return (

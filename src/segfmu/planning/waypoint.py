@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import lru_cache
+from math import isnan
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -36,6 +37,8 @@ class Waypoint(Frozen):
 
     Attributes
     ----------
+    axes : int
+        Number of axes.
     planned : ndarray, shape (axes, 3)
         Position, velocity and acceleration.
     free : bool
@@ -57,6 +60,7 @@ class Waypoint(Frozen):
     crackle: FloatArray
     pop: FloatArray
     dwell: float = field(default=0.0)
+    axes: int = field(init=False, repr=False)
     planned: FloatArray = field(init=False, repr=False)
     free: bool = field(init=False, repr=False)
     settled: bool = field(init=False, repr=False)
@@ -73,7 +77,6 @@ class Waypoint(Frozen):
         dwell: float = 0.0,
     ) -> None:
         values = finite_vector("position", position)
-        object.__setattr__(self, "position", values)
         zeros = _zeros(values.size)
         states = zip(
             DERIVATIVES, (velocity, acceleration, jerk, snap, crackle, pop), strict=True
@@ -91,23 +94,17 @@ class Waypoint(Frozen):
                     f"{name} needs one value per axis, as position has them: {values.size}, got "
                     f"{vector.size}"
                 )
-            object.__setattr__(self, name, vector)
             vectors.append(vector)
         rest = finite_number("dwell", dwell)
         if rest < 0.0:
             raise InputError(f"dwell must be a time >= 0 s, got {shown(dwell)}")
-        object.__setattr__(self, "dwell", rest)
         planned = np.array([values, *vectors[:FREE]]).T.copy()
-        planned.flags.writeable = False
-        object.__setattr__(self, "planned", planned)
-        object.__setattr__(self, "free", any(v != v for v in planned.ravel().tolist()))
-        settled = all(v is zeros or not v.any() for v in vectors[FREE:])
-        object.__setattr__(self, "settled", settled)
-
-    @property
-    def axes(self) -> int:
-        """Number of axes."""
-        return int(self.position.size)
+        planned.setflags(write=False)
+        vars(self).update(
+            zip(DERIVATIVES, vectors, strict=True), position=values, dwell=rest, axes=values.size,
+            planned=planned, free=any(map(isnan, planned.ravel().tolist())),
+            settled=all(v is zeros or not v.any() for v in vectors[FREE:]),
+        )
 
     def state(self, order: int) -> FloatArray:
         """Position and the derivatives 1 .. order, at most 6, shape (axes, order + 1).

@@ -19008,6 +19008,8 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     int64_t used;
     double y;
     double v;
+    double a;
+    double jerk;
     int64_t j;
     width = coefficients.shape[INT64_C(1)];
     order = span_floor_div(width, INT64_C(2)) + INT64_C(1);
@@ -19032,6 +19034,8 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     }
     y = 0.0;
     v = 0.0;
+    a = 0.0;
+    jerk = 0.0;
     for (j = INT64_C(0); j < used; j += INT64_C(1))
     {
         i = used - INT64_C(1) - j;
@@ -19040,10 +19044,20 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
         {
             v = v * duration + i * (*cspan_at(&coefficients, row, i));
         }
+        if (i > INT64_C(1))
+        {
+            a = a * duration + i * (i - INT64_C(1)) * (*cspan_at(&coefficients, row, i));
+        }
+        if (i > INT64_C(2))
+        {
+            jerk = jerk * duration + i * (i - INT64_C(1)) * (i - INT64_C(2)) * (*cspan_at(&coefficients, row, i));
+        }
     }
     (*cspan_at(&state, INT64_C(0))) = y;
     (*cspan_at(&state, INT64_C(1))) = v;
-    for (i = INT64_C(2); i < order; i += INT64_C(1))
+    (*cspan_at(&state, INT64_C(2))) = a;
+    (*cspan_at(&state, INT64_C(3))) = jerk;
+    for (i = INT64_C(4); i < order; i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, used, duration, i);
     }

@@ -39,14 +39,22 @@ def append_piece(
         used = used - 1
     y = 0.0
     v = 0.0
+    a = 0.0
+    jerk = 0.0
     for j in range(used):
         i = used - 1 - j
         y = y * duration + coefficients[row, i]
         if i > 0:
             v = v * duration + i * coefficients[row, i]
+        if i > 1:
+            a = a * duration + i * (i - 1) * coefficients[row, i]
+        if i > 2:
+            jerk = jerk * duration + i * (i - 1) * (i - 2) * coefficients[row, i]
     state[PieceState.POSITION] = y
     state[PieceState.VELOCITY] = v
-    for i in range(2, order):
+    state[PieceState.ACCELERATION] = a
+    state[PieceState.JERK] = jerk
+    for i in range(4, order):
         state[i] = evaluate_piece(coefficients, row, used, duration, i)
     state[PieceState.TIME] = state[PieceState.TIME] + duration
     return row + 1
