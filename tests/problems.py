@@ -10,10 +10,13 @@ from hypothesis import strategies as st
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.phases import measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Cell, Interval, Phase, PlanWork, Problem
 from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState, Timing
 from segfmu.planning.polynomials import derivative_pieces, piece_extrema
+from segfmu.planning.problem import Problem as PlanProblem
+from segfmu.planning.problem import options, plan_phases
+from segfmu.planning.trajectory import Trajectory
 
 
 def work_space() -> np.ndarray:
@@ -27,6 +30,22 @@ def packed_axis(smoothness: int, shape: int, limits: tuple[float, ...] | list[fl
     axis_limits(smoothness, shape, np.array(limits), axis)
     assert ramp_parameters(usual_share(axis), axis, work_space())
     return axis
+
+
+def shortest_duration(trajectory: Trajectory) -> float:
+    """Duration [s] of the shortest profile found for one axis in one interval.
+
+    A plan with steeper rises than the usual ones may last longer.
+    """
+    smoothness = trajectory.smoothness
+    problem = PlanProblem(
+        np.array([point.planned for point in trajectory.waypoints]), np.zeros(2),
+        trajectory.limits.table(1, smoothness),
+        options(smoothness, trajectory.shape, trajectory.synchronize, 0.0, 0.0),
+    )
+    phases = plan_phases(problem)
+    assert phases.feasible and len(phases.cells) == 1
+    return float(phases.cells[0, Cell.RESULT, Interval.SHORTEST])
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import pytest
 
 from segfmu import Limits, Trajectory, Waypoint, plan, verify
 from segfmu.kernels.planner.records import Phase, Shape
-from tests.problems import AxisProblem
+from tests.problems import AxisProblem, shortest_duration
 
 pytestmark = pytest.mark.interpreted
 
@@ -89,11 +89,13 @@ def test_steeper_rises_brake_what_the_usual_ones_do_not(limits, state) -> None:
 @pytest.mark.parametrize("smoothness", [3, 4])
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_several_velocities_make_the_cruise_vanish(sign: float, smoothness: int) -> None:
-    # the optimum by a linear program over 300 cells is between 1.11 and 1.12 s
+    # the optimum by a linear program over 300 cells is between 1.11 and 1.12 s; at smoothness 4
+    # moderate rises of the snap take 0.8 % more than the steepest ones
     limits = (0.16900397751310237, 1.0649514344931368, 33.71958381850731, 47.19453897301386)
     state = (0.08809892781208069, 0.6870024137216008, 0.16900269682194985, 0.0, 0.04927726821898364)
     mirrored = tuple(sign * value for value in state)
-    assert planned(limits, mirrored, smoothness).duration < 1.1125
+    most = 1.1125 if smoothness == 3 else 1.1125 * 1.008
+    assert shortest_duration(planned(limits, mirrored, smoothness)) < most
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -103,3 +105,55 @@ def test_the_usual_rises_stay_where_they_fit(seed: int) -> None:
     state = (0.0, 0.0, 0.0, 0.0, float(random.normal()))
     _, duration = usual(limits, state)
     assert planned(limits, state, 4).duration == duration
+
+
+# a limit of the velocity that is just too low for the usual rises, and one that is loose
+HELD_BACK = [
+    (
+        (2.92677043, 3.36676581, 1.98615950),
+        (1.60537182, -2.85129308, -2.22234160, 1.66877488, -0.08330813), 7.24891789,
+    ),
+    (
+        (6.79645831, 4.23260092, 3.58976086, 0.45380036),
+        (0.0, 0.0, 4.25313581, 3.90383375, 0.31321520), 7.29074200,
+    ),
+    (
+        (2.56341824, 9.47099243, 3.02119880, 1.39580940),
+        (0.22592435, 0.0, -1.29747948, -2.82838685, -0.00786614), 18.7964217,
+    ),
+    (
+        (0.64754665, 0.98002595, 6.07059454, 0.99874470),
+        (0.10604450, -0.85268441, -0.48062332, 0.0, -0.58668305), 4.13840261,
+    ),
+]
+
+
+@pytest.mark.parametrize(("limits", "state", "loose"), HELD_BACK)
+def test_room_for_the_usual_rises_does_not_lengthen_a_plan(limits, state, loose: float) -> None:
+    tight = planned(limits, state, len(limits))
+    # steeper rises would save 2 to 4 %
+    assert 1.02 < tight.duration / shortest_duration(tight) < 1.045
+    assert verify(tight).passed
+    found = planned((loose, *limits[1:]), state, len(limits))
+    assert found.duration < tight.duration * (1.0 + 1e-3)
+
+
+def test_a_plan_that_is_held_back_can_be_prolonged_and_synchronised() -> None:
+    limits, state, _ = HELD_BACK[1]
+    v, a, w, b, distance = state
+    alone = planned(limits, state, 4).duration
+    points = [
+        Waypoint([0.0, 0.0], [v, 0.0], [a, 0.0]), Waypoint([distance, 1.0], [w, 0.0], [b, 0.0])
+    ]
+    for synchronize in ("waypoints", "total", "none"):
+        for sample_time in (None, 0.25):
+            found = plan(
+                points, Limits(*limits), synchronize=synchronize, sample_time=sample_time
+            )
+            assert verify(found).passed
+            expected = alone if sample_time is None else np.ceil(alone / 0.25) * 0.25
+            assert found.axis_durations[0] == pytest.approx(expected, rel=1e-12)
+    for factor in (1.0, 1.01, 1.5, 4.0):
+        found = plan(points, Limits(*limits), duration=factor * alone)
+        assert verify(found).passed
+        assert found.duration == pytest.approx(factor * alone, rel=1e-12)

@@ -490,7 +490,8 @@ static double smoothness_share(double usual, double share, array_double_1d axis)
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void hold_back(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_2, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
@@ -16292,7 +16293,7 @@ static double smoothness_share(double usual, double share, array_double_1d axis)
     {
         power = 1.0 / 3.0;
     }
-    return pow(((1.0 - usual) / (1.0 - share)), power) * (1.0 - 0.001);
+    return pow(((1.0 - usual) / (1.0 - share)), power) * (1.0 - 0.005);
 }
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -16345,58 +16346,94 @@ static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, ar
         (*cspan_at(&axes, axis, INT64_C(10))) = 0.0;
     }
 }
-static int64_t plan_refused(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static void hold_back(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    double share;
-    double missed;
-    int64_t status;
-    share = moderate_share();
-    status = plan_with_share(axis, share, axes, cells, work);
-    if (status == INT64_C(0))
+    double factor;
+    int64_t j;
+    array_double_2d cell;
+    double shortest;
+    double delay;
+    double duration;
+    factor = smoothness_share(usual_share(span_row(&axes, axis)), share, span_row(&axes, axis));
+    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
-        missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
-        if (shorter_with(steepest_share(), share, 1.0, axis, axes, cells, work))
+        cell = span_matrix(&cells, j);
+        shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
+        delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+        duration = delay + (shortest - delay) / factor;
+        if (set_duration(duration, cell, span_row(&axes, axis), work))
         {
-            share = steepest_share();
-            missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+            (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = duration;
+        }
+        else
+        {
+            set_duration(shortest, cell, span_row(&axes, axis), work);
         }
     }
-    else
+}
+static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_2, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    double share;
+    int64_t status;
+    double missed;
+    double factor;
+    share = moderate_share();
+    status = plan_with_share(axis, share, axes, cells, work);
+    missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+    if (status != INT64_C(0))
     {
-        share = steepest_share();
-        status = plan_with_share(axis, share, axes, cells, work);
-        missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+        status = plan_with_share(axis, steepest_share(), axes, cells, work);
+        (*result_0) = status;
+        (*result_1) = steepest_share();
+        (*result_2) = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+        return 0;
     }
-    if ((status == INT64_C(0)) && (missed > 2.5))
+    factor = 1.0;
+    if (ramps_suffice(span_row(&axes, axis)))
     {
-        plan_thoroughly(share, axis, axes, cells, work);
+        factor = smoothness_share(share, steepest_share(), span_row(&axes, axis));
     }
-    return status;
+    if (shorter_with(steepest_share(), share, factor, axis, axes, cells, work))
+    {
+        (*result_0) = status;
+        (*result_1) = steepest_share();
+        (*result_2) = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+        return 0;
+    }
+    (*result_0) = status;
+    (*result_1) = share;
+    (*result_2) = missed;
+    return 0;
 }
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    double missed;
+    double usual;
     double share;
+    double missed;
     int64_t status;
-    status = plan_with_share(axis, usual_share(span_row(&axes, axis)), axes, cells, work);
+    usual = usual_share(span_row(&axes, axis));
+    share = usual;
+    status = plan_with_share(axis, usual, axes, cells, work);
+    missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
     if ((*cspan_at(&axes, axis, INT64_C(12))) < 0.5)
     {
         return status;
     }
     if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
     {
-        status = plan_refused(axis, axes, cells, work);
-        return status;
+        plan_refused(&status, &share, &missed, axis, axes, cells, work);
     }
-    missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
-    share = usual_share(span_row(&axes, axis));
-    if ((status == INT64_C(0)) && (missed > 0.5))
+    else if ((status == INT64_C(0)) && (missed > 0.5))
     {
         plan_steeper(&share, &missed, missed, axis, axes, cells, work);
     }
     if ((status == INT64_C(0)) && (missed > 2.5))
     {
         plan_thoroughly(share, axis, axes, cells, work);
+    }
+    if ((status == INT64_C(0)) && (share < usual) && ramps_suffice(span_row(&axes, axis)))
+    {
+        hold_back(share, axis, axes, cells, work);
     }
     return status;
 }
@@ -16635,8 +16672,9 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
     bool meeting;
     int64_t j;
     int64_t end;
-    double time;
+    double longest;
     int64_t i;
+    double time;
     double total;
     sample_time = (*cspan_at(&options, INT64_C(3)));
     meeting = (int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(1);
@@ -16646,7 +16684,12 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
         if (meeting || (sample_time > 0.0))
         {
             end = j + last - first;
-            time = common_duration(0.0, sample_time, j, end, axes, cells, work);
+            longest = 0.0;
+            for (i = j; i < end; i += INT64_C(1))
+            {
+                longest = span_max(longest, (*cspan_at(&cells, i, INT64_C(67), INT64_C(1))));
+            }
+            time = common_duration(longest, sample_time, j, end, axes, cells, work);
             (*cspan_at(&work, INT64_C(99), INT64_C(0))) = first;
             (*cspan_at(&work, INT64_C(99), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
             if (time < 0.0)

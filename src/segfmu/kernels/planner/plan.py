@@ -251,7 +251,10 @@ def meet_intervals(
     for j in range(first, cells.shape[0], axes.shape[0]):
         if meeting or sample_time > 0.0:
             end = j + last - first
-            time = common_duration(0.0, sample_time, j, end, axes, cells, work)
+            longest = 0.0
+            for i in range(j, end):
+                longest = max(longest, cells[i, Cell.RESULT, Interval.DURATION])
+            time = common_duration(longest, sample_time, j, end, axes, cells, work)
             work[PlanWork.REFUSAL, Refusal.AXIS] = first
             work[PlanWork.REFUSAL, Refusal.INTERVAL] = j // axes.shape[0]
             if time < 0.0:
