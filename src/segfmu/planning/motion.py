@@ -12,6 +12,7 @@ from segfmu.kernels.planner.records import Axis, Cell, PlanOptions, PlanStatus, 
 from segfmu.kernels.trajectory.records import Judging, MotionWork, Spare, Timing
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.problem import Options, Problem
+from segfmu.planning.verify import TOLERANCE
 
 # ramps of an axis in an interval whose pieces there are rows for at first
 USUAL_RAMPS = 12
@@ -58,7 +59,7 @@ class Space:
         self.work = np.zeros((MotionWork.SIZE, MotionWork.COLUMNS))
         self.chosen: Options | None = None
         self.options = self.work[MotionWork.OPTIONS, : PlanOptions.SIZE]
-        self.judging = self.work[MotionWork.JUDGING]
+        self.work[MotionWork.JUDGING, Judging.TOLERANCE] = TOLERANCE
         self.refusal = self.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE]
         self.timing = np.empty((rows, Timing.SIZE))
         self.coefficients = np.empty((rows, 2 * smoothness))
@@ -74,7 +75,7 @@ class Space:
 _spaces: dict[Size, Space] = {}
 
 
-def plan_motion(problem: Problem, tolerance: float) -> Motion:
+def plan_motion(problem: Problem) -> Motion:
     """Plan, expand and check a problem whose states are numbers."""
     points, axes = problem.states.shape[:2]
     size = points, axes, problem.options.smoothness
@@ -82,7 +83,6 @@ def plan_motion(problem: Problem, tolerance: float) -> Motion:
     if space.chosen is not problem.options:
         space.chosen = problem.options
         space.options[:] = problem.options.vector
-    space.judging[Judging.TOLERANCE] = tolerance
     offsets, times = np.zeros(axes + 1, dtype=np.int64), np.zeros((points + 1, axes))
     call = problem.states, problem.dwells, problem.limits, space.axes, space.cells
     found = offsets, times, space.work

@@ -18,7 +18,6 @@ from segfmu.planning.limits import Limits
 from segfmu.planning.request import Request, checked_request, position_range
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE
 from segfmu.planning.waypoint import Waypoint
 
 
@@ -109,7 +108,7 @@ def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
 
     follow: a plan from its start, which it may follow at first.
     """
-    trajectory, proved = solve(request, TOLERANCE, follow)
+    trajectory, proved = solve(request, follow)
     if not proved:
         require(trajectory)
     return trajectory

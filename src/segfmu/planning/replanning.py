@@ -22,7 +22,7 @@ from segfmu.planning.planner import planned
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, solve_after
 from segfmu.planning.trajectory import Trajectory, require_plan
-from segfmu.planning.verify import TIME_TOLERANCE, TOLERANCE, time_error, verify
+from segfmu.planning.verify import TIME_TOLERANCE, time_error, verify
 from segfmu.planning.waypoint import Waypoint
 
 # a new plan to the same target has to be shorter than the rest of the old one by this much, more
@@ -148,7 +148,7 @@ def _kept(
         first = Waypoint(*pieces.starts().T)
         request = request._replace(waypoints=(first, *points, target))
         states = np.stack([p.state(trajectory.smoothness) for p in request.waypoints])
-        kept, proved = judged(request, states, pieces, times, TOLERANCE)
+        kept, proved = judged(request, states, pieces, times)
         # the kernels do not prove that axes meet, which the old plan need not have asked for
         if time_error(kept) <= TIME_TOLERANCE and (proved or verify(kept).passed):
             return kept
@@ -169,7 +169,7 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
         for pieces in (rest, rest.anchored(settled[0], request.problem.limits)):
             points = (Waypoint(*pieces.starts().T), *request.waypoints[1:])
             chosen = choose_states(request._replace(waypoints=points))
-            found, proved = solve_after(chosen, Leads(pieces, states), TOLERANCE)
+            found, proved = solve_after(chosen, Leads(pieces, states))
             if proved or verify(found).passed:
                 return found
         raise

@@ -20,9 +20,7 @@ from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE
 
 
-def solve(
-    request: Request, tolerance: float, follow: Pieces | None = None
-) -> tuple[Trajectory, bool]:
+def solve(request: Request, follow: Pieces | None = None) -> tuple[Trajectory, bool]:
     """Plan and expand a trajectory; True if the kernels prove that it keeps the tolerance.
 
     follow: a plan that begins in the state of the first waypoint, and that can be followed.
@@ -33,19 +31,15 @@ def solve(
         If no plan keeps the limits.
     """
     if follow is None and request.waypoints[0].settled:
-        motion = plan_motion(request.problem, tolerance)
-        if motion.refusal is not None:
-            raise refusal(
-                motion.status, motion.refusal, request.axis_names, request.problem.dwells
-            )
-        found = _trajectory(
-            request, motion.timing, motion.coefficients, motion.offsets, motion.times
-        )
-        return found, motion.status == PlanStatus.PLANNED
-    return solve_after(request, _leads(request, follow), tolerance)
+        status, report, timing, coefficients, offsets, times = plan_motion(request.problem)
+        if report is not None:
+            raise refusal(status, report, request.axis_names, request.problem.dwells)
+        found = _trajectory(request, timing, coefficients, offsets, times)
+        return found, status == PlanStatus.PLANNED
+    return solve_after(request, _leads(request, follow))
 
 
-def solve_after(request: Request, leads: Leads, tolerance: float) -> tuple[Trajectory, bool]:
+def solve_after(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
     """`solve` behind given leads."""
     problem = request.problem
     points, axes = problem.states.shape[:2]
@@ -55,7 +49,7 @@ def solve_after(request: Request, leads: Leads, tolerance: float) -> tuple[Traje
     problem = problem._replace(states=delayed)
     pieces, times = _expand(problem, _phases(request, problem))
     full = np.stack([p.state(problem.options.smoothness) for p in request.waypoints])
-    return judged(request, full, pieces.after(leads.pieces), times, tolerance)
+    return judged(request, full, pieces.after(leads.pieces), times)
 
 
 def _leads(request: Request, follow: Pieces | None) -> Leads:
@@ -112,7 +106,7 @@ def _expand(problem: Problem, phases: Phases) -> tuple[Pieces, FloatArray]:
 
 
 def judged(
-    request: Request, states: FloatArray, pieces: Pieces, times: FloatArray, tolerance: float
+    request: Request, states: FloatArray, pieces: Pieces, times: FloatArray
 ) -> tuple[Trajectory, bool]:
     """The trajectory of some pieces, and whether the kernels prove that it keeps the tolerance.
 
@@ -120,7 +114,7 @@ def judged(
     """
     wrong = backend.check_plan(
         states, times, pieces.timing, pieces.coefficients, pieces.offsets, request.problem.limits,
-        tolerance, 0.5 * tolerance, np.empty((Check.SIZE, Check.COLUMNS)),
+        TOLERANCE, 0.5 * TOLERANCE, np.empty((Check.SIZE, Check.COLUMNS)),
     )
     timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
     return _trajectory(request, timing, coefficients, pieces.offsets, times), wrong == 0

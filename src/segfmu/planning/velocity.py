@@ -18,7 +18,7 @@ from segfmu.planning.replanning import left
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, no_lead
 from segfmu.planning.trajectory import Trajectory
-from segfmu.planning.verify import TOLERANCE, verify
+from segfmu.planning.verify import verify
 from segfmu.planning.waypoint import Waypoint
 
 
@@ -188,4 +188,4 @@ def _joined(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
     request = request._replace(waypoints=(Waypoint(*start.T), end))
     states = np.stack([p.state(request.problem.options.smoothness) for p in request.waypoints])
     times = np.vstack([np.zeros(axes), np.full((2, axes), duration)])
-    return judged(request, states, pieces, times, TOLERANCE)
+    return judged(request, states, pieces, times)
