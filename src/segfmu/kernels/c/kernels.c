@@ -16288,12 +16288,18 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
 static double smoothness_share(double usual, double share, array_double_1d axis)
 {
     double power;
+    double margin;
     power = 0.5;
+    margin = 0.001;
+    if (ramps_suffice(axis))
+    {
+        margin = 0.005;
+    }
     if ((*cspan_at(&axis, INT64_C(24))) > 0.0)
     {
         power = 1.0 / 3.0;
     }
-    return pow(((1.0 - usual) / (1.0 - share)), power) * (1.0 - 0.005);
+    return pow(((1.0 - usual) / (1.0 - share)), power) * (1.0 - margin);
 }
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {

@@ -89,12 +89,16 @@ def smoothness_share(usual: float, share: float, axis: 'float[:]') -> float:
     """Least duration with rises of `share` over that with `usual` ones, where both fit.
 
     A motion of the jerk alone lasts as the cube root of 1 - share, one of the snap as the square
-    root, since ramps do not become shorter by more. Of whole plans it differs by half a per cent.
+    root, since ramps do not become shorter by more. Of whole plans it differs by half a per cent,
+    which counts where they are held back (`hold_back`).
     """
     power = 0.5
+    margin = 1e-3
+    if ramps_suffice(axis):
+        margin = 5e-3
     if axis[Axis.SHARES] > 0.0:
         power = 1.0 / 3.0
-    return ((1.0 - usual) / (1.0 - share)) ** power * (1.0 - 5e-3)
+    return ((1.0 - usual) / (1.0 - share)) ** power * (1.0 - margin)
 
 
 def shorter_with(
