@@ -187,6 +187,7 @@ static int64_t ramp_change(double* result_0, double* result_1, double duration, 
 static int64_t rise_moments(double* result_0_0001, double* result_1_0001, double duration, int64_t first, array_double_1d axis);
 static double ramp_variance(double basis, array_double_1d axis);
 static double ramp_distance(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static int64_t rise_pieces(int64_t boxes);
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
 static int64_t held_peak(double* result_0_0001, double* result_1_0001, double* result_2, int64_t level, int64_t first, double rise, double peak, double stretch, array_double_1d axis);
 static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
@@ -7174,20 +7175,26 @@ static SPAN_INLINE double ramp_distance(double v, double a, double b, double dur
     }
     return y + (b - a) * (0.125 * duration * duration + 0.5 * variance);
 }
-int64_t segfmu_ramp_pieces(array_double_1d axis)
+static int64_t rise_pieces(int64_t boxes)
 {
     int64_t i;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
-    {
-        return INT64_C(1);
-    }
-    count = INT64_C(1);
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2); i += INT64_C(1))
+    count = INT64_C(0);
+    for (i = INT64_C(0); i < boxes; i += INT64_C(1))
     {
         count = INT64_C(2) * count + INT64_C(1);
     }
     return count;
+}
+int64_t segfmu_ramp_pieces(array_double_1d axis)
+{
+    int64_t result;
+    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
+    {
+        return INT64_C(1);
+    }
+    result = rise_pieces((int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1));
+    return result;
 }
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes)
 {
@@ -7400,6 +7407,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     int64_t q;
     int64_t boxes;
     double level;
+    int64_t pieces;
     int64_t order;
     int64_t i;
     int64_t row;
@@ -7418,6 +7426,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
     level = (*cspan_at(&passing, INT64_C(8)));
+    pieces = rise_pieces(boxes);
     for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
     {
         (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
@@ -7438,7 +7447,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
         change = (*cspan_at(&work, row, INT64_C(9))) - level;
         if (ramp > 0.0)
         {
-            for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+            for (piece = INT64_C(1); piece < pieces + INT64_C(1); piece += INT64_C(1))
             {
                 held_level(&held, &sign, piece, boxes);
                 basis = ramp * (*cspan_at(&passing, INT64_C(2)));
@@ -7609,6 +7618,7 @@ static double plateau_extreme_velocity(double v, double a, double change, double
     double crackle;
     double pop;
     double highest;
+    int64_t pieces;
     int64_t piece;
     int64_t level;
     double sign;
@@ -7623,7 +7633,8 @@ static double plateau_extreme_velocity(double v, double a, double change, double
     crackle = 0.0;
     pop = 0.0;
     highest = 0.0;
-    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+    pieces = rise_pieces(boxes);
+    for (piece = INT64_C(1); piece < pieces + INT64_C(1); piece += INT64_C(1))
     {
         held_level(&level, &sign, piece, boxes);
         piece_peak(&length, &peak, level, INT64_C(0), change, duration, basis, axis);
@@ -7746,6 +7757,7 @@ static double highest_at_node(int64_t order, double sign, int64_t i, array_doubl
     double third;
     double ramp;
     double change;
+    int64_t pieces;
     int64_t piece;
     double length;
     int64_t held;
@@ -7782,10 +7794,11 @@ static double highest_at_node(int64_t order, double sign, int64_t i, array_doubl
     {
         highest = upper;
     }
-    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)) + INT64_C(1); piece += INT64_C(1))
+    pieces = rise_pieces(boxes);
+    for (piece = INT64_C(1); piece < pieces + INT64_C(2); piece += INT64_C(1))
     {
         length = (*cspan_at(&nodes, i, INT64_C(10)));
-        if (piece < pow(2.0, (double)(boxes)))
+        if (piece <= pieces)
         {
             length = 0.0;
             if (ramp > 0.0)
@@ -15760,7 +15773,8 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
     problem = span_row(&work, INT64_C(59));
     rest = span_row(&work, INT64_C(60));
     velocity = (*cspan_at(&axis, INT64_C(2)));
-    factor = pow((shortest / (*cspan_at(&problem, INT64_C(5)))), 2.0);
+    factor = shortest / (*cspan_at(&problem, INT64_C(5)));
+    factor = factor * factor;
     steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3)))));
     for (attempt = INT64_C(0); attempt < INT64_C(9); attempt += INT64_C(1))
     {
@@ -19143,6 +19157,7 @@ static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array
     double rise;
     int64_t level;
     double length;
+    int64_t count;
     int64_t piece;
     double sign;
     int64_t held;
@@ -19162,7 +19177,8 @@ static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array
         (*cspan_at(&lengths, level)) = length;
         (*cspan_at(&peaks, level)) = peak;
     }
-    for (piece = INT64_C(1); piece < pow(2.0, (double)(boxes)); piece += INT64_C(1))
+    count = rise_pieces(boxes);
+    for (piece = INT64_C(1); piece < count + INT64_C(1); piece += INT64_C(1))
     {
         held_level(&level, &sign, piece, boxes);
         held = INT64_C(3) + first + level;

@@ -4,7 +4,7 @@ Each polynomial piece is cut where a derivative is zero, from that of the levels
 the cuts the next lower one rises or falls, so its extremes are at cuts.
 """
 
-from segfmu.kernels.planner.nested import held_level, piece_peak
+from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 
 
@@ -110,6 +110,7 @@ def measure_excess(axis: 'float[:]', work: 'float[:,:]') -> bool:
     q = above + 2
     boxes = int(axis[Axis.SMOOTHNESS]) - 1 - above
     level = passing[Passing.START]
+    pieces = rise_pieces(boxes)
     for order in range(4):
         excess[order, Excess.SHARE] = 0.0
     for i in range(int(passing[Passing.COUNT]) + 1):
@@ -122,7 +123,7 @@ def measure_excess(axis: 'float[:]', work: 'float[:,:]') -> bool:
         ramp = work[row, Node.RAMP]
         change = work[row, Node.LEVEL] - level
         if ramp > 0.0:
-            for piece in range(1, 2**boxes):
+            for piece in range(1, pieces + 1):
                 held, sign = held_level(piece, boxes)
                 basis = ramp * passing[Passing.PACE]
                 length, peak = piece_peak(held, above, change, ramp, basis, axis)

@@ -4,7 +4,7 @@ An optimum that the velocity, or the acceleration, touches without staying there
 than the conditions at the end need, and its peak at the limit as the condition for it.
 """
 
-from segfmu.kernels.planner.nested import held_level, piece_peak
+from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.ramp_peak import crossing_time, taylor
 from segfmu.kernels.planner.records import Axis, Node, Passing
 
@@ -64,10 +64,11 @@ def highest_at_node(
         highest = lower
     elif order == above + 1:
         highest = upper
-    for piece in range(1, 2**boxes + 1):
+    pieces = rise_pieces(boxes)
+    for piece in range(1, pieces + 2):
         # the last piece is the hold
         length = nodes[i, Node.HOLD]
-        if piece < 2**boxes:
+        if piece <= pieces:
             length = 0.0
             if ramp > 0.0:
                 held, direction = held_level(piece, boxes)

@@ -9,14 +9,19 @@ from segfmu.kernels.planner.ramp import inner_rise
 from segfmu.kernels.planner.records import Axis
 
 
+def rise_pieces(boxes: int) -> int:
+    """Number of polynomial pieces of a rise by `boxes` boxes."""
+    count = 0
+    for i in range(boxes):
+        count = 2 * count + 1
+    return count
+
+
 def ramp_pieces(axis: 'float[:]') -> int:
     """Number of polynomial pieces of a ramp."""
     if axis[Axis.PLATEAU] < 0.5:
         return 1
-    count = 1
-    for i in range(int(axis[Axis.SMOOTHNESS]) - 2):
-        count = 2 * count + 1
-    return count
+    return rise_pieces(int(axis[Axis.SMOOTHNESS]) - 1)
 
 
 def held_level(piece: int, boxes: int) -> 'tuple[int, float]':

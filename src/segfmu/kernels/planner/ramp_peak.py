@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from segfmu.kernels.planner.nested import held_level, piece_peak
+from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.ramp import inner_rise
 from segfmu.kernels.planner.records import Axis
 
@@ -92,7 +92,8 @@ def plateau_extreme_velocity(
     crackle = 0.0
     pop = 0.0
     highest = 0.0
-    for piece in range(1, 2**boxes):
+    pieces = rise_pieces(boxes)
+    for piece in range(1, pieces + 1):
         level, sign = held_level(piece, boxes)
         length, peak = piece_peak(level, 0, change, duration, basis, axis)
         if level == 0:

@@ -89,7 +89,8 @@ def timed_slower(
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
     velocity = axis[Axis.VELOCITY]
-    factor = (shortest / problem[Problem.DURATION]) ** 2.0
+    factor = shortest / problem[Problem.DURATION]
+    factor = factor * factor
     steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B]))
     for attempt in range(9):
         room = axis[Axis.ACCELERATION] * factor * factor * (1.0 - 1e-12)

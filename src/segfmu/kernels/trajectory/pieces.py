@@ -5,7 +5,7 @@ pieces of the position: one for a hold or a smoothstep ramp; a plateau ramp has 
 its derivatives and for each rise between (nested.py).
 """
 
-from segfmu.kernels.planner.nested import held_level, held_peak
+from segfmu.kernels.planner.nested import held_level, held_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.planner.transition import transition_coefficients
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -95,7 +95,8 @@ def expand_plateau(
         length, peak, rise = held_peak(level, first, rise, peak, duration / basis, axis)
         lengths[level] = length
         peaks[level] = peak
-    for piece in range(1, 2**boxes):
+    count = rise_pieces(boxes)
+    for piece in range(1, count + 1):
         level, sign = held_level(piece, boxes)
         held = PieceState.JERK + first + level
         for i in range(held, PieceState.TIME):
