@@ -19076,13 +19076,12 @@ static int64_t append_piece(double duration, array_double_2d timing, array_doubl
     int64_t j;
     width = coefficients.shape[INT64_C(1)];
     order = span_floor_div(width, INT64_C(2)) + INT64_C(1);
+    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&coefficients, row, INT64_C(0))) + (*cspan_at(&state, INT64_C(0)));
+    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&coefficients, row, INT64_C(1))) + (*cspan_at(&state, INT64_C(1)));
     factorial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
     {
-        if (i > INT64_C(1))
-        {
-            factorial = factorial * i;
-        }
+        factorial = factorial * i;
         if ((*cspan_at(&state, i)) != 0.0)
         {
             (*cspan_at(&coefficients, row, i)) = (*cspan_at(&coefficients, row, i)) + (*cspan_at(&state, i)) / factorial;

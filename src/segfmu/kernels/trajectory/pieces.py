@@ -25,10 +25,11 @@ def append_piece(
     """
     width = coefficients.shape[1]
     order = width // 2 + 1
+    coefficients[row, 0] = coefficients[row, 0] + state[PieceState.POSITION]
+    coefficients[row, 1] = coefficients[row, 1] + state[PieceState.VELOCITY]
     factorial = 1.0
-    for i in range(order + 1):
-        if i > 1:
-            factorial = factorial * i
+    for i in range(2, order + 1):
+        factorial = factorial * i
         if state[i] != 0.0:
             coefficients[row, i] = coefficients[row, i] + state[i] / factorial
     timing[row, Timing.START] = state[PieceState.TIME]
