@@ -57,7 +57,7 @@ def choose_states(
     allowed : ndarray, shape (axes, 2), optional
         Range of the positions [m].
     """
-    if not any(point.free for point in request.waypoints):
+    if not request.free:
         return request
     if allowed is None:
         allowed = np.tile([-np.inf, np.inf], (len(request.axis_names), 1))

@@ -96,7 +96,7 @@ def _within(allowed: FloatArray, trajectory: Trajectory, request: Request) -> Tr
     try:
         require_positions(trajectory, allowed)
     except InfeasibleError:
-        if not any(point.free for point in request.waypoints):
+        if not request.free:
             raise
         trajectory = planned(at_rest(request))
         require_positions(trajectory, allowed)

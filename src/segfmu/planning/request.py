@@ -36,6 +36,12 @@ class Request(NamedTuple):
     problem: Problem
 
     @property
+    def free(self) -> bool:
+        """Whether a velocity or acceleration is free."""
+        # in half the time of `any`
+        return True in [point.free for point in self.waypoints]
+
+    @property
     def start(self) -> FloatArray:
         """Position and the derivatives 1 .. n at the first waypoint, shape (axes, n + 1)."""
         return self.waypoints[0].state(self.problem.options.smoothness)
@@ -64,8 +70,12 @@ def checked_request(
         _choice("synchronize", synchronize, SYNCHRONIZATIONS),
         _time("sample_time", sample_time), _time("duration", duration),
     )
-    states = np.array([p.planned for p in points])
-    dwells = np.array([p.dwell for p in points])
+    states = np.empty((len(points), axes, WaypointState.SIZE))
+    dwells = np.zeros(len(points))
+    for i, point in enumerate(points):
+        states[i] = point.planned
+        if point.dwell > 0.0:
+            dwells[i] = point.dwell
     table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
     if backend.settle_states(states if points[0].settled else states[1:], table) > 0:
