@@ -38,6 +38,7 @@ def append_piece(
     used = width
     while used > 1 and coefficients[row, used - 1] == 0.0:
         used = used - 1
+    # one pass for the first four derivatives takes less time than one each
     y = 0.0
     v = 0.0
     a = 0.0
