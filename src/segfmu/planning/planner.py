@@ -45,7 +45,8 @@ def plan(
         and at one with a dwell, becomes zero.
     limits : Limits
         Limits of the derivatives; at least one from jerk on is required. A velocity or acceleration
-        of a waypoint that is within 1e-9 of its limit from zero, or from the limit, is that.
+        of a waypoint is its limit where it is within 1e-9 of that, and zero where it is within 1e-9
+        of the limit and of about the largest one of the motion.
     smoothness : int
         n of the paper, 2 to 6: the trajectory is n times continuously differentiable.
     shape : {"plateau", "smoothstep"}

@@ -162,11 +162,12 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
     except InfeasibleError:
         states = rest.all_ends()
         # with rounding errors in its velocity an axis at rest would count as moving
-        settled = states[None, :, : WaypointState.SIZE].copy()
-        backend.settle_states(settled, request.problem.limits)
-        states[:, : WaypointState.SIZE] = settled[0]
+        size = WaypointState.SIZE
+        path = np.stack([rest.starts()[:, :size], states[:, :size], *request.problem.states[1:]])
+        backend.settle_states(path, request.problem.limits)
+        states[:, :size] = settled = path[1]
         # rounding errors of a whole motion may be large against what is left of it
-        for pieces in (rest, rest.anchored(settled[0], request.problem.limits)):
+        for pieces in (rest, rest.anchored(settled, request.problem.limits)):
             points = (Waypoint(*pieces.starts().T), *request.waypoints[1:])
             chosen = choose_states(request._replace(waypoints=points))
             found, proved = solve_after(chosen, Leads(pieces, states))

@@ -307,6 +307,7 @@ static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t c
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
 static void reverse_problem(array_double_1d problem);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
+static double speed_bound(double duration, array_double_1d problem, array_double_1d axis);
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
@@ -433,8 +434,8 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double cruise_sample(int64_t sample, array_double_1d axis);
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static double cruise_sample(int64_t sample, double fastest);
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
@@ -445,6 +446,7 @@ static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
 static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static double usual_speed(array_double_1d problem, array_double_1d axis);
 static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static bool gentle_step(array_double_1d gentle);
 static void spread_levels(int64_t attempt, array_double_1d gentle);
@@ -506,7 +508,10 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static bool differ(double before, double value);
-static double settle_value(double value, double limit);
+static double change_time(double size, int64_t derivative, array_double_1d limits);
+static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis, array_double_3d states, array_double_1d limits);
+static double motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
+static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static int64_t sensing_end(array_double_2d settings);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
@@ -10482,6 +10487,20 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
+static double speed_bound(double duration, array_double_1d problem, array_double_1d axis)
+{
+    double change;
+    double slope;
+    double steepest;
+    double most;
+    double result;
+    ramp_change(&change, &slope, duration, axis);
+    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
+    steepest = span_min(steepest, (*cspan_at(&axis, INT64_C(3))));
+    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * duration;
+    result = span_min((*cspan_at(&axis, INT64_C(2))), most);
+    return result;
+}
 static bool is_resting(array_double_1d problem, array_double_1d axis)
 {
     double speed;
@@ -11733,6 +11752,7 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
 {
     double distance;
     double longest;
+    double fastest;
     double before;
     double e_before;
     int64_t i;
@@ -11746,15 +11766,17 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     double far;
     distance = (*cspan_at(&problem, INT64_C(4)));
     longest = 1e+300;
+    fastest = (*cspan_at(&axis, INT64_C(2)));
     if (count > INT64_C(0))
     {
         longest = total_duration(phases, count);
+        fastest = speed_bound(longest, problem, axis);
     }
     before = 0.0;
     e_before = 0.0;
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
     {
-        cruise = (*cspan_at(&axis, INT64_C(2))) * (1.0 - i / 6.0);
+        cruise = fastest * (1.0 - i / 6.0);
         cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
         error = 0.0;
         if (used >= INT64_C(0))
@@ -11875,7 +11897,7 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     double y_cruise;
     double inside;
     distance = (*cspan_at(&problem, INT64_C(4)));
-    limit = (*cspan_at(&axis, INT64_C(2)));
+    limit = speed_bound((*cspan_at(&problem, INT64_C(5))), problem, axis);
     if (y > distance)
     {
         limit = -limit;
@@ -11928,7 +11950,6 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     array_double_1d nearest;
     double distance;
     double target;
-    double velocity_limit;
     double most;
     double duration;
     double y;
@@ -11945,8 +11966,7 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     nearest = span_row(&work, INT64_C(58));
     distance = (*cspan_at(&problem, INT64_C(4)));
     target = (*cspan_at(&problem, INT64_C(5)));
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    most = velocity_limit * (1.0 + 1e-12);
+    most = (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12);
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
     if ((lowest < -most) || (highest > most))
     {
@@ -11956,7 +11976,7 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     {
         return;
     }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * velocity_limit)
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * span_max(-lowest, highest))
     {
         return;
     }
@@ -12107,6 +12127,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
 {
     array_double_2d trial;
     double distance;
+    double fastest;
     int64_t samples;
     bool inside;
     double before;
@@ -12125,6 +12146,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     double e_upper;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     distance = (*cspan_at(&problem, INT64_C(4)));
+    fastest = speed_bound((*cspan_at(&problem, INT64_C(5))), problem, axis);
     samples = INT64_C(24);
     inside = 0;
     before = 0.0;
@@ -12132,7 +12154,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     h_before = 0.0;
     for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
     {
-        cruise = (*cspan_at(&axis, INT64_C(2))) * (2.0 * i / samples - 1.0);
+        cruise = fastest * (2.0 * i / samples - 1.0);
         timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
         error = y - distance;
         fits = (count >= INT64_C(0)) && (hold >= 0.0);
@@ -12182,6 +12204,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double duration;
     double y;
     double error;
+    double speed;
     (*cspan_at(&family, INT64_C(30))) = 1.0;
     (*cspan_at(&family, INT64_C(31))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
@@ -12239,7 +12262,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         return 0;
     }
     error = y - (*cspan_at(&family, INT64_C(14)));
-    if (fabs(error) <= 2e-13 * (fabs(y) + (*cspan_at(&axis, INT64_C(2))) * duration))
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + (*cspan_at(&axis, INT64_C(3))) * duration;
+    if (fabs(error) <= 2e-13 * (fabs(y) + span_min((*cspan_at(&axis, INT64_C(2))), speed) * duration))
     {
         error = 0.0;
     }
@@ -13207,11 +13231,13 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     double distance;
     double below;
     double above;
+    double speed;
     double tiny;
     distance = (*cspan_at(&problem, INT64_C(4)));
     below = (*cspan_at(&nearest, INT64_C(1)));
     above = (*cspan_at(&nearest, INT64_C(3)));
-    tiny = 1e-14 * (fabs(distance) + (*cspan_at(&axis, INT64_C(2))) * (*cspan_at(&problem, INT64_C(5))));
+    speed = speed_bound((*cspan_at(&problem, INT64_C(5))), problem, axis);
+    tiny = 1e-14 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
     if (above - distance <= tiny)
     {
         return 1.0;
@@ -13928,12 +13954,15 @@ static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1
 }
 static double usual_duration(array_double_1d problem, array_double_1d axis)
 {
-    double limit;
-    double change;
+    double top;
+    double distance;
+    double cruise;
     double result;
-    limit = (*cspan_at(&axis, INT64_C(2)));
-    change = limit / (*cspan_at(&axis, INT64_C(3))) + (*cspan_at(&axis, INT64_C(11)));
-    result = 4.0 * change + fabs((*cspan_at(&problem, INT64_C(4)))) / limit;
+    top = (*cspan_at(&axis, INT64_C(3)));
+    distance = fabs((*cspan_at(&problem, INT64_C(4))));
+    cruise = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + sqrt(top * distance);
+    cruise = span_min((*cspan_at(&axis, INT64_C(2))), cruise + top * (*cspan_at(&axis, INT64_C(11))));
+    result = 4.0 * (cruise / top + (*cspan_at(&axis, INT64_C(11)))) + distance / cruise;
     return result;
 }
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis)
@@ -14624,13 +14653,11 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     }
     return span_min(t_p, t_q);
 }
-static double cruise_sample(int64_t sample, array_double_1d axis)
+static double cruise_sample(int64_t sample, double fastest)
 {
-    double result;
-    result = (*cspan_at(&axis, INT64_C(2))) * (2.0 * sample / INT64_C(24) - 1.0);
-    return result;
+    return fastest * (2.0 * sample / INT64_C(24) - 1.0);
 }
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
     array_double_2d ends;
@@ -14644,8 +14671,8 @@ static int64_t insert_turn(int64_t sample, bool covering, double least, double s
     }
     phases = span_rows(&work, INT64_C(0), INT64_C(21));
     ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), axis);
-    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), axis);
+    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), fastest);
+    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), fastest);
     turn = turning_time(lower, upper, covering, problem, axis, phases);
     result = insert_end(spent + span_min(turn, least), after, count, ends);
     return result;
@@ -14657,6 +14684,7 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     double second;
     double first_covered;
     double second_covered;
+    double fastest;
     int64_t i;
     double third;
     double third_covered;
@@ -14666,24 +14694,25 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     second = 1e+300;
     first_covered = 1e+300;
     second_covered = 1e+300;
+    fastest = speed_bound(4.0 * after, problem, axis);
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
         third = 1e+300;
         third_covered = 1e+300;
         if (i < INT64_C(25))
         {
-            cruise = cruise_sample(i, axis);
+            cruise = cruise_sample(i, fastest);
             cruise_times(&third, &third_covered, cruise, problem, axis, phases);
         }
         if ((second < 1e+300) && (first >= second) && (third >= second))
         {
-            count = insert_turn(i - INT64_C(1), 0, second, spent, after, problem, axis, work, count);
+            count = insert_turn(i - INT64_C(1), 0, second, spent, after, fastest, problem, axis, work, count);
         }
         if ((second_covered < 1e+300) && (first_covered >= second_covered))
         {
             if (third_covered >= second_covered)
             {
-                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, problem, axis, work, count);
+                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, fastest, problem, axis, work, count);
             }
         }
         first = second;
@@ -15008,6 +15037,17 @@ static double gentle_errors(array_double_1d problem, array_double_1d axis, array
     result = fabs((*cspan_at(&gentle, INT64_C(14)))) + fabs((*cspan_at(&gentle, INT64_C(15))));
     return result;
 }
+static double usual_speed(array_double_1d problem, array_double_1d axis)
+{
+    double duration;
+    double speed;
+    double result;
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    speed = speed + (fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))))) * duration;
+    result = span_min((*cspan_at(&axis, INT64_C(2))), speed + fabs((*cspan_at(&problem, INT64_C(4)))) / duration);
+    return result;
+}
 static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
 {
     double gain;
@@ -15098,7 +15138,7 @@ static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_
         spread_levels(attempt, gentle);
     }
     error = gentle_errors(problem, axis, gentle);
-    speed = (*cspan_at(&axis, INT64_C(2)));
+    speed = usual_speed(problem, axis);
     close = 0.0001 * speed;
     for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
@@ -15716,7 +15756,6 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     array_double_1d gentle;
     array_double_2d phases;
     double target;
-    double velocity;
     double most;
     int64_t attempt;
     int64_t count;
@@ -15725,12 +15764,12 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     double end;
     double lowest;
     double highest;
+    double fastest;
     problem = span_row(&work, INT64_C(59));
     gentle = span_row(&work, INT64_C(100));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     target = (*cspan_at(&problem, INT64_C(5)));
-    velocity = (*cspan_at(&axis, INT64_C(2)));
-    most = velocity * (1.0 + 1e-12);
+    most = (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12);
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
         if (!solve_gentle(attempt, problem, axis, gentle))
@@ -15744,11 +15783,16 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
         count = write_gentle(phases, problem, axis, gentle);
         count = fit_duration(phases, count, target);
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-        if ((lowest < -most) || (highest > most) || (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * velocity))
+        if ((lowest < -most) || (highest > most))
         {
             return 0;
         }
-        if (fabs(y - (*cspan_at(&problem, INT64_C(4)))) > 1e-12 * velocity * target)
+        fastest = span_max(-lowest, highest);
+        if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * fastest)
+        {
+            return 0;
+        }
+        if (fabs(y - (*cspan_at(&problem, INT64_C(4)))) > 1e-12 * fastest * target)
         {
             return 0;
         }
@@ -16920,15 +16964,92 @@ int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, arr
     }
     return INT64_C(0);
 }
-static double settle_value(double value, double limit)
+static double change_time(double size, int64_t derivative, array_double_1d limits)
 {
-    double near;
-    near = 1e-09 * limit;
-    if (fabs(value) <= near)
+    int64_t i;
+    double longest;
+    longest = 0.0;
+    for (i = derivative; i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, i)) > 0.0)
+        {
+            longest = span_max(longest, pow((size / (*cspan_at(&limits, i))), (1.0 / (i - derivative + INT64_C(1)))));
+        }
+    }
+    return longest;
+}
+static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis, array_double_3d states, array_double_1d limits)
+{
+    double distance;
+    double velocity;
+    double acceleration;
+    int64_t j;
+    double position;
+    double before;
+    double value;
+    distance = 0.0;
+    velocity = 0.0;
+    acceleration = 0.0;
+    for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        if (j > INT64_C(0))
+        {
+            position = (*cspan_at(&states, j, axis, INT64_C(0)));
+            before = (*cspan_at(&states, j - INT64_C(1), axis, INT64_C(0)));
+            distance = span_max(distance, fabs(position - before));
+        }
+        value = fabs((*cspan_at(&states, j, axis, INT64_C(1))));
+        if (value > velocity)
+        {
+            velocity = value;
+        }
+        value = fabs((*cspan_at(&states, j, axis, INT64_C(2))));
+        if (value > acceleration)
+        {
+            acceleration = value;
+        }
+    }
+    velocity = span_max(velocity, acceleration * change_time(acceleration, INT64_C(2), limits));
+    if (distance > 0.0)
+    {
+        velocity = span_max(velocity, distance / change_time(distance, INT64_C(0), limits));
+    }
+    velocity = span_min(velocity, (*cspan_at(&limits, INT64_C(0))));
+    if (velocity > 0.0)
+    {
+        acceleration = span_max(acceleration, velocity / change_time(velocity, INT64_C(1), limits));
+    }
+    (*result_0) = velocity;
+    (*result_1_0001) = span_min(acceleration, (*cspan_at(&limits, INT64_C(1))));
+    return 0;
+}
+static double motion_scale(int64_t order, array_double_3d states, array_double_2d limits)
+{
+    int64_t axis;
+    double velocity;
+    double acceleration;
+    double largest;
+    largest = 0.0;
+    for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+    {
+        axis_scale(&velocity, &acceleration, axis, states, span_row(&limits, axis));
+        if (order == INT64_C(1))
+        {
+            velocity = acceleration;
+        }
+        largest = span_max(largest, velocity);
+    }
+    return largest;
+}
+static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits)
+{
+    double limit;
+    limit = (*cspan_at(&limits, axis, order));
+    if ((fabs(value) <= 1e-09 * limit) && (fabs(value) <= 1e-09 * motion_scale(order, states, limits)))
     {
         return 0.0;
     }
-    if (fabs(fabs(value) - limit) <= near)
+    if (fabs(fabs(value) - limit) <= 1e-09 * limit)
     {
         if (value > 0.0)
         {
@@ -16955,7 +17076,11 @@ int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
             for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
             {
                 given = (*cspan_at(&states, j, axis, INT64_C(1) + i));
-                settled = settle_value(given, (*cspan_at(&limits, axis, i)));
+                settled = given;
+                if (given != 0.0)
+                {
+                    settled = settle_value(given, i, axis, states, limits);
+                }
                 if (j > INT64_C(0))
                 {
                     before = (*cspan_at(&states, j - INT64_C(1), axis, INT64_C(1) + i));

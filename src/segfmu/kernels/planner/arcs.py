@@ -44,7 +44,8 @@ def loop_excess(
         return duration, error
     error = y - family[Family.TARGET]
     # states on another plan have its rounding errors, and an arc can end at the distance
-    if abs(error) <= 2e-13 * (abs(y) + axis[Axis.VELOCITY] * duration):
+    speed = abs(family[Family.V]) + abs(family[Family.W]) + axis[Axis.ACCELERATION] * duration
+    if abs(error) <= 2e-13 * (abs(y) + min(axis[Axis.VELOCITY], speed) * duration):
         error = 0.0
     return duration, error
 

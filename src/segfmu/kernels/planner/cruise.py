@@ -14,6 +14,7 @@ from segfmu.kernels.planner.phases import (
     insert_hold,
     measure_phases,
     reverse_phases,
+    speed_bound,
     total_duration,
     valid_duration,
 )
@@ -147,12 +148,14 @@ def shorter_cruise(
     """
     distance = problem[Problem.DISTANCE]
     longest = 1e300
+    fastest = axis[Axis.VELOCITY]
     if count > 0:
         longest = total_duration(phases, count)
+        fastest = speed_bound(longest, problem, axis)
     before = 0.0
     e_before = 0.0
     for i in range(13):
-        cruise = axis[Axis.VELOCITY] * (1.0 - i / 6.0)
+        cruise = fastest * (1.0 - i / 6.0)
         used, row, duration, y = cruise_form(trial, cruise, problem, axis)
         error = 0.0
         if used >= 0:

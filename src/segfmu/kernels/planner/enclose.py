@@ -5,7 +5,8 @@ and distances in the row NEAREST of the work space.
 """
 
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
-from segfmu.kernels.planner.records import Axis, Nearest, PlanWork, Problem
+from segfmu.kernels.planner.phases import speed_bound
+from segfmu.kernels.planner.records import Nearest, PlanWork, Problem
 from segfmu.kernels.planner.timed_cruise import (
     between_cruises,
     cruise_range,
@@ -87,8 +88,9 @@ def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -
     distance = problem[Problem.DISTANCE]
     below = nearest[Nearest.BELOW_DISTANCE]
     above = nearest[Nearest.ABOVE_DISTANCE]
+    speed = speed_bound(problem[Problem.DURATION], problem, axis)
     # one profile is enough if it covers the distance up to rounding
-    tiny = 1e-14 * (abs(distance) + axis[Axis.VELOCITY] * problem[Problem.DURATION])
+    tiny = 1e-14 * (abs(distance) + speed * problem[Problem.DURATION])
     if above - distance <= tiny:
         return 1.0
     if distance - below > tiny:

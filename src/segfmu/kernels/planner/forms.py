@@ -5,6 +5,8 @@ ramp, after braking the boundary accelerations to zero. After braking both, the 
 exists: its distance is continuous in the cruise velocity and unbounded at the two limits.
 """
 
+from math import sqrt
+
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
@@ -32,9 +34,12 @@ from segfmu.kernels.planner.records import (
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
     """Upper bound [s] for the duration of the paper's form with cruise."""
-    limit = axis[Axis.VELOCITY]
-    change = limit / axis[Axis.ACCELERATION] + axis[Axis.FULL_RAMP]
-    return 4.0 * change + abs(problem[Problem.DISTANCE]) / limit
+    top = axis[Axis.ACCELERATION]
+    distance = abs(problem[Problem.DISTANCE])
+    # a cruise that is fast enough for the boundary states and worth its ramps
+    cruise = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + sqrt(top * distance)
+    cruise = min(axis[Axis.VELOCITY], cruise + top * axis[Axis.FULL_RAMP])
+    return 4.0 * (cruise / top + axis[Axis.FULL_RAMP]) + distance / cruise
 
 
 def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:

@@ -13,7 +13,7 @@ from segfmu.kernels.planner.dipped import problem_between, profile_between, set_
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.parameters import snap_is_last
-from segfmu.kernels.planner.phases import total_duration, valid_duration
+from segfmu.kernels.planner.phases import speed_bound, total_duration, valid_duration
 from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
 
 
@@ -101,6 +101,7 @@ def insert_turn(
     least: float,
     spent: float,
     after: float,
+    fastest: float,
     problem: 'float[:]',
     axis: 'float[:]',
     work: 'float[:,:]',
@@ -112,15 +113,15 @@ def insert_turn(
         return count
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    lower = cruise_sample(max(sample - 1, 0), axis)
-    upper = cruise_sample(min(sample + 1, 24), axis)
+    lower = cruise_sample(max(sample - 1, 0), fastest)
+    upper = cruise_sample(min(sample + 1, 24), fastest)
     turn = turning_time(lower, upper, covering, problem, axis, phases)
     return insert_end(spent + min(turn, least), after, count, ends)
 
 
-def cruise_sample(sample: int, axis: 'float[:]') -> float:
-    """One of 25 cruise velocities within the limit."""
-    return axis[Axis.VELOCITY] * (2.0 * sample / 24 - 1.0)
+def cruise_sample(sample: int, fastest: float) -> float:
+    """One of 25 cruise velocities up to the fastest one, in both directions."""
+    return fastest * (2.0 * sample / 24 - 1.0)
 
 
 def turning_ends(
@@ -140,20 +141,23 @@ def turning_ends(
     second = 1e300
     first_covered = 1e300
     second_covered = 1e300
+    # gaps that end later are of no use
+    fastest = speed_bound(4.0 * after, problem, axis)
     for i in range(26):
         third = 1e300
         third_covered = 1e300
         if i < 25:
-            cruise = cruise_sample(i, axis)
+            cruise = cruise_sample(i, fastest)
             third, third_covered = cruise_times(cruise, problem, axis, phases)
         if second < 1e300 and first >= second and third >= second:
             count = insert_turn(
-                i - 1, False, second, spent, after, problem, axis, work, count
+                i - 1, False, second, spent, after, fastest, problem, axis, work, count
             )
         if second_covered < 1e300 and first_covered >= second_covered:
             if third_covered >= second_covered:
                 count = insert_turn(
-                    i - 1, True, second_covered, spent, after, problem, axis, work, count
+                    i - 1, True, second_covered, spent, after, fastest, problem, axis, work,
+                        count,
                 )
         first = second
         second = third

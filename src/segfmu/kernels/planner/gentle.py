@@ -111,6 +111,14 @@ def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
     return abs(gentle[Gentle.GAIN]) + abs(gentle[Gentle.EXCESS])
 
 
+def usual_speed(problem: 'float[:]', axis: 'float[:]') -> float:
+    """About how fast a motion between the boundary states is [m/s]; the errors are relative."""
+    duration = problem[Problem.DURATION]
+    speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
+    speed = speed + (abs(problem[Problem.A]) + abs(problem[Problem.B])) * duration
+    return min(axis[Axis.VELOCITY], speed + abs(problem[Problem.DISTANCE]) / duration)
+
+
 def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:
     """Set the derivatives of both errors with the levels, from differences; False: all are zero."""
     gain = gentle[Gentle.GAIN]
@@ -175,7 +183,7 @@ def solve_gentle(
     if attempt > 0:
         spread_levels(attempt, gentle)
     error = gentle_errors(problem, axis, gentle)
-    speed = axis[Axis.VELOCITY]
+    speed = usual_speed(problem, axis)
     # close to the root the derivatives of the step before do as well
     close = 1e-4 * speed
     for i in range(16):

@@ -149,6 +149,18 @@ def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]')
     cleaned[Problem.DURATION] = problem[Problem.DURATION]
 
 
+def speed_bound(duration: float, problem: 'float[:]', axis: 'float[:]') -> float:
+    """Bound [m/s] of the velocities in motions between the boundary states that last a duration.
+
+    It is the velocity limit unless that is beyond what the other limits permit in that time.
+    """
+    change, slope = ramp_change(duration, axis)
+    steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B])) + change
+    steepest = min(steepest, axis[Axis.ACCELERATION])
+    most = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + steepest * duration
+    return min(axis[Axis.VELOCITY], most)
+
+
 def is_resting(problem: 'float[:]', axis: 'float[:]') -> bool:
     """Whether both boundary states are at rest."""
     speed = abs(problem[Problem.V]) + abs(problem[Problem.W])

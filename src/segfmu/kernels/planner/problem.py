@@ -59,12 +59,69 @@ def check_numbers(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
     return PlanStatus.PLANNED
 
 
-def settle_value(value: float, limit: float) -> float:
-    """A velocity or acceleration; 0 or its limit where it is within 1e-9 of the limit from it."""
-    near = 1e-9 * limit
-    if abs(value) <= near:
+def change_time(size: float, derivative: int, limits: 'float[:]') -> float:
+    """About how long a change of a derivative of the position by `size` takes [s], at least."""
+    longest = 0.0
+    for i in range(derivative, limits.shape[0]):
+        if limits[i] > 0.0:
+            longest = max(longest, (size / limits[i]) ** (1.0 / (i - derivative + 1)))
+    return longest
+
+
+def axis_scale(
+    axis: int, states: 'float[:,:,:]', limits: 'float[:]'
+) -> 'tuple[float, float]':
+    """About the largest velocity [m/s] and acceleration [m/s2] of an axis, at most its limits.
+
+    A limit that is meant as none can be far beyond what the waypoints and the other limits permit.
+    Arrays as in `check_problem`, but for the limits of this axis alone.
+    """
+    distance = 0.0
+    velocity = 0.0
+    acceleration = 0.0
+    for j in range(states.shape[0]):
+        if j > 0:
+            position = states[j, axis, WaypointState.POSITION]
+            before = states[j - 1, axis, WaypointState.POSITION]
+            distance = max(distance, abs(position - before))
+        # a free one is NaN
+        value = abs(states[j, axis, WaypointState.VELOCITY])
+        if value > velocity:
+            velocity = value
+        value = abs(states[j, axis, WaypointState.ACCELERATION])
+        if value > acceleration:
+            acceleration = value
+    velocity = max(velocity, acceleration * change_time(acceleration, 2, limits))
+    if distance > 0.0:
+        velocity = max(velocity, distance / change_time(distance, 0, limits))
+    velocity = min(velocity, limits[0])
+    if velocity > 0.0:
+        acceleration = max(acceleration, velocity / change_time(velocity, 1, limits))
+    return velocity, min(acceleration, limits[1])
+
+
+def motion_scale(order: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> float:
+    """About the largest velocity (order 0) or acceleration (1) of all axes."""
+    largest = 0.0
+    for axis in range(states.shape[1]):
+        velocity, acceleration = axis_scale(axis, states, limits[axis, :])
+        if order == 1:
+            velocity = acceleration
+        largest = max(largest, velocity)
+    return largest
+
+
+def settle_value(
+    value: float, order: int, axis: int, states: 'float[:,:,:]', limits: 'float[:,:]'
+) -> float:
+    """A velocity (order 0) or acceleration (1) of an axis; 0 or its limit where it nearly is that.
+
+    Nearly is within 1e-9 of the limit and, next to 0, of `motion_scale`.
+    """
+    limit = limits[axis, order]
+    if abs(value) <= 1e-9 * limit and abs(value) <= 1e-9 * motion_scale(order, states, limits):
         return 0.0
-    if abs(abs(value) - limit) <= near:
+    if abs(abs(value) - limit) <= 1e-9 * limit:
         if value > 0.0:
             return limit
         return -limit
@@ -83,7 +140,9 @@ def settle_states(states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
         for axis in range(states.shape[1]):
             for i in range(2):
                 given = states[j, axis, WaypointState.VELOCITY + i]
-                settled = settle_value(given, limits[axis, i])
+                settled = given
+                if given != 0.0:
+                    settled = settle_value(given, i, axis, states, limits)
                 if j > 0:
                     before = states[j - 1, axis, WaypointState.VELOCITY + i]
                     if abs(settled - before) <= 1e-15 * abs(before):

@@ -56,8 +56,7 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
     gentle = work[PlanWork.GENTLE, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     target = problem[Problem.DURATION]
-    velocity = axis[Axis.VELOCITY]
-    most = velocity * (1.0 + 1e-12)
+    most = axis[Axis.VELOCITY] * (1.0 + 1e-12)
     for attempt in range(6):
         if not solve_gentle(attempt, problem, axis, gentle):
             continue
@@ -68,9 +67,12 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
         duration, y, end, lowest, highest = measure_phases(
             phases, count, problem[Problem.V], most, axis
         )
-        if lowest < -most or highest > most or abs(end - problem[Problem.W]) > 1e-12 * velocity:
+        if lowest < -most or highest > most:
             return False
-        if abs(y - problem[Problem.DISTANCE]) > 1e-12 * velocity * target:
+        fastest = max(-lowest, highest)
+        if abs(end - problem[Problem.W]) > 1e-12 * fastest:
+            return False
+        if abs(y - problem[Problem.DISTANCE]) > 1e-12 * fastest * target:
             return False
         work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
         work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0

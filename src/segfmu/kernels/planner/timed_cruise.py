@@ -6,7 +6,12 @@ form one or several windows; within a window the distance is continuous.
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.cruise import cruise_form
-from segfmu.kernels.planner.phases import copy_phases, insert_hold, measure_phases
+from segfmu.kernels.planner.phases import (
+    copy_phases,
+    insert_hold,
+    measure_phases,
+    speed_bound,
+)
 from segfmu.kernels.planner.records import Axis, Cell, Nearest, PlanWork, Problem
 
 
@@ -37,11 +42,11 @@ def cruise_range(
     """A possible cruise velocity that, if there is one, covers at least the distance.
 
     The velocity `middle` is possible and covers y with a cruise of the duration `hold`; the search
-    goes from there to the velocity limit on the side of the distance. If there is no such velocity,
+    goes from there to the fastest velocity on the side of the distance. If there is no such velocity,
     the last possible one is returned.
     """
     distance = problem[Problem.DISTANCE]
-    limit = axis[Axis.VELOCITY]
+    limit = speed_bound(problem[Problem.DURATION], problem, axis)
     if y > distance:
         limit = -limit
     inside = middle
@@ -86,8 +91,7 @@ def keep_nearest(
     nearest = work[PlanWork.NEAREST, :]
     distance = problem[Problem.DISTANCE]
     target = problem[Problem.DURATION]
-    velocity_limit = axis[Axis.VELOCITY]
-    most = velocity_limit * (1.0 + 1e-12)
+    most = axis[Axis.VELOCITY] * (1.0 + 1e-12)
     duration, y, end, lowest, highest = measure_phases(
         trial, count, problem[Problem.V], most, axis
     )
@@ -95,7 +99,7 @@ def keep_nearest(
         return
     if abs(duration - target) > 3e-11 * target:
         return
-    if abs(end - problem[Problem.W]) > 1e-11 * velocity_limit:
+    if abs(end - problem[Problem.W]) > 1e-11 * max(-lowest, highest):
         return
     below = nearest[Nearest.BELOW_COUNT] > 0.0
     if y <= distance and (not below or y > nearest[Nearest.BELOW_DISTANCE]):
@@ -231,13 +235,14 @@ def scan_cruises(
     """Nearest profiles with a cruise, over all windows of possible cruise velocities."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     distance = problem[Problem.DISTANCE]
+    fastest = speed_bound(problem[Problem.DURATION], problem, axis)
     samples = 24
     inside = False
     before = 0.0
     e_before = 0.0
     h_before = 0.0
     for i in range(samples + 1):
-        cruise = axis[Axis.VELOCITY] * (2.0 * i / samples - 1.0)
+        cruise = fastest * (2.0 * i / samples - 1.0)
         count, y, hold = timed_cruise(trial, cruise, problem, axis)
         error = y - distance
         fits = count >= 0 and hold >= 0.0
