@@ -414,7 +414,7 @@ static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
-static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static bool set_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
@@ -10489,15 +10489,17 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
 }
 static double speed_bound(double duration, array_double_1d problem, array_double_1d axis)
 {
+    double half;
     double change;
     double slope;
     double steepest;
     double most;
     double result;
-    ramp_change(&change, &slope, duration, axis);
+    half = 0.5 * duration;
+    ramp_change(&change, &slope, half, axis);
     steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
     steepest = span_min(steepest, (*cspan_at(&axis, INT64_C(3))));
-    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * duration;
+    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * half;
     result = span_min((*cspan_at(&axis, INT64_C(2))), most);
     return result;
 }
@@ -11261,7 +11263,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
-    (*cspan_at(&family, INT64_C(16))) = span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time);
+    (*cspan_at(&family, INT64_C(16))) = span_min(span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time), time);
     (*cspan_at(&family, INT64_C(23))) = -1.0;
     if (by_time)
     {
@@ -11388,7 +11390,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     v = (*cspan_at(&family, INT64_C(10)));
     rounding = 1e-12 * velocity_limit;
     margin = 1e-09 * velocity_limit;
-    too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * (*cspan_at(&axis, INT64_C(3)))));
+    too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * outside));
     inside = too_low;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
@@ -14100,7 +14102,7 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
-static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
     array_double_2d candidate;
@@ -14111,13 +14113,12 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
     int64_t variant;
     int64_t taken;
     double spent;
-    int64_t count;
     double duration;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     candidate = span_rows(&work, INT64_C(21), INT64_C(42));
     rest = span_row(&work, INT64_C(60));
-    best = INT64_C(0);
-    shortest = 0.0;
+    best = count;
+    shortest = total_duration(phases, count);
     usual = usual_duration(problem, axis);
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
@@ -14130,9 +14131,13 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
         {
             continue;
         }
-        if (taken < INT64_C(0))
+        if ((taken < INT64_C(0)) && (best == INT64_C(0)))
         {
             return taken;
+        }
+        if (taken < INT64_C(0))
+        {
+            break;
         }
         count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
         if ((count == INT64_C(0)) && (variant == INT64_C(4)))
@@ -14257,7 +14262,7 @@ static int64_t profile_between(array_double_1d rest, array_double_1d axis, array
     count = shortest_between(INT64_C(0), phases, rest, axis, work);
     if (count == INT64_C(0))
     {
-        count = braked_ramps(rest, axis, phases, work);
+        count = braked_ramps(INT64_C(0), rest, axis, phases, work);
     }
     if (count <= INT64_C(0))
     {
@@ -15554,7 +15559,7 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count == INT64_C(0))
     {
-        count = braked_ramps(asked, axis, phases, work);
+        count = braked_ramps(INT64_C(0), asked, axis, phases, work);
     }
     return count;
 }
@@ -15570,7 +15575,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     double window;
     int64_t result;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
-    status = braked_ramps(asked, axis, phases, work);
+    status = braked_ramps(INT64_C(0), asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
@@ -15676,7 +15681,6 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     double free;
     array_double_1d rest;
     double longest;
-    bool linear;
     array_double_2d trial;
     int64_t count;
     asked = span_row(&work, INT64_C(59));
@@ -15722,11 +15726,14 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    linear = (*cspan_at(&axis, INT64_C(13))) <= (*cspan_at(&axis, INT64_C(3)));
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) < 0.5) && linear)
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) < 0.5))
     {
         trial = span_rows(&work, INT64_C(0), INT64_C(21));
         count = shorter_cruise(count, phases, asked, axis, trial);
+    }
+    if ((count > INT64_C(0)) && (((*cspan_at(&axis, INT64_C(12))) < 0.5) || ((*cspan_at(&axis, INT64_C(24))) > 0.0)))
+    {
+        count = braked_ramps(count, asked, axis, phases, work);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {

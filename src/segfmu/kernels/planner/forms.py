@@ -130,14 +130,17 @@ def is_done(problem: 'float[:]') -> bool:
 
 
 def braked_ramps(
-    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
-    """The shortest ramps, with braking or forms that take longer to keep the limit; or a status."""
+    """The shortest ramps, with braking or forms that take longer to keep the limit; or a status.
+
+    They replace a profile of `count` phases, 0 if there is none, where they are shorter.
+    """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
     rest = work[PlanWork.REST, :]
-    best = 0
-    shortest = 0.0
+    best = count
+    shortest = total_duration(phases, count)
     usual = usual_duration(problem, axis)
     for variant in range(1, 8):
         # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
@@ -147,8 +150,10 @@ def braked_ramps(
         taken, spent = braked(variant % 4, problem, axis, work)
         if taken == Braking.NOT_NEEDED:
             continue
-        if taken < 0:
+        if taken < 0 and best == 0:
             return taken
+        if taken < 0:
+            break
         count = shortest_between(variant // 4, candidate, rest, axis, work)
         if count == 0 and variant == 4:
             count = shorter_cruise(0, candidate, rest, axis, trial)

@@ -71,7 +71,7 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
     With `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.
     """
     family[Family.MEMBER] = member
-    family[Family.SCALE] = max(family[Family.LAST_RAMP], 0.1 * time)
+    family[Family.SCALE] = min(max(family[Family.LAST_RAMP], 0.1 * time), time)
     family[Family.NEAR] = -1.0
     if by_time:
         family[Family.BY_TIME] = 1.0
@@ -168,7 +168,7 @@ def level_within(
     v = family[Family.START_VELOCITY]
     rounding = 1e-12 * velocity_limit
     margin = 1e-9 * velocity_limit
-    too_low = max(family[Family.A], max(family[Family.B], 0.001 * axis[Axis.ACCELERATION]))
+    too_low = max(family[Family.A], max(family[Family.B], 0.001 * outside))
     inside = too_low
     for i in range(24):
         count = merged_form(phases, inside, family, axis)

@@ -154,10 +154,12 @@ def speed_bound(duration: float, problem: 'float[:]', axis: 'float[:]') -> float
 
     It is the velocity limit unless that is beyond what the other limits permit in that time.
     """
-    change, slope = ramp_change(duration, axis)
+    # half of the time leads there, the other half back
+    half = 0.5 * duration
+    change, slope = ramp_change(half, axis)
     steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B])) + change
     steepest = min(steepest, axis[Axis.ACCELERATION])
-    most = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + steepest * duration
+    most = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + steepest * half
     return min(axis[Axis.VELOCITY], most)
 
 

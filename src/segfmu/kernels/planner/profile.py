@@ -52,7 +52,7 @@ def shortest_ramps(
         return 0
     count = shortest_between(0, phases, asked, axis, work)
     if count == 0:
-        count = braked_ramps(asked, axis, phases, work)
+        count = braked_ramps(0, asked, axis, phases, work)
     return count
 
 
@@ -109,11 +109,13 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
                 missed = 2.0
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
-    linear = axis[Axis.LINEAR_FROM] <= axis[Axis.ACCELERATION]
-    if count > 0 and axis[Axis.PLATEAU] < 0.5 and linear:
+    if count > 0 and axis[Axis.PLATEAU] < 0.5:
         # two ramps by way of zero may take no longer than one, over another distance
         trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
         count = shorter_cruise(count, phases, asked, axis, trial)
+    if count > 0 and (axis[Axis.PLATEAU] < 0.5 or axis[Axis.SHARES] > 0.0):
+        # so may two in place of one where the jerk is smooth
+        count = braked_ramps(count, asked, axis, phases, work)
     # where the snap is not the highest limit, steeper rises are always tried
     if not snap_is_last(axis) and not is_resting(asked, axis):
         missed = max(missed, 2.0)
@@ -152,7 +154,7 @@ def usual_braked(
     """`shortest_profile` where the optimal forms fail, without dips: ramps, loops, windows."""
     # nothing is shorter; 1e300 if there is none without the velocity limit either
     free = work[PlanWork.FAMILY, Family.FREE]
-    status = braked_ramps(asked, axis, phases, work)
+    status = braked_ramps(0, asked, axis, phases, work)
     longest = usual_duration(asked, axis)
     if status > 0:
         settled = False
