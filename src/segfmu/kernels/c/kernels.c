@@ -414,7 +414,10 @@ static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
-static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int64_t variant, double longest, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool crosses_zero(int64_t row, array_double_2d phases);
+static int64_t shorter_braked(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static bool set_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
@@ -14102,23 +14105,65 @@ static bool is_done(array_double_1d problem)
     result = (*cspan_at(&problem, INT64_C(1))) == (*cspan_at(&problem, INT64_C(3)));
     return result;
 }
-static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int64_t variant, double longest, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_2d trial;
     array_double_2d candidate;
     array_double_1d rest;
-    int64_t best;
-    double shortest;
-    double usual;
-    int64_t variant;
     int64_t taken;
     double spent;
+    int64_t count;
     double duration;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     candidate = span_rows(&work, INT64_C(21), INT64_C(42));
     rest = span_row(&work, INT64_C(60));
-    best = count;
-    shortest = total_duration(phases, count);
+    braked(&taken, &spent, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
+    if (taken == -INT64_C(3))
+    {
+        (*result_0_0001) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    if (taken < INT64_C(0))
+    {
+        (*result_0_0001) = taken;
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
+    if ((count == INT64_C(0)) && (variant == INT64_C(4)))
+    {
+        count = shorter_cruise(INT64_C(0), candidate, rest, axis, trial);
+    }
+    if ((count == INT64_C(0)) && (!(is_done(rest) && ((*cspan_at(&rest, INT64_C(1))) == 0.0))))
+    {
+        (*result_0_0001) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    duration = valid_duration(candidate, count, rest, axis);
+    if ((duration < 0.0) || (spent + duration >= longest))
+    {
+        (*result_0_0001) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    count = surround(candidate, count, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
+    copy_phases(candidate, phases, count);
+    (*result_0_0001) = count;
+    (*result_1_0001) = spent + duration;
+    return 0;
+}
+static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t best;
+    double shortest;
+    double usual;
+    int64_t variant;
+    int64_t count;
+    double duration;
+    best = INT64_C(0);
+    shortest = 1e+300;
     usual = usual_duration(problem, axis);
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
@@ -14126,35 +14171,15 @@ static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double
         {
             break;
         }
-        braked(&taken, &spent, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
-        if (taken == -INT64_C(3))
+        braked_variant(&count, &duration, variant, shortest, problem, axis, phases, work);
+        if (count < INT64_C(0))
         {
-            continue;
+            return count;
         }
-        if ((taken < INT64_C(0)) && (best == INT64_C(0)))
+        if (count > INT64_C(0))
         {
-            return taken;
-        }
-        if (taken < INT64_C(0))
-        {
-            break;
-        }
-        count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
-        if ((count == INT64_C(0)) && (variant == INT64_C(4)))
-        {
-            count = shorter_cruise(INT64_C(0), candidate, rest, axis, trial);
-        }
-        if ((count == INT64_C(0)) && (!(is_done(rest) && ((*cspan_at(&rest, INT64_C(1))) == 0.0))))
-        {
-            continue;
-        }
-        duration = valid_duration(candidate, count, rest, axis);
-        if ((duration >= 0.0) && ((best == INT64_C(0)) || (spent + duration < shortest)))
-        {
-            count = surround(candidate, count, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
-            copy_phases(candidate, phases, count);
             best = count;
-            shortest = spent + duration;
+            shortest = duration;
         }
     }
     if (best == INT64_C(0))
@@ -14162,6 +14187,39 @@ static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double
         return -INT64_C(3);
     }
     return best;
+}
+static bool crosses_zero(int64_t row, array_double_2d phases)
+{
+    double a;
+    bool result;
+    a = (*cspan_at(&phases, row, INT64_C(2)));
+    result = a * (a + (*cspan_at(&phases, row, INT64_C(3)))) < 0.0;
+    return result;
+}
+static int64_t shorter_braked(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    bool first;
+    bool last;
+    double longest;
+    int64_t variant;
+    int64_t used;
+    double duration;
+    first = crosses_zero(INT64_C(0), phases);
+    last = crosses_zero(count - INT64_C(1), phases);
+    longest = total_duration(phases, count) * (1.0 - 1e-10);
+    for (variant = INT64_C(1); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        if (((variant == INT64_C(2)) || first) && ((variant == INT64_C(1)) || last))
+        {
+            braked_variant(&used, &duration, variant, longest, problem, axis, phases, work);
+            if (used > INT64_C(0))
+            {
+                count = used;
+                longest = duration;
+            }
+        }
+    }
+    return count;
 }
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
@@ -14262,7 +14320,7 @@ static int64_t profile_between(array_double_1d rest, array_double_1d axis, array
     count = shortest_between(INT64_C(0), phases, rest, axis, work);
     if (count == INT64_C(0))
     {
-        count = braked_ramps(INT64_C(0), rest, axis, phases, work);
+        count = braked_ramps(rest, axis, phases, work);
     }
     if (count <= INT64_C(0))
     {
@@ -15559,7 +15617,7 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count == INT64_C(0))
     {
-        count = braked_ramps(INT64_C(0), asked, axis, phases, work);
+        count = braked_ramps(asked, axis, phases, work);
     }
     return count;
 }
@@ -15575,7 +15633,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     double window;
     int64_t result;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
-    status = braked_ramps(INT64_C(0), asked, axis, phases, work);
+    status = braked_ramps(asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
@@ -15733,7 +15791,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     }
     if ((count > INT64_C(0)) && (((*cspan_at(&axis, INT64_C(12))) < 0.5) || ((*cspan_at(&axis, INT64_C(24))) > 0.0)))
     {
-        count = braked_ramps(count, asked, axis, phases, work);
+        count = shorter_braked(count, asked, axis, phases, work);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {

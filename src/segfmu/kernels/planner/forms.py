@@ -129,46 +129,84 @@ def is_done(problem: 'float[:]') -> bool:
     return problem[Problem.A] == problem[Problem.B]
 
 
-def braked_ramps(
-    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
-) -> int:
-    """The shortest ramps, with braking or forms that take longer to keep the limit; or a status.
+def braked_variant(
+    variant: int, longest: float, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]',
+    work: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """Write the shortest ramps of a variant if they take less than `longest` [s].
 
-    They replace a profile of `count` phases, 0 if there is none, where they are shorter.
+    Variants 0 to 3: braking none, the first, the last or both of the accelerations to zero; 4 to 7
+    the same with the second attempt. Returns the number of phases, 0 if there are none, or a
+    status; and their duration.
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
     rest = work[PlanWork.REST, :]
-    best = count
-    shortest = total_duration(phases, count)
+    taken, spent = braked(variant % 4, problem, axis, work)
+    if taken == Braking.NOT_NEEDED:
+        return 0, 0.0
+    if taken < 0:
+        return taken, 0.0
+    count = shortest_between(variant // 4, candidate, rest, axis, work)
+    if count == 0 and variant == 4:
+        count = shorter_cruise(0, candidate, rest, axis, trial)
+    if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
+        return 0, 0.0
+    # braking keeps the limit
+    duration = valid_duration(candidate, count, rest, axis)
+    if duration < 0.0 or spent + duration >= longest:
+        return 0, 0.0
+    count = surround(candidate, count, variant % 4, problem, axis, work)
+    copy_phases(candidate, phases, count)
+    return count, spent + duration
+
+
+def braked_ramps(
+    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """The shortest ramps, with braking or forms that take longer to keep the limit; or a status."""
+    best = 0
+    shortest = 1e300
     usual = usual_duration(problem, axis)
     for variant in range(1, 8):
-        # variants 0 to 3: braking none, the first, the last or both of the accelerations to zero;
-        # 4 to 7 the same with the second attempt; the last three are the fallback
+        # the last three are the fallback
         if variant > 4 and best > 0 and shortest <= usual:
             break
-        taken, spent = braked(variant % 4, problem, axis, work)
-        if taken == Braking.NOT_NEEDED:
-            continue
-        if taken < 0 and best == 0:
-            return taken
-        if taken < 0:
-            break
-        count = shortest_between(variant // 4, candidate, rest, axis, work)
-        if count == 0 and variant == 4:
-            count = shorter_cruise(0, candidate, rest, axis, trial)
-        if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
-            continue
-        # braking keeps the limit
-        duration = valid_duration(candidate, count, rest, axis)
-        if duration >= 0.0 and (best == 0 or spent + duration < shortest):
-            count = surround(candidate, count, variant % 4, problem, axis, work)
-            copy_phases(candidate, phases, count)
+        count, duration = braked_variant(variant, shortest, problem, axis, phases, work)
+        if count < 0:
+            return count
+        if count > 0:
             best = count
-            shortest = spent + duration
+            shortest = duration
     if best == 0:
         return PlanStatus.NO_PROFILE
     return best
+
+
+def crosses_zero(row: int, phases: 'float[:,:]') -> bool:
+    """Whether the acceleration changes its sign in a phase."""
+    a = phases[row, Phase.ACCELERATION]
+    return a * (a + phases[row, Phase.CHANGE]) < 0.0
+
+
+def shorter_braked(
+    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """Replace a profile of `count` ramps and holds by a shorter one that brakes; new number.
+
+    Where the first or the last ramp crosses zero, two by way of zero can cover a better distance
+    in about the same time.
+    """
+    first = crosses_zero(0, phases)
+    last = crosses_zero(count - 1, phases)
+    longest = total_duration(phases, count) * (1.0 - 1e-10)
+    for variant in range(1, 4):
+        if (variant == 2 or first) and (variant == 1 or last):
+            used, duration = braked_variant(variant, longest, problem, axis, phases, work)
+            if used > 0:
+                count = used
+                longest = duration
+    return count
 
 
 def passing_either_way(

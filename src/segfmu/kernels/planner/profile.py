@@ -17,6 +17,7 @@ from segfmu.kernels.planner.forms import (
     is_done,
     passing_either_way,
     shortest_between,
+    shorter_braked,
     usual_duration,
 )
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
@@ -52,7 +53,7 @@ def shortest_ramps(
         return 0
     count = shortest_between(0, phases, asked, axis, work)
     if count == 0:
-        count = braked_ramps(0, asked, axis, phases, work)
+        count = braked_ramps(asked, axis, phases, work)
     return count
 
 
@@ -114,8 +115,7 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
         trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
         count = shorter_cruise(count, phases, asked, axis, trial)
     if count > 0 and (axis[Axis.PLATEAU] < 0.5 or axis[Axis.SHARES] > 0.0):
-        # so may two in place of one where the jerk is smooth
-        count = braked_ramps(count, asked, axis, phases, work)
+        count = shorter_braked(count, asked, axis, phases, work)
     # where the snap is not the highest limit, steeper rises are always tried
     if not snap_is_last(axis) and not is_resting(asked, axis):
         missed = max(missed, 2.0)
@@ -154,7 +154,7 @@ def usual_braked(
     """`shortest_profile` where the optimal forms fail, without dips: ramps, loops, windows."""
     # nothing is shorter; 1e300 if there is none without the velocity limit either
     free = work[PlanWork.FAMILY, Family.FREE]
-    status = braked_ramps(0, asked, axis, phases, work)
+    status = braked_ramps(asked, axis, phases, work)
     longest = usual_duration(asked, axis)
     if status > 0:
         settled = False
