@@ -429,6 +429,7 @@ def check_problem(
 ) -> int: ...
 
 def settle_states(
+    first: int,
     states: Floats,
     limits: Floats,
     /,

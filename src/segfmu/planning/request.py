@@ -78,7 +78,7 @@ def checked_request(
             dwells[i] = point.dwell
     table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
-    if backend.settle_states(states if points[0].settled else states[1:], table) > 0:
+    if backend.settle_states(0 if points[0].settled else 1, states, table) > 0:
         points = with_states(points, states)
     return Request(points, limits, names, Problem(states, dwells, table, chosen))
 

@@ -12881,7 +12881,7 @@ static double deep_level(double v, double a, array_double_1d axis)
     int64_t i;
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     shrink = 0.6180339887498949;
-    lower = -(*cspan_at(&axis, INT64_C(3)));
+    lower = -span_min((*cspan_at(&axis, INT64_C(3))), 2.0 * a);
     upper = 0.0;
     if (peak_past_zero(v, a, lower, axis) <= velocity_limit)
     {
@@ -17124,7 +17124,7 @@ static double settle_value(double value, int64_t order, int64_t axis, array_doub
     }
     return value;
 }
-int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
+int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits)
 {
     int64_t j;
     int64_t axis;
@@ -17134,7 +17134,7 @@ int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
     double before;
     int64_t changed;
     changed = INT64_C(0);
-    for (j = INT64_C(0); j < states.shape[INT64_C(0)]; j += INT64_C(1))
+    for (j = first; j < states.shape[INT64_C(0)]; j += INT64_C(1))
     {
         for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
         {
@@ -17146,7 +17146,7 @@ int64_t segfmu_settle_states(array_double_3d states, array_double_2d limits)
                 {
                     settled = settle_value(given, i, axis, states, limits);
                 }
-                if (j > INT64_C(0))
+                if (j > first)
                 {
                     before = (*cspan_at(&states, j - INT64_C(1), axis, INT64_C(1) + i));
                     if (fabs(settled - before) <= 1e-15 * fabs(before))

@@ -72,7 +72,7 @@ int segfmu_settle_targets(
     const replanning *t, int64_t points, double *states, double *report)
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
-    segfmu_settle_states(cuboid(states + k * width, points - 1, k, width), t->limits);
+    segfmu_settle_states(1, cuboid(states, points, k, width), t->limits);
     const int64_t status = segfmu_check_problem(
         cuboid(states, points, k, width), t->limits, vector(report, REFUSAL_SIZE));
     if (status == PLAN_STATUS_PLANNED) {

@@ -1585,18 +1585,21 @@ static PyObject *call_settle_states(
 {
     arguments call = {.function = "settle_states", .values = values};
     PyObject *answer = NULL;
+    int64_t in_first;
     Py_buffer *in_states;
     Py_buffer *in_limits;
     (void)self;
-    if (take_count(&call, count, 2)
-        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
-        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+    if (take_count(&call, count, 3)
+        && take_int(&call, 0, &in_first)
+        && (in_states = take_array(&call, 1, 3, 'd', true)) != NULL
+        && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)) {
         answer = PyLong_FromLongLong(segfmu_settle_states(
+            in_first,
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}}));
     }

@@ -53,7 +53,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     array_double_2d times = matrix(take(&space, (m + 1) * k), m + 1, k);
     double *report = work.data + (MOTION_WORK_PLAN + PLAN_WORK_REFUSAL) * MOTION_WORK_COLUMNS;
     memset(report, 0, sizeof trajectory->report);
-    segfmu_settle_states(states, limits);
+    segfmu_settle_states(0, states, limits);
     int64_t status = segfmu_plan_motion(
         states, vector((double *)p->dwells, m), limits, axes, cells, found.timing,
         found.coefficients, found.offsets, times, work);

@@ -62,6 +62,28 @@ static int plan_after(replanning *t, const segfmu_problem *p, double *full, doub
     return segfmu_join_leads(t, m, full, times, space, trajectory);
 }
 
+/* Round the ends of the leads: with rounding errors in its velocity an axis at rest would count as
+   moving. They are between the present states and the targets, which tell the scale. */
+static void settle_ends(replanning *t, int64_t points, const double *full)
+{
+    const int64_t k = t->axes, width = t->smoothness + 1;
+    double *space = t->space, *path = take(&space, (points + 1) * k * STATE);
+    for (int64_t row = 0; row <= points; row++) {
+        for (int64_t axis = 0; axis < k; axis++) {
+            const double *state = full + ((row < 2 ? 0 : row - 1) * k + axis) * width;
+            if (row == 1) {
+                state = t->ends + axis * DELAYED_STATE_SIZE;
+            }
+            memcpy(path + (row * k + axis) * STATE, state, STATE * sizeof *path);
+        }
+    }
+    segfmu_settle_states(1, cuboid(path, points + 1, k, STATE), t->limits);
+    for (int64_t axis = 0; axis < k; axis++) {
+        memcpy(t->ends + axis * DELAYED_STATE_SIZE, path + (k + axis) * STATE,
+               STATE * sizeof *path);
+    }
+}
+
 /* The plan behind all that is left of the old one. */
 static int plan_behind(replanning *t, const segfmu_problem *p, double *full, double *times,
                        segfmu_trajectory *trajectory)
@@ -70,8 +92,7 @@ static int plan_behind(replanning *t, const segfmu_problem *p, double *full, dou
     for (int64_t axis = 0; axis < t->axes; axis++) {
         segfmu_rest_end(t, axis, t->ends + axis * DELAYED_STATE_SIZE);
     }
-    /* with rounding errors in its velocity an axis at rest would count as moving */
-    segfmu_settle_states(cuboid(t->ends, 1, t->axes, DELAYED_STATE_SIZE), t->limits);
+    settle_ends(t, p->points, full);
     int status = plan_after(t, p, full, times, t->space, trajectory);
     if (status == PLAN_STATUS_CHECK_FAILED) {
         /* rounding errors of a whole motion may be large against what is left of it */

@@ -38,7 +38,8 @@ def deep_level(v: float, a: float, axis: 'float[:]') -> float:
     """
     velocity_limit = axis[Axis.VELOCITY]
     shrink = 0.6180339887498949
-    lower = -axis[Axis.ACCELERATION]
+    # from -a on the ramp crosses zero in its first half, and no faster the longer it is
+    lower = -min(axis[Axis.ACCELERATION], 2.0 * a)
     upper = 0.0
     if peak_past_zero(v, a, lower, axis) <= velocity_limit:
         return lower

@@ -128,22 +128,23 @@ def settle_value(
     return value
 
 
-def settle_states(states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
+def settle_states(first: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
     """Round velocities and accelerations that nearly are 0, their limit, or those before.
 
-    The ramp from such a state to the limit would last nanoseconds, and its jumps could not be told
-    from rounding errors; that between two velocities which differ by rounding can last longer than
-    the motion. Arrays as above. Returns the number of states that change.
+    From the waypoint `first` on; those before only tell the scale of the motion. The ramp from such
+    a state to the limit would last nanoseconds, and its jumps could not be told from rounding
+    errors; that between two velocities which differ by rounding can last longer than the motion.
+    Arrays as above. Returns the number of states that change.
     """
     changed = 0
-    for j in range(states.shape[0]):
+    for j in range(first, states.shape[0]):
         for axis in range(states.shape[1]):
             for i in range(2):
                 given = states[j, axis, WaypointState.VELOCITY + i]
                 settled = given
                 if given != 0.0:
                     settled = settle_value(given, i, axis, states, limits)
-                if j > 0:
+                if j > first:
                     before = states[j - 1, axis, WaypointState.VELOCITY + i]
                     if abs(settled - before) <= 1e-15 * abs(before):
                         settled = before
