@@ -328,6 +328,13 @@ def evaluate_orders(
     /,
 ) -> None: ...
 
+def reached_limit(
+    order: int,
+    duration: float,
+    limits: Floats,
+    /,
+) -> float: ...
+
 def check_plan(
     states: Floats,
     times: Floats,

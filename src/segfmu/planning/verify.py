@@ -33,8 +33,9 @@ class Verification:
         Their limits, infinite where absent.
     waypoint_errors : ndarray, shape (waypoints, axes)
         Largest deviation from a waypoint's state on arrival and during its dwell, in units of the
-        distance covered (position), of the limits or, where there is none, of the peaks. Peaks
-        below 1e-5 of their limit, or of what other limits imply, count as that.
+        distance covered (position), of the limits or, where there is none or it cannot be reached
+        in time, of the peaks. Peaks below 1e-5 of their limit, or of what other limits imply, count
+        as that.
     jumps : ndarray, shape (smoothness + 1, axes)
         Largest jump of the derivatives 0 .. smoothness at a switching time, in units of the
         distance covered (position) and of the peak, counted in the same way.
@@ -141,6 +142,17 @@ def _implied(limits: FloatArray) -> FloatArray:
     return implied
 
 
+def _reached(limits: FloatArray, durations: FloatArray) -> FloatArray:
+    """The limits, or what those above them permit to reach within the durations, if that is less.
+
+    A limit that is meant as none can be far beyond that.
+    """
+    reached = limits.copy()
+    for i in range(len(limits) - 1, 0, -1):
+        reached[i - 1] = np.fmin(limits[i - 1], reached[i] * durations)
+    return reached
+
+
 def _magnitude(trajectory: Trajectory, derivative: int) -> FloatArray:
     low, high = trajectory.extrema(derivative)
     magnitude: FloatArray = np.maximum(-low, high)
@@ -181,9 +193,13 @@ def _waypoint_errors(
     trajectory: Trajectory, limits: FloatArray, scales: FloatArray
 ) -> FloatArray:
     errors = np.zeros((len(trajectory.waypoints), trajectory.axes))
+    reached = _reached(limits, trajectory.axis_durations)
     for axis in range(trajectory.axes):
         left, right = piece_ends(trajectory, axis, trajectory.smoothness + 1)
-        bounds = np.where(np.isfinite(limits[:-1, axis]), limits[:-1, axis], scales[1:-1, axis])
+        bounds = np.where(
+            np.isfinite(limits[:-1, axis]),
+            np.maximum(scales[1:-1, axis], reached[:-1, axis]), scales[1:-1, axis],
+        )
         scale = np.concatenate([scales[:1, axis], bounds])
         for j, waypoint in enumerate(trajectory.waypoints):
             time = float(trajectory.axis_waypoint_times[j, axis])

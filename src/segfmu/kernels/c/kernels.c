@@ -6327,6 +6327,23 @@ static double least_distance(array_double_1d limits)
     }
     return 1e-09 * scale;
 }
+double segfmu_reached_limit(int64_t order, double duration, array_double_1d limits)
+{
+    int64_t j;
+    double change;
+    double reached;
+    reached = 0.0;
+    for (j = INT64_C(0); j < limits.shape[INT64_C(0)] - order + INT64_C(1); j += INT64_C(1))
+    {
+        change = reached * duration;
+        reached = (*cspan_at(&limits, limits.shape[INT64_C(0)] - INT64_C(1) - j));
+        if ((reached <= 0.0) || ((change > 0.0) && (change < reached)))
+        {
+            reached = change;
+        }
+    }
+    return reached;
+}
 static double rounding_error(int64_t order, array_double_1d limits)
 {
     double result;
@@ -6481,6 +6498,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     int64_t axis;
     int64_t first;
     int64_t last;
+    double duration;
     int64_t j;
     int64_t point;
     int64_t row;
@@ -6498,6 +6516,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
         {
             return INT64_C(1) + axis;
         }
+        duration = (*cspan_at(&times, points, axis)) - (*cspan_at(&times, INT64_C(0), axis));
         for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
         {
             point = span_min_int(j, points - INT64_C(1));
@@ -6509,7 +6528,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
                 scale = (*cspan_at(&work, INT64_C(41), d));
                 if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
                 {
-                    scale = (*cspan_at(&limits, axis, d - INT64_C(1)));
+                    scale = span_max(scale, segfmu_reached_limit(d, duration, span_row(&limits, axis)));
                 }
                 if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
                 {

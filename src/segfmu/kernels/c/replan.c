@@ -113,14 +113,16 @@ static int same_state(const replanning *t, int64_t axis, double clock, const dou
                       const double *b)
 {
     const double *limits = t->limits.data + axis * (t->smoothness + 1);
+    const array_double_1d bounds = vector((double *)limits, t->smoothness + 1);
     /* at least what segfmu_check_plan takes for the distance that is covered */
-    double scale = limits[0] * (clock + 1e-9 * limits[0] / limits[1])
+    double speed = segfmu_reached_limit(1, clock, bounds);
+    double scale = speed * (clock + 1e-9 * speed / limits[1])
         + 1e-5 * fabs(b[WAYPOINT_STATE_POSITION]);
     for (int i = 0; i < STATE; i++) {
         if (!(fabs(a[i] - b[i]) <= PLAN_TOLERANCE * scale)) {
             return 0;
         }
-        scale = limits[i];
+        scale = segfmu_reached_limit(i + 1, clock, bounds);
     }
     return 1;
 }

@@ -121,6 +121,20 @@ def least_distance(limits: 'float[:]') -> float:
     return 1e-9 * scale
 
 
+def reached_limit(order: int, duration: float, limits: 'float[:]') -> float:
+    """The limit c_order, or the less that those above it permit to reach within a duration [s].
+
+    limits[i] is c_{i+1}, 0 if absent. A limit that is meant as none can be far beyond that.
+    """
+    reached = 0.0
+    for j in range(limits.shape[0] - order + 1):
+        change = reached * duration
+        reached = limits[limits.shape[0] - 1 - j]
+        if reached <= 0.0 or (change > 0.0 and change < reached):
+            reached = change
+    return reached
+
+
 def rounding_error(order: int, limits: 'float[:]') -> float:
     """Error of a derivative that is rounding alone: less than half of the jump that may be."""
     return 4e-10 * least_peak(order, limits)
@@ -269,6 +283,7 @@ def check_plan(
             first, last, timing, coefficients, limits[axis, :], tolerance, joints, work
         ):
             return 1 + axis
+        duration = times[points, axis] - times[0, axis]
         for j in range(points + 1):
             # the last waypoint is checked on arrival and, after its dwell, at the end
             point = min(j, points - 1)
@@ -278,7 +293,7 @@ def check_plan(
                 value = evaluate_piece(coefficients, row, width, local, d)
                 scale = work[Check.PEAKS, d]
                 if d > 0 and limits[axis, d - 1] > 0.0:
-                    scale = limits[axis, d - 1]
+                    scale = max(scale, reached_limit(d, duration, limits[axis, :]))
                 if not abs(value - states[point, axis, d]) <= joints * scale:
                     return 1 + axis
     return 0
