@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from segfmu import Limits, Waypoint, plan, verify
+from segfmu import InfeasibleError, Limits, Waypoint, plan, verify
 
 
 @pytest.mark.parametrize("velocity", [1e6, 1e9, 1e16, 1e40, 1e200])
@@ -47,3 +48,76 @@ def test_velocities_that_differ_by_rounding_are_the_same(
     found = plan(points, Limits(*limits), smoothness=max(len(limits), 4))
     assert found.duration == pytest.approx(distance / 0.3, rel=1e-12)
     assert verify(found).passed
+
+
+def moving(random: np.random.Generator, smoothness: int) -> tuple[np.ndarray, list[Waypoint]]:
+    """Limits c_1 .. that may bound the motion, and two waypoints that move."""
+    limits = 10.0 ** random.uniform(-0.5, 1.0, max(smoothness, 3))
+    share = random.uniform(-1.0, 1.0, (2, 2))
+    share[random.random((2, 2)) < 0.3] = 0.0
+    states = share * limits[:2]
+    distance = random.normal() * 10.0 ** random.uniform(-2.0, 1.0)
+    return limits, [Waypoint(0.0, *states[0]), Waypoint(distance, *states[1])]
+
+
+@pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
+@pytest.mark.parametrize("smoothness", [2, 3, 4])
+@pytest.mark.parametrize("absent", [[0], [1], [0, 1]])
+def test_limits_that_are_none_change_no_plan(
+    smoothness: int, shape: str, absent: list[int]
+) -> None:
+    random = np.random.default_rng((smoothness, len(absent), absent[0]))
+    planned = 0
+    for _ in range(20):
+        limits, points = moving(random, smoothness)
+        near, far = limits.copy(), limits.copy()
+        near[absent] *= 1e4
+        far[absent] *= 10.0 ** random.uniform(6.0, 12.0)
+        try:
+            expected = plan(points, Limits(*near), smoothness=smoothness, shape=shape)
+        except InfeasibleError:
+            continue
+        planned += 1
+        found = plan(points, Limits(*far), smoothness=smoothness, shape=shape)
+        assert found.duration == pytest.approx(expected.duration, rel=1e-9)
+        for given, point in zip(points, found.waypoints, strict=True):
+            assert np.array_equal(given.planned, point.planned)
+        target = 3.0 * found.duration
+        longer = plan(points, Limits(*far), smoothness=smoothness, shape=shape, duration=target)
+        assert longer.duration == pytest.approx(target, rel=1e-12)
+        assert verify(longer).passed
+    assert planned >= 10
+
+
+def test_axes_meet_beside_limits_that_are_none() -> None:
+    points = [
+        Waypoint([0.0, 0.0, 0.0], [0.4, 0.0, -0.2], [0.1, 0.0, 0.0]),
+        Waypoint([2.0, 0.3, 1.0], [0.0, 0.1, 0.0], [0.0, 0.2, 0.0]),
+    ]
+    expected = plan(points, Limits(100.0, 100.0, 4.0, 20.0))
+    found = plan(points, Limits(1e9, 1e7, 4.0, 20.0))
+    assert found.duration == pytest.approx(expected.duration, rel=1e-9)
+    assert verify(found).passed
+
+
+def test_states_are_zero_by_the_scale_of_the_motion() -> None:
+    # of the velocity limit 1e-9 is more than the velocity of x, of the motion it is not
+    points = [Waypoint([0.0, 0.0], [0.5, 1e-12]), Waypoint([3.0, 0.0])]
+    found = plan(points, Limits(1e9, 1.0, 2.0, 5.0))
+    assert found(0.0, 1).tolist() == [0.5, 0.0]
+    alone = plan([Waypoint(0.0, 1e-12), Waypoint(1e-12)], Limits(1e9, 1.0, 2.0, 5.0))
+    assert alone(0.0, 1).tolist() == [1e-12]
+
+
+def test_a_wrong_velocity_is_seen_beside_a_velocity_limit_that_is_none() -> None:
+    found = plan([Waypoint(0.0, 0.5), Waypoint(3.0)], Limits(1e6, 1.0, 2.0, 5.0))
+    assert verify(found).passed
+    asked = (Waypoint(0.0, 0.5 + 1e-6), found.waypoints[1])
+    assert not verify(replace(found, waypoints=asked)).passed
+
+
+def test_an_acceleration_is_braked_past_zero_beside_an_acceleration_limit_that_is_none() -> None:
+    # one ramp to zero exceeds the velocity limit by 4 %; one past zero and back does not
+    points = [Waypoint(0.0, 0.0, 0.525), Waypoint(1.0)]
+    for acceleration in (0.55, 5.5, 1e6, 1e12):
+        assert verify(plan(points, Limits(0.4, acceleration, 10.0, 0.87))).passed

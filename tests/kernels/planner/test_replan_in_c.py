@@ -192,3 +192,17 @@ def test_random_plans_are_replanned(planner: Planner, n: int) -> None:
     tally = soak(n, 480, seed=7, c=Replanner(planner))
     assert tally.states > 400
     assert tally.refused == tally.invalid == tally.late == []
+
+
+def test_a_target_that_moves_is_seen_beside_a_velocity_limit_that_is_none(
+    planner: Planner,
+) -> None:
+    loose, old_target = Limits(1e9, 1.0, 2.0, 5.0), Waypoint([1.0, 0.5])
+    old, expected = (
+        planner.plan(Asked([START, old_target], loose)), plan([START, old_target], loose)
+    )
+    for target in (old_target, Waypoint([1.0, 0.501]), Waypoint([1.0, 0.5], [0.01, 0.0])):
+        found = planner.replan(old, 0.5, Asked([START, target], loose))
+        require_same(found, replan(expected, 0.5, target))
+        assert found(found.duration) == pytest.approx(target.position, rel=1e-9)
+        assert found(found.duration, 1) == pytest.approx(target.velocity, abs=1e-9)
