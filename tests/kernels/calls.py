@@ -185,7 +185,7 @@ def trajectory_calls() -> dict[str, Call]:
             *pieces, *pieces, zeros(2 * rows, Timing.SIZE), zeros(2 * rows, width),
             np.zeros(4, dtype=np.int64),
         ),
-        "reached_limit": (1, 4.0, np.array([1e9, 2.0, 5.0, 20.0, 0.0])),
+        "state_scale": (1, 4.0, np.array([1e9, 2.0, 5.0, 20.0, 0.0])),
         "check_plan": (
             states, np.vstack([times, ends]), *pieces, bounds, 1e-9, 5e-10,
             zeros(Check.SIZE, Check.COLUMNS),

@@ -328,7 +328,7 @@ def evaluate_orders(
     /,
 ) -> None: ...
 
-def reached_limit(
+def state_scale(
     order: int,
     duration: float,
     limits: Floats,

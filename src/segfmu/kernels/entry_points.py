@@ -176,7 +176,7 @@ ENTRY_POINTS = (
         coefficients=("count_pieces(axes, cells)", PLAN_WIDTH), offsets="axes + 1",
         times=("points + 1", "axes"), work=(Expansion.SIZE, Expansion.COLUMNS),
     ),
-    entry("trajectory.check", "reached_limit", limits="order"),
+    entry("trajectory.check", "state_scale", limits="order + 2"),
     entry(
         "trajectory.check", "check_plan", states=("points", "axes", WaypointState.SIZE),
         times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),

@@ -163,6 +163,7 @@ static void split_hull(array_double_2d hull, int64_t row, int64_t count);
 static bool within(array_double_2d hull, int64_t count, double limit);
 static double least_peak(int64_t order, array_double_1d limits);
 static double least_distance(array_double_1d limits);
+static double reached_limit(int64_t order, double duration, array_double_1d limits);
 static double rounding_error(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
 static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
@@ -6327,7 +6328,7 @@ static double least_distance(array_double_1d limits)
     }
     return 1e-09 * scale;
 }
-double segfmu_reached_limit(int64_t order, double duration, array_double_1d limits)
+static double reached_limit(int64_t order, double duration, array_double_1d limits)
 {
     int64_t j;
     double change;
@@ -6343,6 +6344,17 @@ double segfmu_reached_limit(int64_t order, double duration, array_double_1d limi
         }
     }
     return reached;
+}
+double segfmu_state_scale(int64_t order, double duration, array_double_1d limits)
+{
+    double result;
+    if (order == INT64_C(0))
+    {
+        result = reached_limit(INT64_C(1), duration, limits) * duration + least_distance(limits);
+        return result;
+    }
+    result = span_max(least_peak(order, limits), reached_limit(order, duration, limits));
+    return result;
 }
 static double rounding_error(int64_t order, array_double_1d limits)
 {
@@ -6528,7 +6540,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
                 scale = (*cspan_at(&work, INT64_C(41), d));
                 if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
                 {
-                    scale = span_max(scale, segfmu_reached_limit(d, duration, span_row(&limits, axis)));
+                    scale = span_max(scale, segfmu_state_scale(d, duration, span_row(&limits, axis)));
                 }
                 if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
                 {
@@ -15525,7 +15537,7 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     last = 0.0;
     late = 0.0;
     early = 0.0;
-    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(13))) > 0.0))
+    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(13))) > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.5))
     {
         first = 0.5 * a * a / jerk;
         last = 0.5 * b * b / jerk;

@@ -1184,10 +1184,10 @@ static PyObject *call_evaluate_orders(
     return answer;
 }
 
-static PyObject *call_reached_limit(
+static PyObject *call_state_scale(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "reached_limit", .values = values};
+    arguments call = {.function = "state_scale", .values = values};
     PyObject *answer = NULL;
     int64_t in_order;
     double in_duration;
@@ -1197,8 +1197,8 @@ static PyObject *call_reached_limit(
         && take_int(&call, 0, &in_order)
         && take_float(&call, 1, &in_duration)
         && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], in_order)) {
-        answer = PyFloat_FromDouble(segfmu_reached_limit(
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_order + 2))) {
+        answer = PyFloat_FromDouble(segfmu_state_scale(
             in_order,
             in_duration,
             (array_double_1d){in_limits->buf, {in_limits->shape[0]}}));
@@ -3040,7 +3040,7 @@ static PyMethodDef methods[] = {
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
-    {"reached_limit", (PyCFunction)(void (*)(void))call_reached_limit, METH_FASTCALL, NULL},
+    {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},

@@ -112,17 +112,15 @@ static int plan_behind(replanning *t, const segfmu_problem *p, double *full, dou
 static int same_state(const replanning *t, int64_t axis, double clock, const double *a,
                       const double *b)
 {
-    const double *limits = t->limits.data + axis * (t->smoothness + 1);
-    const array_double_1d bounds = vector((double *)limits, t->smoothness + 1);
+    const int64_t width = t->smoothness + 1;
+    const array_double_1d bounds = vector(t->limits.data + axis * width, width);
     /* at least what segfmu_check_plan takes for the distance that is covered */
-    double speed = segfmu_reached_limit(1, clock, bounds);
-    double scale = speed * (clock + 1e-9 * speed / limits[1])
-        + 1e-5 * fabs(b[WAYPOINT_STATE_POSITION]);
+    double scale = segfmu_state_scale(0, clock, bounds) + 1e-5 * fabs(b[WAYPOINT_STATE_POSITION]);
     for (int i = 0; i < STATE; i++) {
         if (!(fabs(a[i] - b[i]) <= PLAN_TOLERANCE * scale)) {
             return 0;
         }
-        scale = segfmu_reached_limit(i + 1, clock, bounds);
+        scale = segfmu_state_scale(i + 1, clock, bounds);
     }
     return 1;
 }

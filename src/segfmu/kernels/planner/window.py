@@ -35,8 +35,8 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     given: any other one can be prolonged where its acceleration is zero. Their distance lies
     between two lines in the duration: the velocity is gained as late or as early as the limits of
     acceleration and jerk permit. Where the jerk alone bounds the ramps, several of them take no
-    longer than one, and staircases that do change their sign can be shorter by little: the lines
-    are those of the velocities at the ends then.
+    longer than one, and staircases that do change their sign can be shorter by little, by more
+    with smoothsteps: the lines are those of the velocities at the ends then.
     """
     sign = 1.0
     if problem[Problem.A] + problem[Problem.B] < 0.0:
@@ -58,7 +58,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     last = 0.0
     late = 0.0
     early = 0.0
-    if jerk > 0.0 and axis[Axis.LINEAR_FROM] > 0.0:
+    if jerk > 0.0 and axis[Axis.LINEAR_FROM] > 0.0 and axis[Axis.PLATEAU] > 0.5:
         first = 0.5 * a * a / jerk
         last = 0.5 * b * b / jerk
         late = least_lever(b, gain - first, axis) - a * first / (3.0 * jerk)

@@ -135,6 +135,16 @@ def reached_limit(order: int, duration: float, limits: 'float[:]') -> float:
     return reached
 
 
+def state_scale(order: int, duration: float, limits: 'float[:]') -> float:
+    """What errors of a derivative are measured by where a motion of a duration [s] is as small.
+
+    Order 0 is the position.
+    """
+    if order == 0:
+        return reached_limit(1, duration, limits) * duration + least_distance(limits)
+    return max(least_peak(order, limits), reached_limit(order, duration, limits))
+
+
 def rounding_error(order: int, limits: 'float[:]') -> float:
     """Error of a derivative that is rounding alone: less than half of the jump that may be."""
     return 4e-10 * least_peak(order, limits)
@@ -293,7 +303,7 @@ def check_plan(
                 value = evaluate_piece(coefficients, row, width, local, d)
                 scale = work[Check.PEAKS, d]
                 if d > 0 and limits[axis, d - 1] > 0.0:
-                    scale = max(scale, reached_limit(d, duration, limits[axis, :]))
+                    scale = max(scale, state_scale(d, duration, limits[axis, :]))
                 if not abs(value - states[point, axis, d]) <= joints * scale:
                     return 1 + axis
     return 0
