@@ -12912,7 +12912,7 @@ static double deep_level(double v, double a, array_double_1d axis)
     int64_t i;
     velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     shrink = 0.6180339887498949;
-    lower = -span_min((*cspan_at(&axis, INT64_C(3))), 2.0 * a);
+    lower = -span_min((*cspan_at(&axis, INT64_C(3))), 1000.0 * a);
     upper = 0.0;
     if (peak_past_zero(v, a, lower, axis) <= velocity_limit)
     {
@@ -12932,7 +12932,7 @@ static double deep_level(double v, double a, array_double_1d axis)
         {
             return outer;
         }
-        if (at_inner < at_outer)
+        if (at_inner < at_outer - 1e-12 * velocity_limit)
         {
             upper = outer;
             outer = inner;

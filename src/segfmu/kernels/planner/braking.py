@@ -38,8 +38,8 @@ def deep_level(v: float, a: float, axis: 'float[:]') -> float:
     """
     velocity_limit = axis[Axis.VELOCITY]
     shrink = 0.6180339887498949
-    # from -a on the ramp crosses zero in its first half, and no faster the longer it is
-    lower = -min(axis[Axis.ACCELERATION], 2.0 * a)
+    # a ramp that is longer yet crosses zero while all derivatives still rise, and no faster
+    lower = -min(axis[Axis.ACCELERATION], 1e3 * a)
     upper = 0.0
     if peak_past_zero(v, a, lower, axis) <= velocity_limit:
         return lower
@@ -52,7 +52,8 @@ def deep_level(v: float, a: float, axis: 'float[:]') -> float:
             return inner
         if at_outer <= velocity_limit:
             return outer
-        if at_inner < at_outer:
+        # far from zero they differ by rounding
+        if at_inner < at_outer - 1e-12 * velocity_limit:
             upper = outer
             outer = inner
             at_outer = at_inner
