@@ -139,6 +139,33 @@ def test_room_for_the_usual_rises_does_not_lengthen_a_plan(limits, state, loose:
     assert found.duration < tight.duration * (1.0 + 1e-3)
 
 
+# a passing profile, beside a merged form that exceeds the velocity limit
+FREE = (
+    (1.30668, 1.7018, 2.3429, 1.0331), (-1.2817, 0.0, -0.7939, -0.2046, -0.0271), 12.9,
+)
+
+
+def test_the_merged_form_does_not_lengthen_a_plan() -> None:
+    limits, state, loose = FREE
+    tight = planned(limits, state, 4)
+    assert 1.001 < tight.duration / shortest_duration(tight) < 1.006
+    found = planned((loose, *limits[1:]), state, 4)
+    assert found.duration == pytest.approx(tight.duration, rel=1e-12)
+
+
+@pytest.mark.parametrize(("limits", "state"), [case[:2] for case in (*HELD_BACK, FREE)])
+def test_who_asks_for_it_has_the_shortest_plan(limits, state) -> None:
+    points = [
+        Waypoint([0.0], [state[0]], [state[1]]), Waypoint([state[4]], [state[2]], [state[3]])
+    ]
+    held = planned(limits, state, len(limits))
+    shortest = shortest_duration(held)
+    assert shortest < 0.9995 * held.duration
+    found = plan(points, Limits(*limits), smoothness=len(limits), duration=shortest)
+    assert found.duration == pytest.approx(shortest, rel=1e-12)
+    assert verify(found).passed
+
+
 def test_a_plan_that_is_held_back_can_be_prolonged_and_synchronised() -> None:
     limits, state, _ = HELD_BACK[1]
     v, a, w, b, distance = state

@@ -499,7 +499,7 @@ static int64_t plan_steeper(double* result_0, double* result_1_0001, double miss
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void hold_back(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_2, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_axis(int64_t axis, bool holding, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
 static bool prolong_all(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
@@ -15797,6 +15797,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
         {
             missed = span_max(missed, 2.0);
         }
+        (*cspan_at(&family, INT64_C(17))) = free;
     }
     else
     {
@@ -16395,6 +16396,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
         }
         missed = span_max(missed, (*cspan_at(&work, INT64_C(98), INT64_C(18))));
         note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
+        (*cspan_at(&cells, j, INT64_C(67), INT64_C(7))) = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
     }
     (*cspan_at(&work, INT64_C(98), INT64_C(18))) = missed;
     return INT64_C(0);
@@ -16421,6 +16423,7 @@ static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d ce
         count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
         copy_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), span_rows(&cell, INT64_C(33), INT64_C(66)), count);
         (*cspan_at(&cell, INT64_C(67), INT64_C(5))) = count;
+        (*cspan_at(&cell, INT64_C(67), INT64_C(8))) = (*cspan_at(&cell, INT64_C(67), INT64_C(7)));
     }
 }
 static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -16437,6 +16440,7 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
         copy_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), phases, count);
         (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = count;
         note_shortest(total_duration(phases, count), span_row(&axes, axis), cell);
+        (*cspan_at(&cell, INT64_C(67), INT64_C(7))) = (*cspan_at(&cell, INT64_C(67), INT64_C(8)));
     }
 }
 static double smoothness_share(double usual, double share, array_double_1d axis)
@@ -16508,19 +16512,37 @@ static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, ar
 }
 static void hold_back(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
+    double usual;
     double factor;
     int64_t j;
     array_double_2d cell;
     double shortest;
     double delay;
+    double least;
+    double free;
     double duration;
-    factor = smoothness_share(usual_share(span_row(&axes, axis)), share, span_row(&axes, axis));
+    usual = usual_share(span_row(&axes, axis));
+    factor = 1.0;
+    if (share < usual)
+    {
+        factor = smoothness_share(usual, share, span_row(&axes, axis));
+    }
     for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
         cell = span_matrix(&cells, j);
         shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
         delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
-        duration = delay + (shortest - delay) / factor;
+        least = shortest - delay;
+        free = (*cspan_at(&cell, INT64_C(67), INT64_C(7)));
+        if (snap_is_last(span_row(&axes, axis)) && (free > least) && (free < 1.01 * least))
+        {
+            least = free;
+        }
+        duration = delay + least / factor;
+        if (duration <= shortest)
+        {
+            continue;
+        }
         if (set_duration(duration, cell, span_row(&axes, axis), work))
         {
             (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = duration;
@@ -16565,7 +16587,7 @@ static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_
     (*result_2) = missed;
     return 0;
 }
-static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static int64_t plan_axis(int64_t axis, bool holding, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double usual;
     double share;
@@ -16591,7 +16613,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     {
         plan_thoroughly(share, axis, axes, cells, work);
     }
-    if ((status == INT64_C(0)) && (share < usual) && ramps_suffice(span_row(&axes, axis)))
+    if (holding && (status == INT64_C(0)) && ramps_suffice(span_row(&axes, axis)))
     {
         hold_back(share, axis, axes, cells, work);
     }
@@ -16936,6 +16958,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t smoothness;
     int64_t shape;
     int64_t axis;
+    bool holding;
     int64_t status;
     report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
@@ -16957,7 +16980,8 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     set_problems(states, cells);
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        status = plan_axis(axis, axes, cells, work);
+        holding = (*cspan_at(&options, INT64_C(4))) <= 0.0;
+        status = plan_axis(axis, holding, axes, cells, work);
         if (status < INT64_C(0))
         {
             return status;

@@ -981,7 +981,9 @@ enum {
     INTERVAL_ABOVE_COUNT = 4,
     INTERVAL_KEPT_COUNT = 5,
     INTERVAL_PASSING = 6,
-    INTERVAL_SIZE = 7
+    INTERVAL_FREE = 7,
+    INTERVAL_KEPT_FREE = 8,
+    INTERVAL_SIZE = 9
 };
 
 enum {
@@ -1000,7 +1002,7 @@ enum {
     CELL_RESULT = 67,
     CELL_PLACE = 68,
     CELL_SIZE = 69,
-    CELL_COLUMNS = 7
+    CELL_COLUMNS = 9
 };
 
 enum {

@@ -227,7 +227,9 @@ def plan_phases(
         return status
     set_problems(states, cells)
     for axis in range(axes.shape[0]):
-        status = plan_axis(axis, axes, cells, work)
+        # whoever asks for a duration may have the shortest one
+        holding = options[PlanOptions.DURATION] <= 0.0
+        status = plan_axis(axis, holding, axes, cells, work)
         if status < 0:
             return status
     return synchronize_plan(dwells, options, axes, cells, work)

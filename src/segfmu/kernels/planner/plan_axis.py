@@ -53,6 +53,7 @@ def plan_with_share(
             return status
         missed = max(missed, work[PlanWork.FAMILY, Family.MISSED])
         note_shortest(time, axes[axis, :], cells[j, :, :])
+        cells[j, Cell.RESULT, Interval.FREE] = work[PlanWork.FAMILY, Family.FREE]
     work[PlanWork.FAMILY, Family.MISSED] = missed
     return PlanStatus.PLANNED
 
@@ -72,6 +73,7 @@ def keep_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> None:
         count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
         copy_phases(cell[Cell.BELOW:Cell.ABOVE, :], cell[Cell.ABOVE:Cell.PROBLEM, :], count)
         cell[Cell.RESULT, Interval.KEPT_COUNT] = count
+        cell[Cell.RESULT, Interval.KEPT_FREE] = cell[Cell.RESULT, Interval.FREE]
 
 
 def restore_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> None:
@@ -83,6 +85,7 @@ def restore_shortest(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> No
         copy_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], phases, count)
         cell[Cell.RESULT, Interval.BELOW_COUNT] = count
         note_shortest(total_duration(phases, count), axes[axis, :], cell)
+        cell[Cell.RESULT, Interval.FREE] = cell[Cell.RESULT, Interval.KEPT_FREE]
 
 
 def smoothness_share(usual: float, share: float, axis: 'float[:]') -> float:
@@ -159,17 +162,27 @@ def plan_thoroughly(
 def hold_back(
     share: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> None:
-    """Let a plan with steeper rises last as long as usual ones would make it, where it can.
+    """Let a plan last as long as with looser limits, where it can: these must not lengthen it.
 
-    Steeper rises save more than that only where the usual ones do not fit. A looser limit can leave
-    room for these, and must not lengthen the plan: the least of both durations never grows.
+    Steeper rises save more than smoothness costs only where the usual ones do not fit, as they may
+    within looser limits. Passing profiles are looked for only where the merged form exceeds the
+    velocity limit, and save some thousandths of its duration.
     """
-    factor = smoothness_share(usual_share(axes[axis, :]), share, axes[axis, :])
+    usual = usual_share(axes[axis, :])
+    factor = 1.0
+    if share < usual:
+        factor = smoothness_share(usual, share, axes[axis, :])
     for j in range(axis, cells.shape[0], axes.shape[0]):
         cell = cells[j, :, :]
         shortest = cell[Cell.RESULT, Interval.SHORTEST]
         delay = cell[Cell.PLACE, Place.DELAY]
-        duration = delay + (shortest - delay) / factor
+        least = shortest - delay
+        free = cell[Cell.RESULT, Interval.FREE]
+        if snap_is_last(axes[axis, :]) and free > least and free < 1.01 * least:
+            least = free
+        duration = delay + least / factor
+        if duration <= shortest:
+            continue
         if set_duration(duration, cell, axes[axis, :], work):
             cell[Cell.RESULT, Interval.DURATION] = duration
         else:
@@ -198,10 +211,12 @@ def plan_refused(
     return status, share, missed
 
 
-def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]') -> int:
+def plan_axis(
+    axis: int, holding: bool, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> int:
     """Ramp parameters and shortest profiles of one axis; status as in `plan_phases`.
 
-    The rises are the usual ones, or steeper where these fail.
+    The rises are the usual ones, or steeper where these fail. holding: with `hold_back`.
     """
     usual = usual_share(axes[axis, :])
     share = usual
@@ -216,6 +231,6 @@ def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float
     if status == PlanStatus.PLANNED and missed > 2.5:
         plan_thoroughly(share, axis, axes, cells, work)
     # beside limits above the snap each trial takes long
-    if status == PlanStatus.PLANNED and share < usual and ramps_suffice(axes[axis, :]):
+    if holding and status == PlanStatus.PLANNED and ramps_suffice(axes[axis, :]):
         hold_back(share, axis, axes, cells, work)
     return status

@@ -101,6 +101,7 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
             missed = max(missed, 1.0)
         if count > 0 and misses_little(free, total_duration(phases, count), asked, axis):
             missed = max(missed, 2.0)
+        family[Family.FREE] = free
     else:
         rest = work[PlanWork.REST, :]
         longest = short_window(total_duration(phases, count), asked, axis, rest)

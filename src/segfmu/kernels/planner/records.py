@@ -310,6 +310,8 @@ class Interval(Record):
     ABOVE_COUNT = field("number of phases of the second profile; 0: there is none")
     KEPT_COUNT = field("number of phases that are kept in its place")
     PASSING = field("1: the shortest profile passes zero jerk with snap")
+    FREE = field("duration of the merged form without the velocity limit", "s")
+    KEPT_FREE = field("the same of the profile that is kept", "s")
 
 
 class Place(Record):
