@@ -123,6 +123,7 @@ def planner_calls() -> dict[str, Call]:
         "shortest_profile": (boundary, axis, zeros(Cell.ABOVE, Phase.SIZE), work.copy()),
         "timed_profile": (2.0 * duration, axis, cell, work.copy()),
         "check_problem": (states, limits, refusal),
+        "motion_scale": (0, states.copy(), limits),
         "settle_states": (0, states.copy(), limits),
         "plan_phases": (states, dwells, limits, options, axes, cells, work.copy()),
         "count_pieces": planned,

@@ -268,3 +268,19 @@ def test_rest_is_left_where_given_states_lead_to_the_bound() -> None:
     found = plan([Waypoint([0.0]), Waypoint([1.9], "free", "free"), end], limits,
                  position_max=bound, position_min=resting.extrema(0)[0][0] - 1e-9)
     assert found.duration <= resting.duration * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("absent", [[0], [1], [2], [0, 1, 2]])
+def test_limits_that_are_none_do_not_lengthen_a_mission(absent: list[int]) -> None:
+    random = np.random.default_rng(3)
+    positions = random.normal(size=(6, 2))
+    points = [Waypoint(positions[0])]
+    points += [Waypoint(p, [None, None], [None, None]) for p in positions[1:-1]]
+    points += [Waypoint(positions[-1])]
+    near = np.array([2.0, 1.5, 3.0, 10.0])
+    near[absent] *= 20.0
+    far = near.copy()
+    far[absent] *= 1e8
+    found, expected = plan(points, Limits(*far)), plan(points, Limits(*near))
+    assert found.duration <= 1.005 * expected.duration
+    assert verify(found).passed

@@ -435,6 +435,13 @@ def check_problem(
     /,
 ) -> int: ...
 
+def motion_scale(
+    order: int,
+    states: Floats,
+    limits: Floats,
+    /,
+) -> float: ...
+
 def settle_states(
     first: int,
     states: Floats,

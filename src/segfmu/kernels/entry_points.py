@@ -148,6 +148,10 @@ ENTRY_POINTS = (
         limits=("axes", 2), report=Refusal.SIZE,
     ),
     entry(
+        "planner.problem", "motion_scale", states=("points", "axes", WaypointState.SIZE),
+        limits=("axes", 2),
+    ),
+    entry(
         "planner.problem", "settle_states", states=("points", "axes", WaypointState.SIZE),
         limits=("axes", 2),
     ),

@@ -15,6 +15,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.central import CentralPath
@@ -42,8 +43,8 @@ STEPS = (0.03, 0.01, 0.003, 0.001)
 SHORTER = 1.0 - 1e-6
 # factors of velocity, acceleration, jerk and snap limits for each degree of tightness
 TIGHTER = np.array([1.0, 1.0, 0.93, 0.75])
-# times what a motion reaches at most, as estimated, a limit is none
-REACH = 2.0
+# a limit of so many times about the largest value of a motion is none
+REACH = 4.0
 # what smoothsteps use of the limits of velocity .. snap, about
 SMOOTHSTEP = np.array([1.0, 1.0, 0.6, 0.5])
 
@@ -88,34 +89,16 @@ def choose_states(
 
 
 def reachable(problem: Problem) -> FloatArray:
-    """The limits, or a few times what the motion may reach where that is less.
+    """The limits, those of velocity and acceleration a few times what is reached at most.
 
     A limit that is meant as none would be a useless unit of the central path.
     """
     limits = problem.limits.copy()
-    count = limits.shape[1]
-    given = np.abs(problem.states).max(axis=0)
-    # an axis may have to wait for another one
-    size = np.full(len(limits), np.abs(np.diff(problem.states[..., 0], axis=0)).sum(axis=0).max())
-    for i in range(count):
-        change = _change_times(size, limits[:, i:])
-        size = np.divide(size, change, out=np.zeros_like(size), where=change > 0.0)
-        if i < 2:
-            size = np.maximum(size, given[:, i + 1])
-        if i == 0 and count > 2:
-            size = np.maximum(size, given[:, 2] * _change_times(given[:, 2], limits[:, 2:]))
-        far = (size > 0.0) & (limits[:, i] > REACH * size)
-        limits[far, i] = REACH * size[far]
+    for order in range(2):
+        reached = backend.motion_scale(order, problem.states, problem.limits)
+        if reached > 0.0:
+            limits[:, order] = np.minimum(limits[:, order], REACH * reached)
     return limits
-
-
-def _change_times(size: FloatArray, limits: FloatArray) -> FloatArray:
-    """About how long a change takes at least [s], by limits of the derivatives above; (axes,)."""
-    orders = np.arange(1, limits.shape[1] + 1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        times = (size[:, None] / limits) ** (1.0 / orders)
-    longest: FloatArray = np.where(limits > 0.0, times, 0.0).max(axis=1)
-    return longest
 
 
 def at_rest(request: Request) -> Request:

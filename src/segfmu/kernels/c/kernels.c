@@ -514,7 +514,6 @@ static int64_t check_numbers(array_double_3d states, array_double_2d limits, arr
 static bool differ(double before, double value);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
 static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis, array_double_3d states, array_double_1d limits);
-static double motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
 static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static int64_t sensing_end(array_double_2d settings);
@@ -17143,7 +17142,7 @@ static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis,
     (*result_1_0001) = span_min(acceleration, (*cspan_at(&limits, INT64_C(1))));
     return 0;
 }
-static double motion_scale(int64_t order, array_double_3d states, array_double_2d limits)
+double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2d limits)
 {
     int64_t axis;
     double velocity;
@@ -17165,7 +17164,7 @@ static double settle_value(double value, int64_t order, int64_t axis, array_doub
 {
     double limit;
     limit = (*cspan_at(&limits, axis, order));
-    if ((fabs(value) <= 1e-09 * limit) && (fabs(value) <= 1e-09 * motion_scale(order, states, limits)))
+    if ((fabs(value) <= 1e-09 * limit) && (fabs(value) <= 1e-09 * segfmu_motion_scale(order, states, limits)))
     {
         return 0.0;
     }

@@ -59,6 +59,7 @@ SEGFMU_API int64_t segfmu_shortest_profile(array_double_1d problem, array_double
 SEGFMU_API double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work);
 SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report);
+SEGFMU_API double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
 SEGFMU_API int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits);
 SEGFMU_API void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
 SEGFMU_API double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory);

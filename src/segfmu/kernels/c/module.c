@@ -1603,6 +1603,33 @@ static PyObject *call_check_problem(
     return answer;
 }
 
+static PyObject *call_motion_scale(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "motion_scale", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_order;
+    Py_buffer *in_states;
+    Py_buffer *in_limits;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_int(&call, 0, &in_order)
+        && (in_states = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)) {
+        answer = PyFloat_FromDouble(segfmu_motion_scale(
+            in_order,
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_settle_states(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3053,6 +3080,7 @@ static PyMethodDef methods[] = {
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
+    {"motion_scale", (PyCFunction)(void (*)(void))call_motion_scale, METH_FASTCALL, NULL},
     {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},

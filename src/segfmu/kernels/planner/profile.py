@@ -16,8 +16,8 @@ from segfmu.kernels.planner.forms import (
     braked_ramps,
     is_done,
     passing_either_way,
-    shortest_between,
     shorter_braked,
+    shortest_between,
     usual_duration,
 )
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last

@@ -42,8 +42,8 @@ def cruise_range(
     """A possible cruise velocity that, if there is one, covers at least the distance.
 
     The velocity `middle` is possible and covers y with a cruise of the duration `hold`; the search
-    goes from there to the fastest velocity on the side of the distance. If there is no such velocity,
-    the last possible one is returned.
+    goes from there to the fastest velocity on the side of the distance. If there is no such
+    velocity, the last possible one is returned.
     """
     distance = problem[Problem.DISTANCE]
     limit = speed_bound(problem[Problem.DURATION], problem, axis)
