@@ -497,9 +497,10 @@ static double smoothness_share(double usual, double share, array_double_1d axis)
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static void hold_back(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void note_held(double share, int64_t axis, array_double_2d axes, array_double_3d cells);
+static void hold_back(bool meeting, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_2, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static int64_t plan_axis(int64_t axis, bool holding, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
 static bool prolong_all(int64_t first, int64_t last, double target, array_double_2d axes, array_double_3d cells, array_double_2d work);
@@ -16396,6 +16397,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
         missed = span_max(missed, (*cspan_at(&work, INT64_C(98), INT64_C(18))));
         note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
         (*cspan_at(&cells, j, INT64_C(67), INT64_C(7))) = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+        (*cspan_at(&cells, j, INT64_C(67), INT64_C(9))) = 0.0;
     }
     (*cspan_at(&work, INT64_C(98), INT64_C(18))) = missed;
     return INT64_C(0);
@@ -16509,17 +16511,19 @@ static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, ar
         (*cspan_at(&axes, axis, INT64_C(10))) = 0.0;
     }
 }
-static void hold_back(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static void note_held(double share, int64_t axis, array_double_2d axes, array_double_3d cells)
 {
     double usual;
     double factor;
     int64_t j;
     array_double_2d cell;
-    double shortest;
     double delay;
     double least;
     double free;
-    double duration;
+    if (!ramps_suffice(span_row(&axes, axis)))
+    {
+        return;
+    }
     usual = usual_share(span_row(&axes, axis));
     factor = 1.0;
     if (share < usual)
@@ -16529,26 +16533,48 @@ static void hold_back(double share, int64_t axis, array_double_2d axes, array_do
     for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
     {
         cell = span_matrix(&cells, j);
-        shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
         delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
-        least = shortest - delay;
+        least = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - delay;
         free = (*cspan_at(&cell, INT64_C(67), INT64_C(7)));
         if (snap_is_last(span_row(&axes, axis)) && (free > least) && (free < 1.01 * least))
         {
             least = free;
         }
-        duration = delay + least / factor;
-        if (duration <= shortest)
+        (*cspan_at(&cell, INT64_C(67), INT64_C(9))) = delay + least / factor;
+    }
+}
+static void hold_back(bool meeting, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t j;
+    array_double_2d cell;
+    int64_t row;
+    double held;
+    double shortest;
+    int64_t i;
+    for (j = INT64_C(0); j < cells.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        cell = span_matrix(&cells, j);
+        row = span_floor_mod(j, axes.shape[INT64_C(0)]);
+        held = (*cspan_at(&cell, INT64_C(67), INT64_C(9)));
+        shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
+        if (meeting)
+        {
+            for (i = j - row; i < j - row + axes.shape[INT64_C(0)]; i += INT64_C(1))
+            {
+                shortest = span_max(shortest, (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))));
+            }
+        }
+        if (held <= shortest)
         {
             continue;
         }
-        if (set_duration(duration, cell, span_row(&axes, axis), work))
+        if (set_duration(held, cell, span_row(&axes, row), work))
         {
-            (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = duration;
+            (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = held;
         }
         else
         {
-            set_duration(shortest, cell, span_row(&axes, axis), work);
+            set_duration((*cspan_at(&cell, INT64_C(67), INT64_C(0))), cell, span_row(&axes, row), work);
         }
     }
 }
@@ -16586,7 +16612,7 @@ static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_
     (*result_2) = missed;
     return 0;
 }
-static int64_t plan_axis(int64_t axis, bool holding, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double usual;
     double share;
@@ -16612,9 +16638,9 @@ static int64_t plan_axis(int64_t axis, bool holding, array_double_2d axes, array
     {
         plan_thoroughly(share, axis, axes, cells, work);
     }
-    if (holding && (status == INT64_C(0)) && ramps_suffice(span_row(&axes, axis)))
+    if (status == INT64_C(0))
     {
-        hold_back(share, axis, axes, cells, work);
+        note_held(share, axis, axes, cells);
     }
     return status;
 }
@@ -16957,7 +16983,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t smoothness;
     int64_t shape;
     int64_t axis;
-    bool holding;
+    bool meeting;
     int64_t status;
     report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
@@ -16979,12 +17005,16 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     set_problems(states, cells);
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        holding = (*cspan_at(&options, INT64_C(4))) <= 0.0;
-        status = plan_axis(axis, holding, axes, cells, work);
+        status = plan_axis(axis, axes, cells, work);
         if (status < INT64_C(0))
         {
             return status;
         }
+    }
+    if ((*cspan_at(&options, INT64_C(4))) <= 0.0)
+    {
+        meeting = (int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(1);
+        hold_back(meeting, axes, cells, work);
     }
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;

@@ -983,7 +983,8 @@ enum {
     INTERVAL_PASSING = 6,
     INTERVAL_FREE = 7,
     INTERVAL_KEPT_FREE = 8,
-    INTERVAL_SIZE = 9
+    INTERVAL_HELD = 9,
+    INTERVAL_SIZE = 10
 };
 
 enum {
@@ -1002,7 +1003,7 @@ enum {
     CELL_RESULT = 67,
     CELL_PLACE = 68,
     CELL_SIZE = 69,
-    CELL_COLUMNS = 9
+    CELL_COLUMNS = 10
 };
 
 enum {

@@ -54,6 +54,7 @@ def plan_with_share(
         missed = max(missed, work[PlanWork.FAMILY, Family.MISSED])
         note_shortest(time, axes[axis, :], cells[j, :, :])
         cells[j, Cell.RESULT, Interval.FREE] = work[PlanWork.FAMILY, Family.FREE]
+        cells[j, Cell.RESULT, Interval.HELD] = 0.0
     work[PlanWork.FAMILY, Family.MISSED] = missed
     return PlanStatus.PLANNED
 
@@ -159,34 +160,51 @@ def plan_thoroughly(
         axes[axis, Axis.THOROUGH] = 0.0
 
 
-def hold_back(
-    share: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
-) -> None:
-    """Let a plan last as long as with looser limits, where it can: these must not lengthen it.
+def note_held(share: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> None:
+    """Write how long the plan of an axis would last within looser limits, which must not be longer.
 
     Steeper rises save more than smoothness costs only where the usual ones do not fit, as they may
     within looser limits. Passing profiles are looked for only where the merged form exceeds the
     velocity limit, and save some thousandths of its duration.
     """
+    # beside limits above the snap each trial takes long
+    if not ramps_suffice(axes[axis, :]):
+        return
     usual = usual_share(axes[axis, :])
     factor = 1.0
     if share < usual:
         factor = smoothness_share(usual, share, axes[axis, :])
     for j in range(axis, cells.shape[0], axes.shape[0]):
         cell = cells[j, :, :]
-        shortest = cell[Cell.RESULT, Interval.SHORTEST]
         delay = cell[Cell.PLACE, Place.DELAY]
-        least = shortest - delay
+        least = cell[Cell.RESULT, Interval.SHORTEST] - delay
         free = cell[Cell.RESULT, Interval.FREE]
         if snap_is_last(axes[axis, :]) and free > least and free < 1.01 * least:
             least = free
-        duration = delay + least / factor
-        if duration <= shortest:
+        cell[Cell.RESULT, Interval.HELD] = delay + least / factor
+
+
+def hold_back(
+    meeting: bool, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> None:
+    """Let plans last as long as they would within looser limits (`note_held`), where they can.
+
+    meeting: not where another axis takes as long in that interval.
+    """
+    for j in range(cells.shape[0]):
+        cell = cells[j, :, :]
+        row = j % axes.shape[0]
+        held = cell[Cell.RESULT, Interval.HELD]
+        shortest = cell[Cell.RESULT, Interval.SHORTEST]
+        if meeting:
+            for i in range(j - row, j - row + axes.shape[0]):
+                shortest = max(shortest, cells[i, Cell.RESULT, Interval.SHORTEST])
+        if held <= shortest:
             continue
-        if set_duration(duration, cell, axes[axis, :], work):
-            cell[Cell.RESULT, Interval.DURATION] = duration
+        if set_duration(held, cell, axes[row, :], work):
+            cell[Cell.RESULT, Interval.DURATION] = held
         else:
-            set_duration(shortest, cell, axes[axis, :], work)
+            set_duration(cell[Cell.RESULT, Interval.SHORTEST], cell, axes[row, :], work)
 
 
 def plan_refused(
@@ -211,12 +229,10 @@ def plan_refused(
     return status, share, missed
 
 
-def plan_axis(
-    axis: int, holding: bool, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
-) -> int:
+def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]') -> int:
     """Ramp parameters and shortest profiles of one axis; status as in `plan_phases`.
 
-    The rises are the usual ones, or steeper where these fail. holding: with `hold_back`.
+    The rises are the usual ones, or steeper where these fail.
     """
     usual = usual_share(axes[axis, :])
     share = usual
@@ -230,7 +246,6 @@ def plan_axis(
         share, missed = plan_steeper(missed, axis, axes, cells, work)
     if status == PlanStatus.PLANNED and missed > 2.5:
         plan_thoroughly(share, axis, axes, cells, work)
-    # beside limits above the snap each trial takes long
-    if holding and status == PlanStatus.PLANNED and ramps_suffice(axes[axis, :]):
-        hold_back(share, axis, axes, cells, work)
+    if status == PlanStatus.PLANNED:
+        note_held(share, axis, axes, cells)
     return status

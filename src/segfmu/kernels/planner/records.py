@@ -312,6 +312,7 @@ class Interval(Record):
     PASSING = field("1: the shortest profile passes zero jerk with snap")
     FREE = field("duration of the merged form without the velocity limit", "s")
     KEPT_FREE = field("the same of the profile that is kept", "s")
+    HELD = field("duration to which the shortest profile is held back", "s")
 
 
 class Place(Record):
