@@ -16564,7 +16564,7 @@ static void hold_back(bool meeting, array_double_2d axes, array_double_3d cells,
                 shortest = span_max(shortest, (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))));
             }
         }
-        if (held <= shortest)
+        if (held <= shortest * (1.0 + 1e-13))
         {
             continue;
         }

@@ -157,7 +157,7 @@ def turning_ends(
             if third_covered >= second_covered:
                 count = insert_turn(
                     i - 1, True, second_covered, spent, after, fastest, problem, axis, work,
-                        count,
+                    count,
                 )
         first = second
         second = third

@@ -199,7 +199,8 @@ def hold_back(
         if meeting:
             for i in range(j - row, j - row + axes.shape[0]):
                 shortest = max(shortest, cells[i, Cell.RESULT, Interval.SHORTEST])
-        if held <= shortest:
+        # the same up to rounding is not longer
+        if held <= shortest * (1.0 + 1e-13):
             continue
         if set_duration(held, cell, axes[row, :], work):
             cell[Cell.RESULT, Interval.DURATION] = held

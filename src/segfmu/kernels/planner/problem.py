@@ -101,7 +101,10 @@ def axis_scale(
 
 
 def motion_scale(order: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> float:
-    """About the largest velocity (order 0) or acceleration (1) of all axes."""
+    """About the largest velocity [m/s] (order 0) or acceleration [m/s2] (1) of all axes.
+
+    Arrays as in `check_problem`; velocities and accelerations that are NaN do not count.
+    """
     largest = 0.0
     for axis in range(states.shape[1]):
         velocity, acceleration = axis_scale(axis, states, limits[axis, :])

@@ -136,9 +136,10 @@ def reached_limit(order: int, duration: float, limits: 'float[:]') -> float:
 
 
 def state_scale(order: int, duration: float, limits: 'float[:]') -> float:
-    """What errors of a derivative are measured by where a motion of a duration [s] is as small.
+    """What errors of a derivative c_order [m/s^order] are measured by, at least.
 
-    Order 0 is the position.
+    In a motion that lasts a duration [s]; order 0 is the position. limits[i] is c_{i+1}, 0 if
+    absent.
     """
     if order == 0:
         return reached_limit(1, duration, limits) * duration + least_distance(limits)
