@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from segfmu import InputError, Limits, Trajectory, Waypoint, plan
+from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan
 from segfmu.planning import motion
 
 LIMITS = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 0.8], [1.0, 0.5, 4.0], [10.0, 5.0, 30.0])
@@ -64,6 +64,6 @@ def test_spaces_of_many_sizes_are_not_kept(monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_a_refusal_leaves_the_space_in_order() -> None:
     usual = mission(0.1)
-    with pytest.raises(InputError, match="are the same"):
-        plan([Waypoint([0.0] * 3), Waypoint([0.0] * 3), Waypoint([1.0] * 3)], LIMITS)
+    with pytest.raises(InfeasibleError, match="exceeds the limit"):
+        plan([Waypoint([0.0] * 3), Waypoint([0.5] * 3, [9.0] * 3), Waypoint([1.0] * 3)], LIMITS)
     assert same(mission(0.1), usual)

@@ -59,7 +59,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Integer planner_smoothness(min = 4, max = 6) = 4 "n: the load's position is n times differentiable" annotation(Dialog(tab = "planner"));
   parameter Types.Shape planner_shape = Types.Shape.plateau "shape of the acceleration ramps" annotation(Dialog(tab = "planner"));
   parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
-  parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
+  parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals and dwells become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
   parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
   parameter Real planner_start_time(unit = "s") = 0.0 "time at which the motion starts" annotation(Dialog(tab = "planner"));
   parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "all outputs are those of so much later, from the end of initialisation on: the communication step of importers that couple in parallel" annotation(Dialog(tab = "setpoint"));
@@ -154,7 +154,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{951200f5-2f93-19d4-309c-9b4f67148be7}", 0);
+      "{c35fc772-f448-5a1e-5293-b207ea6cb0b2}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from segfmu.crane.bounds import NAMES as BOUNDS
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
@@ -36,6 +36,7 @@ from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import NAMES, Limits, limited
 from segfmu.planning.planner import plan
+from segfmu.planning.repeats import united
 from segfmu.planning.request import checked_request
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
@@ -215,21 +216,31 @@ def _task(
                 caps[:, i] = values
             elif limited(values):
                 higher[name] = values
-    free = np.isnan([[p.velocity, p.acceleration] for p in waypoints])
-    free[[0, -1]] = False
-    free[[p.dwell > 0.0 for p in waypoints]] = False
-    # an axis that turns back or rests beyond a waypoint would leave the range of its neighbours
-    ways = np.diff([p.position for p in waypoints], axis=0)
-    free[1:-1] &= (ways[:-1] * ways[1:] > 0.0)[:, None, :]
-    resting = tuple(
-        with_motion(p, np.nan_to_num(p.velocity), np.nan_to_num(p.acceleration)) for p in waypoints
-    )
-    return Task(crane, resting, free, bounds.vector, caps, higher, options, clearance)
+    first, states = united(np.array([p.planned for p in waypoints]))
+    rest = np.nan_to_num(np.swapaxes(states, 1, 2))
+    resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))
+    free = _passing(waypoints, first) & np.isnan(np.swapaxes(states, 1, 2)[:, 1:])
+    return Task(crane, resting, free, first, bounds.vector, caps, higher, options, clearance)
+
+
+def _passing(waypoints: tuple[Waypoint, ...], first: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """Where an axis moves on: the first ones (waypoints, 1, 3) of equal waypoints in a row.
+
+    An axis that turns back or rests beyond a waypoint would leave the range of its neighbours.
+    """
+    kept = np.unique(first)
+    dwells = np.add.reduceat([p.dwell for p in waypoints], kept)
+    ways = np.diff([waypoints[i].position for i in kept], axis=0)
+    found = np.zeros((len(waypoints), 1, 3), dtype=np.bool_)
+    found[kept[1:-1], 0] = (ways[:-1] * ways[1:] > 0.0) & (dwells[1:-1, None] == 0.0)
+    return found
 
 
 def _require_states(task: Task, bounds: ActuatorBounds) -> None:
     """Refuse waypoints whose states alone exceed a bound."""
-    for number, (point, free) in enumerate(zip(task.waypoints, task.free, strict=True), 1):
+    for number, (point, free) in enumerate(
+        zip(task.waypoints, task.free[task.first], strict=True), 1
+    ):
         if free.any():
             continue
         needs = demands_in_state(task.crane, point)
@@ -312,7 +323,7 @@ def _timed(
 
 def _freed(task: Task, table: FloatArray) -> tuple[Task, FloatArray] | None:
     """The task with the free states that the planner chooses; None if it finds no plan."""
-    states = np.where(task.free, np.nan, task.states)
+    states = np.where(task.free[task.first], np.nan, task.states)
     points = [
         with_motion(p, _words(state[0]), _words(state[1]))
         for p, state in zip(task.waypoints, states, strict=True)

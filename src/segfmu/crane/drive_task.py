@@ -44,7 +44,10 @@ class Task:
     waypoints : tuple of Waypoint
         Without free states.
     free : ndarray of bool, shape (waypoints, 2, 3)
-        Velocities and accelerations that may be changed.
+        Velocities and accelerations that may be changed; of equal waypoints in a row those of the
+        first one.
+    first : ndarray of int, shape (waypoints,)
+        The first one, from 0, of the equal waypoints that each is among.
     caps : ndarray, shape (3, 4)
         Largest limits allowed, infinite where there are none.
     higher : dict
@@ -57,6 +60,7 @@ class Task:
     crane: Crane
     waypoints: tuple[Waypoint, ...]
     free: NDArray[np.bool_]
+    first: NDArray[np.intp]
     bounds: FloatArray
     caps: FloatArray
     higher: dict[str, Any]
@@ -96,7 +100,7 @@ class Task:
     @cached_property
     def _led(self) -> list[tuple[int, int]]:
         """Intervals (from 1) and axes with free states at an end."""
-        free = np.any(self.free, axis=1)
+        free = np.any(self.free[self.first], axis=1)
         return [(int(i) + 1, int(axis)) for i, axis in np.argwhere(free[:-1] | free[1:])]
 
     @property
@@ -125,7 +129,7 @@ class Task:
         """The task with other velocities and accelerations where they are free."""
         if not self.free.any():
             return self
-        states = np.where(self.free, states, self.states)
+        states = np.where(self.free, states, self.states)[self.first]
         points = tuple(
             with_motion(point, state[0], state[1])
             for point, state in zip(self.waypoints, states, strict=True)
@@ -136,8 +140,7 @@ class Task:
         """The task with free states that are faster by a factor."""
         if pace == 1.0 or not self.free.any():
             return self
-        factors = np.array([pace, pace**2])[:, None]
-        return self.with_states(np.where(self.free, factors, 1.0) * self.states)
+        return self.with_states(np.array([pace, pace**2])[:, None] * self.states)
 
     @property
     def floors(self) -> FloatArray:

@@ -449,6 +449,12 @@ def settle_states(
     /,
 ) -> int: ...
 
+def settle_dwells(
+    sample_time: float,
+    dwells: Floats,
+    /,
+) -> int: ...
+
 def measure_state(
     state: Floats,
     sensors: Floats,

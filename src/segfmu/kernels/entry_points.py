@@ -155,6 +155,7 @@ ENTRY_POINTS = (
         "planner.problem", "settle_states", states=("points", "axes", WaypointState.SIZE),
         limits=("axes", 2),
     ),
+    entry("planner.problem", "settle_dwells", dwells="points"),
     entry(
         "planner.plan", "plan_phases", states=("points", "axes", WaypointState.SIZE),
         dwells="points", limits=("axes", PLAN_LIMITS), options=PlanOptions.SIZE,

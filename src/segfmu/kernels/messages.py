@@ -116,8 +116,6 @@ PLAN = Messages(
         "position or a dwell is out of range",
         PlanStatus.CHECK_FAILED: "the plan breaks a limit or misses a waypoint by more than 1e-9 "
         "(relative): the problem is badly scaled; choose limits and distances of similar size",
-        PlanStatus.SAME_WAYPOINTS: "waypoints {INTERVAL+1} and {INTERVAL+2} are the same; "
-        "omit one, and give the other a dwell to rest there",
         PlanStatus.NO_VELOCITY_LIMIT: _limit("velocity"),
         PlanStatus.NO_ACCELERATION_LIMIT: _limit("acceleration"),
     },

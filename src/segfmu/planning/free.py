@@ -21,6 +21,7 @@ from segfmu.planning.arrays import FloatArray
 from segfmu.planning.central import CentralPath
 from segfmu.planning.passage import Passage, passages
 from segfmu.planning.problem import Problem
+from segfmu.planning.repeats import united
 from segfmu.planning.request import Request, with_states
 
 Progress = Callable[[int, int], None]
@@ -64,12 +65,17 @@ def choose_states(
         return request
     if allowed is None:
         allowed = np.tile([-np.inf, np.inf], (len(request.axis_names), 1))
-    free = np.isnan(request.problem.states)
-    resting = at_rest(request).problem
-    chosen = resting._replace(limits=reachable(resting))
+    first, states = united(request.problem.states)
+    kept, place = np.unique(first, return_inverse=True)
+    free = np.isnan(states[kept])
+    chosen = request.problem._replace(
+        states=np.where(free, 0.0, states[kept]),
+        dwells=np.add.reduceat(request.problem.dwells, kept),
+    )
+    chosen = chosen._replace(limits=reachable(chosen))
     free[[0, -1]] = False
-    free[resting.dwells > 0.0] = False
-    states = resting.states
+    free[chosen.dwells > 0.0] = False
+    states = chosen.states
     # with more room the search may end elsewhere, and later
     rooms = (overshoot, OVERSHOOT) if overshoot > OVERSHOOT else (overshoot,)
     parts = [
@@ -83,9 +89,7 @@ def choose_states(
         )
         if progress is not None:
             progress(done + 1, len(parts[0]))
-    return request._replace(
-        waypoints=with_states(request.waypoints, states), problem=resting
-    )
+    return _with_states(request, states[place])
 
 
 def reachable(problem: Problem) -> FloatArray:
@@ -103,10 +107,14 @@ def reachable(problem: Problem) -> FloatArray:
 
 def at_rest(request: Request) -> Request:
     """A request whose free velocities and accelerations are zero."""
-    problem = request.problem
-    states = np.where(np.isnan(problem.states), 0.0, problem.states)
+    _, states = united(request.problem.states)
+    return _with_states(request, np.where(np.isnan(states), 0.0, states))
+
+
+def _with_states(request: Request, states: FloatArray) -> Request:
+    problem = request.problem._replace(states=states)
     return request._replace(
-        waypoints=with_states(request.waypoints, states), problem=problem._replace(states=states)
+        waypoints=with_states(request.waypoints, states, problem.dwells), problem=problem
     )
 
 

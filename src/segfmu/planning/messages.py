@@ -50,18 +50,10 @@ def text_apart(
     return str(replace(table, texts={status: text}).text(status, report, **words))
 
 
-def refusal(
-    status: int, report: FloatArray, names: tuple[str, ...], dwells: FloatArray
-) -> SegfmuError:
-    """Return the error for a status and report (Refusal).
-
-    `names` are those of the axes, `dwells` those of the waypoints [s].
-    """
+def refusal(status: int, report: FloatArray, names: tuple[str, ...]) -> SegfmuError:
+    """Return the error for a status and report (Refusal); `names` are those of the axes."""
     text = text_apart(PLAN, status, report.tolist(), ("VALUE", "BOUND"), AXIS=names)
     place = int(report[Refusal.INTERVAL])
-    if status == PlanStatus.SAME_WAYPOINTS:
-        rest = float(dwells[place : place + 2].sum())
-        return InputError(_same(place + 1, rest) if rest > 0.0 else text)
     if status == PlanStatus.SAMPLE_TIME:
         return InputError(text)
     limit, shown = DETAILS[status]
@@ -74,12 +66,4 @@ def refusal(
         limit=limit,
         value=float(report[Refusal.VALUE]) if VALUE in shown else None,
         bound=float(report[Refusal.BOUND]) if BOUND in shown else None,
-    )
-
-
-def _same(number: int, dwell: float) -> str:
-    """For two waypoints that are the same, of which one has a dwell already."""
-    return (
-        f"waypoints {number} and {number + 1} are the same; omit one, and give the other the whole "
-        f"dwell, {dwell:g} s"
     )

@@ -42,7 +42,8 @@ def plan(
     ----------
     waypoints : sequence of Waypoint
         At least two, all with the same number of axes. What is free at the first and the last one,
-        and at one with a dwell, becomes zero.
+        and at one with a dwell, becomes zero. Equal ones in a row, free states included, are one
+        waypoint: no time passes between them, and their dwells add up.
     limits : Limits
         Limits of the derivatives; at least one from jerk on is required. A velocity or acceleration
         of a waypoint is its limit where it is within 1e-9 of that, and zero where it is within 1e-9
@@ -54,8 +55,8 @@ def plan(
     synchronize : {"waypoints", "total", "none"}
         All axes meet in every waypoint, only in the last one, or not at all.
     sample_time : float, optional
-        Round the duration of every waypoint interval up to a multiple of it [s]. What `duration`
-        or "total" prolong after that are no multiples.
+        Round the duration of every waypoint interval and of every dwell up to a multiple of it [s].
+        What `duration` or "total" prolong after that are no multiples.
     duration : float, optional
         Requested total duration [s], dwells included. With `synchronize="none"` every axis is
         prolonged to it, so it is refused if one cannot last it, also where the plan does already.

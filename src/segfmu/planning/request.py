@@ -78,18 +78,24 @@ def checked_request(
             dwells[i] = point.dwell
     table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
-    if backend.settle_states(0 if points[0].settled else 1, states, table) > 0:
-        points = with_states(points, states)
+    changed = backend.settle_states(0 if points[0].settled else 1, states, table)
+    if changed + backend.settle_dwells(chosen.sample_time, dwells) > 0:
+        points = with_states(points, states, dwells)
     return Request(points, limits, names, Problem(states, dwells, table, chosen))
 
 
-def with_states(points: tuple[Waypoint, ...], states: FloatArray) -> tuple[Waypoint, ...]:
-    """The waypoints with other states, shape (waypoints, axes, WaypointState); NaN: free."""
+def with_states(
+    points: tuple[Waypoint, ...], states: FloatArray, dwells: FloatArray
+) -> tuple[Waypoint, ...]:
+    """The waypoints with other states, shape (waypoints, axes, WaypointState), and dwells [s].
+
+    NaN: free.
+    """
     known = [[[None if v != v else v for v in row] for row in state.T.tolist()] for state in states]
     return tuple(
         Waypoint(point.position, row[WaypointState.VELOCITY], row[WaypointState.ACCELERATION],
-                 point.jerk, point.snap, point.crackle, point.pop, point.dwell)
-        for point, row in zip(points, known, strict=True)
+                 point.jerk, point.snap, point.crackle, point.pop, dwell)
+        for point, row, dwell in zip(points, known, dwells.tolist(), strict=True)
     )
 
 

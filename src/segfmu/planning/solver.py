@@ -33,7 +33,7 @@ def solve(request: Request, follow: Pieces | None = None) -> tuple[Trajectory, b
     if follow is None and request.waypoints[0].settled:
         status, report, timing, coefficients, offsets, times = plan_motion(request.problem)
         if report is not None:
-            raise refusal(status, report, request.axis_names, request.problem.dwells)
+            raise refusal(status, report, request.axis_names)
         found = _trajectory(request, timing, coefficients, offsets, times)
         return found, status == PlanStatus.PLANNED
     return solve_after(request, _leads(request, follow))
@@ -95,7 +95,7 @@ def no_lead(request: Request, axis: int) -> InfeasibleError:
 def _phases(request: Request, problem: Problem) -> Phases:
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise refusal(phases.status, phases.refusal, request.axis_names, problem.dwells)
+        raise refusal(phases.status, phases.refusal, request.axis_names)
     return phases
 
 

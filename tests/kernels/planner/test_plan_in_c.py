@@ -68,6 +68,18 @@ def test_the_same_trajectory(driver: Path, options) -> None:
     assert np.allclose(found[1:], values, rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.parametrize("options", [{}, {"sample_time": 0.07}, {"synchronize": "total"}])
+def test_equal_waypoints_are_one(driver: Path, options) -> None:
+    points = [POINTS[0], *POINTS, POINTS[-1]]
+    points.insert(3, Waypoint(POINTS[2].position, dwell=0.1))
+    found = run(driver, points, LIMITS, **options)
+    trajectory = plan(points, LIMITS, **options)
+    assert found[0] == [0, pytest.approx(trajectory.duration, rel=1e-12)]
+    values = trajectory(trajectory.duration * np.arange(50) / 49.0)
+    assert np.allclose(np.array(found[1:])[:, :3], values, rtol=1e-12, atol=1e-12)
+    assert run(driver, [POINTS[0]] * 3, LIMITS)[0] == [0, 0.0]
+
+
 def test_many_waypoints_fit_the_space(driver: Path) -> None:
     random = np.random.default_rng(2)
     places = np.cumsum(random.uniform(0.1, 1.0, (16, 3)), axis=0)

@@ -127,7 +127,7 @@ def _planner() -> list[Variable]:
         choice("planner.synchronization", SYNCHRONIZATIONS, "waypoints", "where the axes meet"),
         parameter(
             "planner.sample_time", 0.0, "s",
-            "waypoint intervals become multiples of it; 0: any duration", minimum=0.0,
+            "waypoint intervals and dwells become multiples of it; 0: any duration", minimum=0.0,
         ),
         parameter(
             "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0

@@ -512,10 +512,11 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
-static bool differ(double before, double value);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
 static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis, array_double_3d states, array_double_1d limits);
 static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits);
+static bool differ(double before, double value);
+static bool is_same(array_double_2d before, array_double_2d state);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static int64_t sensing_end(array_double_2d settings);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
@@ -17072,46 +17073,15 @@ static int64_t check_numbers(array_double_3d states, array_double_2d limits, arr
     }
     return INT64_C(0);
 }
-static bool differ(double before, double value)
-{
-    return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
-}
 int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report)
 {
-    int64_t j;
-    int64_t different;
-    int64_t axis;
-    int64_t i;
     int64_t status;
     status = check_limits(limits, report);
     if (status == INT64_C(0))
     {
         status = check_numbers(states, limits, report);
     }
-    if (status < INT64_C(0))
-    {
-        return status;
-    }
-    for (j = INT64_C(1); j < states.shape[INT64_C(0)]; j += INT64_C(1))
-    {
-        different = INT64_C(0);
-        for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
-        {
-            for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
-            {
-                if (differ((*cspan_at(&states, j - INT64_C(1), axis, i)), (*cspan_at(&states, j, axis, i))))
-                {
-                    different = different + INT64_C(1);
-                }
-            }
-        }
-        if (different == INT64_C(0))
-        {
-            (*cspan_at(&report, INT64_C(1))) = j - INT64_C(1);
-            return -INT64_C(13);
-        }
-    }
-    return INT64_C(0);
+    return status;
 }
 static double change_time(double size, int64_t derivative, array_double_1d limits)
 {
@@ -17208,6 +17178,26 @@ static double settle_value(double value, int64_t order, int64_t axis, array_doub
     }
     return value;
 }
+static bool differ(double before, double value)
+{
+    return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
+}
+static bool is_same(array_double_2d before, array_double_2d state)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < state.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < state.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            if (differ((*cspan_at(&before, axis, i)), (*cspan_at(&state, axis, i))))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
 int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits)
 {
     int64_t j;
@@ -17243,6 +17233,42 @@ int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double
                     (*cspan_at(&states, j, axis, INT64_C(1) + i)) = settled;
                     changed = changed + INT64_C(1);
                 }
+            }
+        }
+        if ((j > first) && is_same(span_matrix(&states, j - INT64_C(1)), span_matrix(&states, j)))
+        {
+            for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+            {
+                before = (*cspan_at(&states, j - INT64_C(1), axis, INT64_C(0)));
+                if (fabs((*cspan_at(&states, j, axis, INT64_C(0))) - before) > 0.0)
+                {
+                    (*cspan_at(&states, j, axis, INT64_C(0))) = before;
+                    changed = changed + INT64_C(1);
+                }
+            }
+        }
+    }
+    return changed;
+}
+int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells)
+{
+    int64_t j;
+    double rounded;
+    int64_t changed;
+    changed = INT64_C(0);
+    if ((1e-09 <= sample_time) && (sample_time <= 1000000.0))
+    {
+        for (j = INT64_C(0); j < dwells.shape[INT64_C(0)]; j += INT64_C(1))
+        {
+            rounded = (*cspan_at(&dwells, j));
+            if (rounded < 1000000000000000.0 * sample_time)
+            {
+                rounded = round_up(rounded, sample_time);
+            }
+            if (fabs(rounded - (*cspan_at(&dwells, j))) > 0.0)
+            {
+                (*cspan_at(&dwells, j)) = rounded;
+                changed = changed + INT64_C(1);
             }
         }
     }

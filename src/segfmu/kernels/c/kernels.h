@@ -61,6 +61,7 @@ SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dw
 SEGFMU_API int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report);
 SEGFMU_API double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
 SEGFMU_API int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits);
+SEGFMU_API int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells);
 SEGFMU_API void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
 SEGFMU_API double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory);
 SEGFMU_API void segfmu_switch_correction(array_double_2d settings, array_double_2d memory);

@@ -22,7 +22,7 @@ size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int6
     const int64_t lists = 5 * (rows * piece + axes + 1);
     const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + 2 * LEAD_ROWS_PIECES * piece
         + 2 * axes;
-    const int64_t planned = points * axes * (DELAYED_STATE_SIZE + smoothness + 1)
+    const int64_t planned = points * (axes * (DELAYED_STATE_SIZE + smoothness + 1) + 1)
         + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE + cells * CELL_SIZE * CELL_COLUMNS
         + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS + EXPANSION_SIZE * EXPANSION_COLUMNS
         + CHECK_SIZE * CHECK_COLUMNS + 2 * (points + 1) * axes;

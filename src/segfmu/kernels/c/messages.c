@@ -111,13 +111,6 @@ bool segfmu_plan_message(
             "the plan breaks a limit or misses a waypoint by more than 1e-9 (relative): "
             "the problem is badly scaled; choose limits and distances of similar size");
         return true;
-    case -13:
-        snprintf(text, size,
-            "waypoints %d and %d are the same; omit one, and give the other a dwell to "
-            "rest there",
-            (int)report[REFUSAL_INTERVAL] + 1,
-            (int)report[REFUSAL_INTERVAL] + 2);
-        return true;
     case -14:
         snprintf(text, size,
             "limits.%s.velocity must be greater than 0, got %g",

@@ -1657,6 +1657,26 @@ static PyObject *call_settle_states(
     return answer;
 }
 
+static PyObject *call_settle_dwells(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "settle_dwells", .values = values};
+    PyObject *answer = NULL;
+    double in_sample_time;
+    Py_buffer *in_dwells;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_sample_time)
+        && (in_dwells = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "dwells", 0, in_dwells->shape[0], 1)) {
+        answer = PyLong_FromLongLong(segfmu_settle_dwells(
+            in_sample_time,
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_measure_state(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3082,6 +3102,7 @@ static PyMethodDef methods[] = {
     {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
     {"motion_scale", (PyCFunction)(void (*)(void))call_motion_scale, METH_FASTCALL, NULL},
     {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},
+    {"settle_dwells", (PyCFunction)(void (*)(void))call_settle_dwells, METH_FASTCALL, NULL},
     {"measure_state", (PyCFunction)(void (*)(void))call_measure_state, METH_FASTCALL, NULL},
     {"rig_next_event", (PyCFunction)(void (*)(void))call_rig_next_event, METH_FASTCALL, NULL},
     {"switch_correction", (PyCFunction)(void (*)(void))call_switch_correction, METH_FASTCALL, NULL},

@@ -9,7 +9,7 @@ static array_double_2d given(const double *data, int64_t rows, int64_t columns)
 
 size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
 {
-    const int64_t planned = points * axes * WAYPOINT_STATE_SIZE + axes * AXIS_SIZE
+    const int64_t planned = points * (axes * WAYPOINT_STATE_SIZE + 1) + axes * AXIS_SIZE
         + (points - 1) * axes * CELL_SIZE * CELL_COLUMNS + MOTION_WORK_SIZE * MOTION_WORK_COLUMNS;
     const int64_t expanded = segfmu_most_pieces(points, axes, smoothness) * (TIMING_SIZE + 2 * smoothness)
         + (axes + 1) + (points + 1) * axes;
@@ -43,6 +43,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     }
     const int64_t m = p->points, k = p->axes, n = p->smoothness, intervals = (m - 1) * k;
     array_double_3d states = gather_states(p, take(&space, m * k * WAYPOINT_STATE_SIZE));
+    array_double_1d dwells = segfmu_gather_dwells(p, &space);
     array_double_2d limits = given(p->limits, k, n + 1);
     array_double_2d axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE);
     array_double_3d cells = cuboid(
@@ -55,7 +56,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     memset(report, 0, sizeof trajectory->report);
     segfmu_settle_states(0, states, limits);
     int64_t status = segfmu_plan_motion(
-        states, vector((double *)p->dwells, m), limits, axes, cells, found.timing,
+        states, dwells, limits, axes, cells, found.timing,
         found.coefficients, found.offsets, times, work);
     if (status == PLAN_STATUS_PLANNED || status == PLAN_STATUS_CHECK_FAILED) {
         segfmu_describe(&found, m, times.data, trajectory);

@@ -70,6 +70,15 @@ static inline void segfmu_write_options(const segfmu_problem *p, double *options
     options[PLAN_OPTIONS_DURATION] = p->duration;
 }
 
+/* A copy of the dwells, rounded up to multiples of the sample time. */
+static inline array_double_1d segfmu_gather_dwells(const segfmu_problem *p, double **space)
+{
+    array_double_1d dwells = vector(take(space, p->points), p->points);
+    memcpy(dwells.data, p->dwells, (size_t)p->points * sizeof *dwells.data);
+    segfmu_settle_dwells(p->sample_time, dwells);
+    return dwells;
+}
+
 /* Show pieces as the trajectory; times (m + 1, k) have the ends as their last row. */
 static inline void segfmu_describe(
     const piece_list *found, int64_t points, const double *times, segfmu_trajectory *trajectory)

@@ -46,7 +46,7 @@ static int plan_after(replanning *t, const segfmu_problem *p, double *full, doub
                                       CELL_SIZE, CELL_COLUMNS);
     array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS),
                                   PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
-    array_double_1d dwells = vector((double *)p->dwells, m);
+    array_double_1d dwells = segfmu_gather_dwells(p, &space);
     double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
     memset(report, 0, sizeof trajectory->report);
     int64_t status = segfmu_plan_phases(
@@ -227,16 +227,15 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
     double *times = take(&t.space, (m + 1) * k), *kept_times = take(&t.space, 3 * k);
     segfmu_trajectory kept = {0};
     int status = segfmu_settle_targets(&t, m, full, trajectory->report);
-    if (status != PLAN_STATUS_PLANNED && status != PLAN_STATUS_SAME_WAYPOINTS) {
+    if (status != PLAN_STATUS_PLANNED) {
         return status;
     }
-    const int moves = status == PLAN_STATUS_PLANNED;
     const double *targets = full + k * (t.smoothness + 1);
     const int apart = problem->synchronization == SYNCHRONIZATION_NONE && problem->duration == 0.0;
     const double meeting = apart ? -1.0 : problem->duration;
-    if (moves && segfmu_find_leads(&t, TO_PLAN, problem->shape, meeting, targets) >= 0) {
+    if (segfmu_find_leads(&t, TO_PLAN, problem->shape, meeting, targets) >= 0) {
         status = PLAN_STATUS_NO_PROFILE;
-    } else if (moves) {
+    } else {
         status = plan_after(&t, problem, full, times, t.space, trajectory);
     }
     int keeps = keep_rest(&t, old, time, problem, full, kept_times, t.space, &kept);
@@ -245,5 +244,5 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
         *trajectory = kept;
         return PLAN_STATUS_PLANNED;
     }
-    return moves && status < 0 ? plan_behind(&t, problem, full, times, trajectory) : status;
+    return status < 0 ? plan_behind(&t, problem, full, times, trajectory) : status;
 }

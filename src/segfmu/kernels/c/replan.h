@@ -25,7 +25,6 @@ SEGFMU_API size_t segfmu_replan_size(
    time      Finite, not below 0. After its end the trajectory stays where it is.
    problem   As for segfmu_plan, with at least one waypoint behind the first one. That is the state at
              the time: what the problem says of it is not read but for dwells[0], which must be 0.
-             Consecutive waypoints differ.
 
    All options of the problem hold for a new plan. If the problem has one more waypoint, what is left
    of the trajectory is kept unless a new plan is shorter by 5 %. It must do what the problem asks:
@@ -41,8 +40,7 @@ SEGFMU_API size_t segfmu_replan_size(
 
    Returns 0, or a PLAN_STATUS of records.h, below 0. The statuses are those of segfmu_plan, and so is
    the report; waypoint 0 is the start. OUT_OF_RANGE: also a time, axes, smoothness or dwells[0] as
-   they must not be. SAME_WAYPOINTS: two targets are the same, or the first one is the state at the
-   time and there is no rest to keep. */
+   they must not be. */
 SEGFMU_API int segfmu_replan(
     const segfmu_trajectory *old, double time, const segfmu_problem *problem, double *space,
     segfmu_trajectory *trajectory);

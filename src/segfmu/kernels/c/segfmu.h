@@ -33,7 +33,7 @@ typedef struct {
     int64_t smoothness;          /* n, 2 to 6: the trajectory is in C^n */
     int64_t shape;               /* of the ramps */
     int64_t synchronization;     /* of the axes */
-    double sample_time;          /* s; intervals last a multiple of it; 0: any time */
+    double sample_time;          /* s; intervals and dwells last a multiple of it; 0: any time */
     double duration;             /* s, in total, finite; 0: the shortest */
     const double *positions;     /* (m, k) */
     const double *velocities;    /* (m, k) */

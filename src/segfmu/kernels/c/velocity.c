@@ -78,7 +78,7 @@ static int check_velocities(const replanning *t, const double *velocities, doubl
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
     const int status = segfmu_settle_targets(t, 2, states, report);
-    if (status != PLAN_STATUS_PLANNED && status != PLAN_STATUS_SAME_WAYPOINTS) {
+    if (status != PLAN_STATUS_PLANNED) {
         return status;
     }
     for (int64_t axis = 0; axis < k; axis++) {

@@ -1,5 +1,6 @@
 """Checks of waypoints and limits before planning."""
 
+from segfmu.kernels.planner.intervals import round_up
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 
 
@@ -7,23 +8,12 @@ def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
     """PLANNED, or the error (PlanStatus), with a report (Refusal).
 
     m waypoints, k axes: states (m, k, WaypointState or more), limits (k, 2 or more) from velocity
-    on, 0 where absent. Consecutive waypoints must differ within double precision.
+    on, 0 where absent.
     """
     status = check_limits(limits, report)
     if status == PlanStatus.PLANNED:
         status = check_numbers(states, limits, report)
-    if status < 0:
-        return status
-    for j in range(1, states.shape[0]):
-        different = 0
-        for axis in range(states.shape[1]):
-            for i in range(states.shape[2]):
-                if differ(states[j - 1, axis, i], states[j, axis, i]):
-                    different = different + 1
-        if different == 0:
-            report[Refusal.INTERVAL] = j - 1
-            return PlanStatus.SAME_WAYPOINTS
-    return PlanStatus.PLANNED
+    return status
 
 
 def check_limits(limits: 'float[:,:]', report: 'float[:]') -> int:
@@ -137,6 +127,7 @@ def settle_states(first: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> i
     From the waypoint `first` on; those before only tell the scale of the motion. The ramp from such
     a state to the limit would last nanoseconds, and its jumps could not be told from rounding
     errors; that between two velocities which differ by rounding can last longer than the motion.
+    A waypoint that is the one before but for rounding becomes that one, which takes no time.
     Arrays as above. Returns the number of states that change.
     """
     changed = 0
@@ -154,9 +145,41 @@ def settle_states(first: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> i
                 if abs(settled - given) > 0.0:
                     states[j, axis, WaypointState.VELOCITY + i] = settled
                     changed = changed + 1
+        if j > first and is_same(states[j - 1, :, :], states[j, :, :]):
+            for axis in range(states.shape[1]):
+                before = states[j - 1, axis, WaypointState.POSITION]
+                if abs(states[j, axis, WaypointState.POSITION] - before) > 0.0:
+                    states[j, axis, WaypointState.POSITION] = before
+                    changed = changed + 1
     return changed
+
+
+def settle_dwells(sample_time: float, dwells: 'float[:]') -> int:
+    """Round dwells up to multiples of a sample time [s], 0: any; returns how many change."""
+    changed = 0
+    # others are refused, and counts beyond this are no whole numbers
+    if 1e-9 <= sample_time <= 1e6:
+        for j in range(dwells.shape[0]):
+            rounded = dwells[j]
+            if rounded < 1e15 * sample_time:
+                rounded = round_up(rounded, sample_time)
+            if abs(rounded - dwells[j]) > 0.0:
+                dwells[j] = rounded
+                changed = changed + 1
+    return changed
+
+
+def is_same(before: 'float[:,:]', state: 'float[:,:]') -> bool:
+    """Whether all that is known of two waypoints is the same but for rounding."""
+    for axis in range(state.shape[0]):
+        for i in range(state.shape[1]):
+            if differ(before[axis, i], state[axis, i]):
+                return False
+    return True
 
 
 def differ(before: float, value: float) -> bool:
     """Whether two numbers differ by more than rounding, relative to their size or to 1."""
-    return not abs(value - before) <= 1e-15 * max(abs(value), 1.0)
+    size = abs(value)
+    # the largest double
+    return not (size <= 1.7976931348623157e308 and abs(value - before) <= 1e-15 * max(size, 1.0))

@@ -26,9 +26,9 @@ class PlanStatus(Codes):
     DURATION_IN_GAP: of the duration asked for. WAYPOINT_VELOCITY, WAYPOINT_ACCELERATION: a waypoint
     is beyond the limit. UNBOUNDED_RAMP: no limit bounds a ramp. MOVING_DWELL: a dwell at a waypoint
     that moves. OUT_OF_RANGE: of the C function alone, sizes or choices out of range. CHECK_FAILED:
-    a plan that does not pass its check. SAME_WAYPOINTS, NO_VELOCITY_LIMIT, NO_ACCELERATION_LIMIT:
-    of `check_problem`. SAMPLE_TIME: too short or too long for doubles. MORE_PIECES: planned, but
-    with more pieces than the arrays have rows.
+    a plan that does not pass its check. NO_VELOCITY_LIMIT, NO_ACCELERATION_LIMIT: of
+    `check_problem`. SAMPLE_TIME: too short or too long for doubles. MORE_PIECES: planned, but with
+    more pieces than the arrays have rows.
     """
 
     MORE_PIECES = 1
@@ -45,7 +45,6 @@ class PlanStatus(Codes):
     MOVING_DWELL = -10
     OUT_OF_RANGE = -11
     CHECK_FAILED = -12
-    SAME_WAYPOINTS = -13
     NO_VELOCITY_LIMIT = -14
     NO_ACCELERATION_LIMIT = -15
     SAMPLE_TIME = -16
@@ -75,7 +74,7 @@ class PlanOptions(Record):
         "of the axes, see Synchronization", variables=("planner.synchronization",), base=1
     )
     SAMPLE_TIME = field(
-        "intervals last a multiple of it; 0: any time", "s", variables=("planner.sample_time",)
+        "intervals and dwells last a multiple of it; 0: any time", "s", variables=("planner.sample_time",)
     )
     DURATION = field("in total; 0: the shortest", "s", variables=("planner.duration",))
 

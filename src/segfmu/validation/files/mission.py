@@ -75,7 +75,8 @@ class Mission(Table):
     ] = "waypoints"
     sample_time: Annotated[
         Limit | None,
-        Key("the shortest durations between waypoints are rounded up to multiples of it", "s",
+        Key("the shortest durations between waypoints, and dwells, are rounded up to multiples of "
+            "it", "s",
             default="any duration"),
     ] = None
     duration: Annotated[

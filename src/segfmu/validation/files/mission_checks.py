@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def check_waypoints(mission: Mission) -> None:
-    """Check the waypoints against the limits, the crane and each other.
+    """Check the waypoints against the limits and the crane.
 
     Raises
     ------
@@ -40,8 +40,6 @@ def check_waypoints(mission: Mission) -> None:
             )
         if not moving:
             _check_travel(mission, i, entry)
-        if i > 1 and _state(entry) == _state(points[i - 2]):
-            raise InputError(f"waypoints.{i}: the same as waypoint {i - 1}; use dwell to wait")
 
 
 def _check_limits(table: LimitsTable, i: int, entry: WaypointEntry) -> None:
@@ -76,7 +74,3 @@ def _moving(entry: WaypointEntry) -> Iterator[str]:
         state = getattr(entry, name)
         if state != "free" and any(state):
             yield name
-
-
-def _state(entry: WaypointEntry) -> tuple[object, ...]:
-    return entry.position, entry.velocity, entry.acceleration
