@@ -17180,7 +17180,9 @@ static double settle_value(double value, int64_t order, int64_t axis, array_doub
 }
 static bool differ(double before, double value)
 {
-    return !(fabs(value - before) <= 1e-15 * span_max(fabs(value), 1.0));
+    double size;
+    size = fabs(value);
+    return !((size <= 1.7976931348623157e+308) && (fabs(value - before) <= 1e-15 * span_max(size, 1.0)));
 }
 static bool is_same(array_double_2d before, array_double_2d state)
 {

@@ -74,7 +74,8 @@ class PlanOptions(Record):
         "of the axes, see Synchronization", variables=("planner.synchronization",), base=1
     )
     SAMPLE_TIME = field(
-        "intervals and dwells last a multiple of it; 0: any time", "s", variables=("planner.sample_time",)
+        "intervals and dwells last a multiple of it; 0: any time", "s",
+        variables=("planner.sample_time",),
     )
     DURATION = field("in total; 0: the shortest", "s", variables=("planner.duration",))
 
