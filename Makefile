@@ -2,34 +2,73 @@
 PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
 	command -v $$p >/dev/null 2>&1 && $$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
 	>/dev/null 2>&1 && { echo $$p; break; }; done)
+comma := ,
 VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
-# what is installed beside segfmu; .ci/run installs all that it needs at once
+# extras of pyproject.toml that are installed for tests
 EXTRAS ?= dev
+PIP = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile \
+	--constraint requirements-dev.lock
 
 .PHONY: help demo quick test interpreted lint examples pictures docs bench fuzz fmus check-platforms \
 	generate golden lock wheel check-wheel release clean
 .DEFAULT_GOAL := demo
 
-$(VENV)/installed: pyproject.toml setup.py requirements-dev.lock \
-		$(wildcard src/segfmu/kernels/c/* src/segfmu/cosim/c/*)
+# what pyproject.toml asks for: for the package alone, or for extras
+define REQUIREMENTS
+import sys, tomllib
+project = tomllib.load(open("pyproject.toml", "rb"))["project"]
+extras = [project["optional-dependencies"][name] for name in sys.argv[1:]]
+print(*(sum(extras, []) if extras else project["dependencies"]), sep="\n")
+endef
+export REQUIREMENTS
+
+FOR_PACKAGE := pyproject.toml requirements-dev.lock
+FOR_KERNELS := pyproject.toml setup.py $(wildcard src/segfmu/kernels/c/* src/segfmu/cosim/c/*)
+
+# the package and what it needs to run: one core compiles the kernels while the other one installs
+$(VENV)/package: $(FOR_PACKAGE) $(FOR_KERNELS) | $(BIN)/python
+	@$(MAKE) --no-print-directory --jobs 2 $(VENV)/required $(VENV)/compiled
+	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
+		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
+	@touch $@
+
+$(BIN)/python:
 	@test -n "$(PYTHON)" || { echo "segfmu needs Python 3.11 or newer; none was found"; exit 1; }
-	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(PYTHON) -m venv $(VENV)
+
+$(VENV)/required: $(FOR_PACKAGE)
+	@$(BIN)/python -c "$$REQUIREMENTS" > $@.txt
+	@$(PIP) --requirement $@.txt
+	@touch $@
+
+$(VENV)/compiled: $(FOR_KERNELS)
 	@# a module of an older build would be found first
 	@rm -f src/segfmu/kernels/_compiled.cpython-* src/segfmu/kernels/_compiled.cp3*
 	@rm -f src/segfmu/cosim/_loop.cpython-* src/segfmu/cosim/_loop.cp3*
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
-		--constraint requirements-dev.lock --editable '.[$(EXTRAS)]'
-	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
-		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
+	@$(PIP) --no-deps --editable .
+	@touch $@
+
+# further packages
+$(VENV)/installed: EXTRA = $(EXTRAS)
+$(VENV)/installed-docs: EXTRA = dev,docs
+$(VENV)/installed-bench: EXTRA = dev,bench
+$(VENV)/installed-platforms: EXTRA = dev,platforms
+EXTENDED := $(addprefix $(VENV)/installed,-docs -bench -platforms)
+$(EXTENDED): $(VENV)/installed
+$(VENV)/installed $(EXTENDED): $(VENV)/package
+	@$(BIN)/python -c "$$REQUIREMENTS" $(subst $(comma), ,$(EXTRA)) > $@.txt
+	@$(PIP) --requirement $@.txt
+	@# at once on all cores; warnings on the sources of others are not for the tests
+	@$(BIN)/python -W ignore -m compileall -qq -j 0 $(VENV) || true
 	@touch $@
 
 help: ## this list
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)$$/\1@\2/p' $(MAKEFILE_LIST) | \
 		awk -F@ '{ printf "make %-16s %s\n", $$1, $$2 }'
 
-demo: $(VENV)/installed ## plan, invert, pack, co-simulate and judge the paper's mission
+demo: $(VENV)/package ## plan, invert, pack, co-simulate and judge the paper's mission
 	$(BIN)/segfmu plan models/paper.toml --output $(OUT)
 	$(BIN)/segfmu simulate models/paper.toml --output $(OUT)
 
@@ -64,29 +103,14 @@ pictures: $(VENV)/installed ## pictures of tutorial and reports in the documenta
 	$(BIN)/python -m tests.tutorial
 	$(BIN)/python -m tests.validation.report.pictures docs/images
 
-$(VENV)/installed-docs: $(VENV)/installed
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
-		--constraint requirements-dev.lock --editable '.[dev,docs]'
-	@touch $@
-
 docs: $(VENV)/installed-docs ## the documentation site, into out/site
 	$(BIN)/sphinx-build -W --keep-going -q docs $(OUT)/site
-
-$(VENV)/installed-bench: $(VENV)/installed
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
-		--constraint requirements-dev.lock --editable '.[dev,bench]'
-	@touch $@
 
 bench: $(VENV)/installed-bench ## measure beside the peers; BENCH="--quick --only a,b"
 	$(BIN)/python -m benchmarks --output $(OUT)/benchmarks.json $(BENCH)
 
 fuzz: $(VENV)/installed ## a million random call sequences against each native FMU, with sanitizers
 	$(BIN)/python -m tests.fmu.native.fuzz
-
-$(VENV)/installed-platforms: $(VENV)/installed
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check \
-		--constraint requirements-dev.lock --editable '.[dev,platforms]'
-	@touch $@
 
 fmus: $(VENV)/installed-platforms ## both FMUs, FMI 2 and 3, with the binaries of all platforms
 	$(BIN)/segfmu build --platforms all --output fmus/dist/fmi2

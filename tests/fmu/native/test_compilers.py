@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from segfmu.errors import BuildError
-from segfmu.fmu.native import compilers
+from segfmu.fmu.native import compilers, processes
 from segfmu.fmu.native.compilers import PLATFORMS, Compiler
 
 # a compiler that runs another program, which goes on for long
@@ -18,30 +18,43 @@ SCRIPT = "sleep 60 & echo $! > program.part; mv program.part program; wait"
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc and process groups")
-def test_a_stopped_compiler_ends_the_programs_that_it_runs(tmp_path: Path) -> None:
+@pytest.mark.parametrize("count", [1, 2])
+def test_stopped_compilers_end_the_programs_that_they_run(
+    count: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     compiler = Compiler(("sh", "-c", SCRIPT), PLATFORMS["x86_64-linux"], "")
+    folders = [tmp_path / str(number) for number in range(count)]
+    programs = [folder / "program" for folder in folders]
+    for folder in folders:
+        folder.mkdir()
+    monkeypatch.setattr(processes.os, "cpu_count", lambda: count)
+
+    def build(folder: Path) -> None:
+        compiler.build(folder / "fmu.c", folder / "fmu.so")
+
+    stopped = 0.0
 
     def stop(*_: object) -> None:
+        nonlocal stopped
+        stopped = time.monotonic()
         raise KeyboardInterrupt
 
     def look(*_: object) -> None:
-        # once the program runs
-        signal.signal(signal.SIGALRM, stop if (tmp_path / "program").exists() else look)
+        # once the programs run
+        signal.signal(signal.SIGALRM, stop if all(p.exists() for p in programs) else look)
         signal.setitimer(signal.ITIMER_REAL, 0.05)
 
     before = signal.signal(signal.SIGALRM, look)
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.05)
         with pytest.raises(KeyboardInterrupt):
-            compiler.build(tmp_path / "fmu.c", tmp_path / "fmu.so")
+            build(folders[0]) if count == 1 else processes.on_all_cores(build, folders)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, before)
-    program = int((tmp_path / "program").read_text())
-    deadline = time.monotonic() + 10.0
-    while _runs(program):
-        assert time.monotonic() < deadline
+    while any(_runs(int(p.read_text())) for p in programs):
         time.sleep(0.01)
+    assert time.monotonic() < stopped + 10.0
 
 
 @pytest.mark.parametrize(("configured", "name"), [

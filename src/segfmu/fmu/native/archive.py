@@ -13,6 +13,7 @@ from segfmu.fmu.models import named
 from segfmu.fmu.native import feeds, start, tables
 from segfmu.fmu.native.binaries import UNIT, binary
 from segfmu.fmu.native.compilers import PLATFORMS, host, universal
+from segfmu.fmu.native.processes import on_all_cores
 from segfmu.fmu.placing import placing
 from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
@@ -56,9 +57,11 @@ def build_all(
     names = tuple(platforms) or (host() or "this platform",)
     built = [folder / f"{spec.name}.fmu" for spec in specs]
     with placing(built) as work:
-        for spec, target in zip(specs, built, strict=True):
+        for target in built:
             report(f"building {target.name}")
-            pack(entries(spec, fmi, names), work / target.name)
+        contents = on_all_cores(lambda spec: entries(spec, fmi, names), specs)
+        for content, target in zip(contents, built, strict=True):
+            pack(content, work / target.name)
     return built
 
 

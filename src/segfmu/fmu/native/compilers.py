@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import os
 import platform
 import shutil
-import signal
 import struct
 import subprocess
 import sys
 import sysconfig
-from contextlib import suppress
 from dataclasses import dataclass
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
 from segfmu.errors import BuildError
+from segfmu.fmu.native import processes
 
 # small code: a wheel carries the binaries of all platforms
 OPTIONS = (
@@ -104,35 +102,11 @@ class Compiler:
             library.write_bytes(without_date(library.read_bytes()))
 
     def _run(self, *arguments: str, folder: Path) -> None:
-        command = [*self.command, *arguments]
-        # a compiler that is stopped leaves its files: in the folder, which is removed
-        own = os.environ | {"TMPDIR": str(folder)}
-        try:
-            process = subprocess.Popen(
-                command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                errors="replace", cwd=folder, env=own, start_new_session=True,
-            )
-        except OSError as error:
-            raise BuildError(f"{command[0]} cannot be run: {error.strerror}") from None
-        with process:
-            try:
-                _, said = process.communicate()
-            except BaseException:
-                _end(process)
-                raise
-        if process.returncode != 0:
+        code, said = processes.run([*self.command, *arguments], folder)
+        if code != 0:
             lines = [line for line in said.splitlines() if "error" in line]
-            told = (lines or said.splitlines() or [f"exit code {process.returncode}"])[0]
+            told = (lines or said.splitlines() or [f"exit code {code}"])[0]
             raise BuildError(f"compiling for {self.platform.name} failed: {told}")
-
-
-def _end(process: subprocess.Popen[str]) -> None:
-    """End a compiler and the programs that it runs: these would go on to write files."""
-    if os.name == "posix":
-        with suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-    else:
-        process.kill()
 
 
 # place of the offset of the header in a DLL, and of the date in that header: Microsoft's PE format
