@@ -24,17 +24,32 @@ from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
 SETTERS = {"Real": "real", "Integer": "integer", "Boolean": "boolean"}
 
 
+def late_execution(start: float, step: float) -> Any:
+    """An execution that starts at a time [s], for which the package has no function."""
+    from ctypes import POINTER, c_int64
+
+    from libcosimpy._internal import libcosimc, wrap_function
+    from libcosimpy.CosimExecution import CosimExecution
+
+    create = wrap_function(
+        lib=libcosimc(), funcname="cosim_execution_create", argtypes=[c_int64, c_int64],
+        restype=POINTER(CosimExecution),
+    )
+    key = CosimExecution._CosimExecution__create_key
+    return CosimExecution(key, create(round(start * 1e9), round(step * 1e9)))
+
+
 def libcosim(
-    paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP
+    paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP,
+    start: float = 0.0,
 ) -> dict[str, np.ndarray]:
-    """All real outputs of both FMUs at every communication point after the first."""
+    """All real outputs of both FMUs at every communication point after the first, at `start`."""
     require("libcosimpy")
     from libcosimpy.CosimConstants import success
-    from libcosimpy.CosimExecution import CosimExecution
     from libcosimpy.CosimObserver import CosimObserver
     from libcosimpy.CosimSlave import CosimLocalSlave
 
-    execution = CosimExecution.from_step_size(round(step * 1e9))
+    execution = late_execution(start, step)
     slaves = [
         CosimLocalSlave(fmu_path=str(path), instance_name=name)
         for path, name in zip(paths, SPECS, strict=True)
@@ -72,6 +87,12 @@ def test_libcosim_gives_what_our_master_gives(native_fmus, mission: str) -> None
     values = MISSIONS[mission]
     found = libcosim(native_fmus[2], *values)
     compare(found, native_fmus[2], values)
+
+
+def test_a_late_start_is_the_start_of_the_motion(native_fmus) -> None:
+    found = libcosim(native_fmus[2], {}, {}, start=100.0)
+    assert found.pop("plan.next_event")[-1] > 103.5
+    compare(found, native_fmus[2], ({}, {}), 1e-6)
 
 
 def test_parallel_coupling_has_an_error_of_first_order(native_fmus) -> None:

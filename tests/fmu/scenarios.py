@@ -163,7 +163,7 @@ FEEDFORWARD: dict[str, Scenario] = {
 CHANGES: Values = {
     "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "limits.x.acceleration": 0.2,
     "limits.y.acceleration": 0.2, "limits.z.acceleration": 0.05, "planner.smoothness": 5,
-    "planner.duration": 80.0,
+    "planner.duration": 80.0, "planner.start_time": 0.3,
     "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
 }
 # what only ever refuses: the scenario, a value that is refused, and a part of what is said

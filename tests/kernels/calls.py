@@ -339,6 +339,7 @@ def rig_calls() -> dict[str, Call]:
         "is_elsewhere": (HANGING, HANGING + 0.1, 0.01),
         "check_lengths": (np.array([0.2, 1.0]), fault.copy()),
         "check_range": (3.0, 1.0, 2.0, zeros(RangeFault.SIZE)),
+        "begin_time": (3.0, 1.0),
         "check_lags": (settings[Settings.PLANT].copy(), 1, fault.copy()),
         "check_friction": (np.array([2.0, 0.0, 0.0]), np.ones(3), fault.copy()),
         "wind_speed": (np.array([3.0, 4.0, 0.0]),),

@@ -193,7 +193,7 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real wind_constant_x(unit = "N") = 0.0 "constant wind, x" annotation(Dialog(tab = "wind"));
   parameter Real wind_constant_y(unit = "N") = 0.0 "constant wind, y" annotation(Dialog(tab = "wind"));
   parameter Real wind_constant_z(unit = "N") = 0.0 "constant wind, z" annotation(Dialog(tab = "wind"));
-  parameter Real wind_gust_start(unit = "s") = 0.0 "start of the gust" annotation(Dialog(tab = "wind"));
+  parameter Real wind_gust_start(unit = "s", min = -1000000000.0) = -1000000000.0 "start of the gust; -1e+09: the start of the simulation" annotation(Dialog(tab = "wind"));
   parameter Real wind_gust_duration(unit = "s", min = 0.0) = 0.0 "duration of the gust; 0: none" annotation(Dialog(tab = "wind"));
   parameter Types.GustShape wind_gust_shape = Types.GustShape.cosine "1 - cosine, or half a sine" annotation(Dialog(tab = "wind"));
   parameter Real wind_gust_force_x(unit = "N") = 0.0 "peak of the gust, x" annotation(Dialog(tab = "wind"));
@@ -459,7 +459,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{520ad461-1e22-b8f2-816a-5cc7d11578d1}", 16);
+      "{bd4e675c-0d35-c0d3-e9e6-b9b6f0a68cab}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";

@@ -61,7 +61,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
   parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals and dwells become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
   parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
-  parameter Real planner_start_time(unit = "s") = 0.0 "time at which the motion starts" annotation(Dialog(tab = "planner"));
+  parameter Real planner_start_time(unit = "s", min = -1000000000.0) = -1000000000.0 "time at which the motion starts; -1e+09: the start of the simulation" annotation(Dialog(tab = "planner"));
   parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "all outputs are those of so much later, from the end of initialisation on: the communication step of importers that couple in parallel" annotation(Dialog(tab = "setpoint"));
   parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the bridge drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
@@ -154,7 +154,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{c35fc772-f448-5a1e-5293-b207ea6cb0b2}", 0);
+      "{953f2ea8-ac83-33f1-8fcc-134e484bd68e}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

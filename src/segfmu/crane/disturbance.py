@@ -38,7 +38,7 @@ class Gust:
     Parameters
     ----------
     start, duration : float
-        [s]
+        [s]; a start of -1e9 is that of the simulation.
     force : tuple of 3 float
         Peak along x, y, z [N].
     speed : tuple of 3 float

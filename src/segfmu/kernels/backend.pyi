@@ -366,6 +366,12 @@ def check_range(
     /,
 ) -> int: ...
 
+def begin_time(
+    given: float,
+    start: float,
+    /,
+) -> float: ...
+
 def ramp_duration(
     change: float,
     axis: Floats,

@@ -348,6 +348,7 @@ ENTRY_POINTS = (
     entry("rig.setup", "check_rope_bounds", fault=SetupFault.SIZE),
     entry("rig.setup", "check_lengths", lengths=RopeRange.SIZE, fault=SetupFault.SIZE),
     entry("numerics.range", "check_range", fault=RangeFault.SIZE),
+    entry("numerics.times", "begin_time"),
     entry(
         "rig.start", "start_state", own=State.SIZE, held=State.SIZE, reference=State.SIZE,
         state=State.SIZE,

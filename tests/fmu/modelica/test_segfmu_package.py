@@ -82,6 +82,15 @@ def test_the_paper_mission_with_every_solver(package, native_fmus) -> None:
     assert set(results["feedforward.plan_interval"]) == {1.0, 2.0}
 
 
+def test_a_late_start_is_the_start_of_the_motion(package, native_fmus) -> None:
+    expected = simulate(*native_fmus[2], start_time=100.0, stop_time=105.0, step=1e-3)
+    mission = program(package, "Segfmu.Examples.Mission")
+    results, _ = simulated(mission, "-override=startTime=100,stopTime=105,stepSize=0.001")
+    assert load_distance(results, "gantry.", expected) < 1e-6
+    assert results["feedforward.reference_load_position_x"][0] == 0.0
+    assert results["gantry.load_position_x"][-1] == pytest.approx(1.0, abs=1e-3)
+
+
 def test_velocity_drives_with_lag_and_smoothstep(package, native_fmus) -> None:
     expected = simulate(
         *native_fmus[2], stop_time=5.0, step=1e-3, source_values={"planner.shape": "smoothstep"},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from segfmu.crane.checks import LARGEST_SEED
 from segfmu.crane.disturbance import SHAPES
 from segfmu.crane.equipment import SLACK
-from segfmu.fmu.standard.spec import Enumeration, Variable, choice, parameter
+from segfmu.fmu.standard.spec import Enumeration, Variable, beginning, choice, parameter
 from segfmu.kernels.crane.records import AXES, DRIVES
 from segfmu.kernels.rig.records import SIGNALS, Disturbance
 
@@ -144,7 +144,7 @@ def _sensors() -> list[Variable]:
 def _wind() -> list[Variable]:
     return [
         *_vector("wind.constant", "constant wind"),
-        parameter("wind.gust.start", 0.0, "s", "start of the gust"),
+        beginning("wind.gust.start", "start of the gust"),
         parameter("wind.gust.duration", 0.0, "s", "duration of the gust; 0: none", minimum=0.0),
         choice("wind.gust.shape", GUST_SHAPES, "cosine", "1 - cosine, or half a sine"),
         *_vector("wind.gust.force", "peak of the gust"),

@@ -10,6 +10,7 @@ from segfmu.fmu.standard.spec import (
     Enumeration,
     Spec,
     Variable,
+    beginning,
     choice,
     output,
     parameter,
@@ -132,7 +133,7 @@ def _planner() -> list[Variable]:
         parameter(
             "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0
         ),
-        parameter("planner.start_time", 0.0, "s", "time at which the motion starts"),
+        beginning("planner.start_time", "time at which the motion starts"),
         parameter(
             "setpoint.lead", 0.0, "s",
             "all outputs are those of so much later, from the end of initialisation on: the "

@@ -11,6 +11,7 @@ from segfmu.crane import Crane, FlatInverse
 from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, ORDERS, VELOCITY
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
+from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Compensation, Feedforward, LoadMotion
 from segfmu.kernels.planner.records import LoadLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
@@ -102,7 +103,8 @@ class FeedforwardSlave(SpecSlave):
         known = self.filled(Compensation)
         lags = known[Compensation.LAG : Compensation.DEAD_TIME]
         dead = known[Compensation.DEAD_TIME : Compensation.VISCOUS].tolist()
-        start = float(self.value("planner.start_time")) - lead + max(dead)
+        given = float(self.value("planner.start_time"))
+        start = backend.begin_time(given, self.start_time) - lead + max(dead)
         t = time - start
         found = {d: inverse.evaluate(t + d) for d in {0.0, *dead}}
         values, early = found[0.0].copy(), [found[d] for d in dead]

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from segfmu.kernels.numerics.records import GivenTime
+
 Kind = Literal["Real", "Integer", "Boolean", "Enumeration"]
 Causality = Literal[
     "input", "output", "parameter", "calculatedParameter", "local", "independent"
@@ -195,6 +197,14 @@ def parameter(
     return Variable(
         name, kind, "parameter", "tunable" if tunable else "fixed", description, start, unit,
         minimum, maximum, computed=computed,
+    )
+
+
+def beginning(name: str, description: str) -> Variable:
+    """A fixed parameter for the time at which something begins: by default with the simulation."""
+    first = float(GivenTime.AT_START)
+    return parameter(
+        name, first, "s", f"{description}; {first:g}: the start of the simulation", minimum=first
     )
 
 

@@ -6864,6 +6864,14 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
     (*result_3_0001) = e_newest;
     return 0;
 }
+double segfmu_begin_time(double given, double start)
+{
+    if (given <= -INT64_C(1000000000))
+    {
+        return start;
+    }
+    return given;
+}
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
@@ -18398,6 +18406,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d components, arra
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
+    (*cspan_at(&memory, INT64_C(5), INT64_C(53))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(53))), start);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = first_deflection(span_row(&memory, INT64_C(5)), i, (*cspan_at(&state, INT64_C(5) + i)));

@@ -50,6 +50,7 @@ SEGFMU_API double segfmu_state_scale(int64_t order, double duration, array_doubl
 SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, double joints, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault);
+SEGFMU_API double segfmu_begin_time(double given, double start);
 SEGFMU_API int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis);
 SEGFMU_API int64_t segfmu_ramp_pieces(array_double_1d axis);
 SEGFMU_API void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis);

@@ -1329,6 +1329,25 @@ static PyObject *call_check_range(
     return answer;
 }
 
+static PyObject *call_begin_time(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "begin_time", .values = values};
+    PyObject *answer = NULL;
+    double in_given;
+    double in_start;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_given)
+        && take_float(&call, 1, &in_start)) {
+        answer = PyFloat_FromDouble(segfmu_begin_time(
+            in_given,
+            in_start));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_ramp_duration(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3091,6 +3110,7 @@ static PyMethodDef methods[] = {
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
+    {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"ramp_pieces", (PyCFunction)(void (*)(void))call_ramp_pieces, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},

@@ -709,6 +709,10 @@ enum {
 };
 
 enum {
+    GIVEN_TIME_AT_START = -1000000000
+};
+
+enum {
     RANGE_STATUS_INSIDE = 0,
     RANGE_STATUS_BELOW = 1,
     RANGE_STATUS_OUTSIDE = 2

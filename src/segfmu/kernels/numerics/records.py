@@ -31,6 +31,12 @@ class RandomState(Record):
     SECOND = field("of the second generator")
 
 
+class GivenTime(Codes):
+    """Parameters that are times. AT_START, before any that a simulation has [s]: when it starts."""
+
+    AT_START = -1000000000
+
+
 class RangeStatus(Codes):
     """Whether a value is in its range. BELOW: no, and the range has no end above."""
 

@@ -23,6 +23,7 @@ from segfmu.kernels.crane._crane import crane_energy
 from segfmu.kernels.crane.friction import first_deflection
 from segfmu.kernels.crane.records import Axes, Plant, PlantState, PlantStatus, Report, State
 from segfmu.kernels.numerics.integrate import all_finite
+from segfmu.kernels.numerics.times import begin_time
 from segfmu.kernels.rig.acting import act_first
 from segfmu.kernels.rig.delay import (
     delay_rows,
@@ -80,6 +81,9 @@ def rig_start(
         memory[Memory.STATE, i] = state[i]
     for i in range(Plant.SIZE):
         memory[Memory.PLANT, i] = settings[Settings.PLANT, i]
+    memory[Memory.PLANT, Plant.GUST_START] = begin_time(
+        settings[Settings.PLANT, Plant.GUST_START], start
+    )
     for i in range(Axes.SIZE):
         memory[Memory.STATE, PlantState.DEFLECTION + i] = first_deflection(
             memory[Memory.PLANT, :], i, state[State.VELOCITY + i]

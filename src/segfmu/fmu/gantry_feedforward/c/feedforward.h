@@ -48,6 +48,9 @@ static inline array_double_2d timing_of(const segfmu_trajectory *t)
 /* What is known of the drives, and the longest dead time [s] of them. */
 static double drives_of(const feedforward *m, double known[COMPENSATION_SIZE]);
 
+/* The time at which the plan starts without lead and dead times. */
+static double feedforward_start(const feedforward *m);
+
 /* The time at which the reference begins to move. */
 static double beginning(const feedforward *m);
 

@@ -41,9 +41,14 @@ segfmu_trajectory feedforward_trajectory(const feedforward *m)
     return t;
 }
 
+double feedforward_start(const feedforward *m)
+{
+    return segfmu_begin_time(m->base.real[V_PLANNER_START_TIME], m->base.start);
+}
+
 static void note_events(feedforward *m, const segfmu_trajectory *found)
 {
-    double start = m->base.real[V_PLANNER_START_TIME];
+    const double start = feedforward_start(m);
     for (int64_t i = 1; i < m->points; i++) {
         double last = 0.0;
         for (int axis = 0; axis < AXES; axis++) {

@@ -95,7 +95,7 @@ static double ahead_of(const feedforward *m)
 
 static double beginning(const feedforward *m)
 {
-    return m->base.real[V_PLANNER_START_TIME] - ahead_of(m);
+    return feedforward_start(m) - ahead_of(m);
 }
 
 static double upcoming(const feedforward *m)
