@@ -493,13 +493,11 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
 static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
 static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d cells);
-static double smoothness_share(double usual, double share, array_double_1d axis);
+static double smoothness_share(double usual, double share);
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double plan_steeper(int64_t missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static void note_held(double share, int64_t axis, array_double_2d axes, array_double_3d cells);
-static void hold_back(bool meeting, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_2, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static int64_t plan_refused(int64_t* result_0, double* result_1, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_1d report);
 static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, int64_t first, int64_t step, double target, array_double_3d cells);
@@ -10037,15 +10035,15 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(24)));
-    hold1 = (*cspan_at(&family, INT64_C(25)));
-    level1 = (*cspan_at(&family, INT64_C(26)));
-    hold2 = (*cspan_at(&family, INT64_C(27)));
-    level2 = (*cspan_at(&family, INT64_C(28)));
-    t3 = (*cspan_at(&family, INT64_C(29)));
+    t1 = (*cspan_at(&family, INT64_C(25)));
+    hold1 = (*cspan_at(&family, INT64_C(26)));
+    level1 = (*cspan_at(&family, INT64_C(27)));
+    hold2 = (*cspan_at(&family, INT64_C(28)));
+    level2 = (*cspan_at(&family, INT64_C(29)));
+    t3 = (*cspan_at(&family, INT64_C(30)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(30)));
-    basis = basis + (*cspan_at(&family, INT64_C(31))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(31)));
+    basis = basis + (*cspan_at(&family, INT64_C(32))) * (t2 - basis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
@@ -10132,7 +10130,7 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     a = (*cspan_at(&family, INT64_C(1)));
     second_level(&level2, &t3, &hold2, &gain, p, family, axis);
     low = span_max(0.0, span_max(a, level2));
-    near = (*cspan_at(&family, INT64_C(24)));
+    near = (*cspan_at(&family, INT64_C(25)));
     solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), near, axis);
     if (hold1 < 0.0)
     {
@@ -10140,12 +10138,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(24))) = t1;
-    (*cspan_at(&family, INT64_C(25))) = hold1;
-    (*cspan_at(&family, INT64_C(26))) = level1;
-    (*cspan_at(&family, INT64_C(27))) = hold2;
-    (*cspan_at(&family, INT64_C(28))) = level2;
-    (*cspan_at(&family, INT64_C(29))) = t3;
+    (*cspan_at(&family, INT64_C(25))) = t1;
+    (*cspan_at(&family, INT64_C(26))) = hold1;
+    (*cspan_at(&family, INT64_C(27))) = level1;
+    (*cspan_at(&family, INT64_C(28))) = hold2;
+    (*cspan_at(&family, INT64_C(29))) = level2;
+    (*cspan_at(&family, INT64_C(30))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -10259,12 +10257,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(24))) = t1;
-    (*cspan_at(&family, INT64_C(25))) = hold1;
-    (*cspan_at(&family, INT64_C(26))) = level1;
-    (*cspan_at(&family, INT64_C(27))) = hold2;
-    (*cspan_at(&family, INT64_C(28))) = level2;
-    (*cspan_at(&family, INT64_C(29))) = t3;
+    (*cspan_at(&family, INT64_C(25))) = t1;
+    (*cspan_at(&family, INT64_C(26))) = hold1;
+    (*cspan_at(&family, INT64_C(27))) = level1;
+    (*cspan_at(&family, INT64_C(28))) = hold2;
+    (*cspan_at(&family, INT64_C(29))) = level2;
+    (*cspan_at(&family, INT64_C(30))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -10338,8 +10336,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(26)));
-    level2 = (*cspan_at(&family, INT64_C(28)));
+    level1 = (*cspan_at(&family, INT64_C(27)));
+    level2 = (*cspan_at(&family, INT64_C(29)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if (fastest <= 0.0)
@@ -10358,7 +10356,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     {
         return 0;
     }
-    (*cspan_at(&family, INT64_C(30))) = stretch;
+    (*cspan_at(&family, INT64_C(31))) = stretch;
     return stretch >= 1.0;
 }
 static double flush_tiny(double value, double scale)
@@ -10913,7 +10911,7 @@ static void note_near(double y, double duration, array_double_1d family, array_d
     speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
     if (fabs(y - (*cspan_at(&family, INT64_C(14)))) <= saving(axis) * speed * duration)
     {
-        (*cspan_at(&family, INT64_C(18))) = 1.0;
+        (*cspan_at(&family, INT64_C(18))) = INT64_C(2);
     }
 }
 static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
@@ -10968,10 +10966,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(26)))) * (*cspan_at(&family, INT64_C(24)));
-    gain = gain + (*cspan_at(&family, INT64_C(26))) * (*cspan_at(&family, INT64_C(25)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(28))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(29)));
-    loss = loss + (*cspan_at(&family, INT64_C(28))) * (*cspan_at(&family, INT64_C(27)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(27)))) * (*cspan_at(&family, INT64_C(25)));
+    gain = gain + (*cspan_at(&family, INT64_C(27))) * (*cspan_at(&family, INT64_C(26)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(29))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(30)));
+    loss = loss + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -11019,7 +11017,7 @@ static void note_near_gain(array_double_1d family, array_double_1d axis)
     level_gain(&first, &least, low, a, b, axis);
     if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
     {
-        (*cspan_at(&family, INT64_C(18))) = 1.0;
+        (*cspan_at(&family, INT64_C(18))) = INT64_C(2);
     }
 }
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
@@ -11135,8 +11133,8 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double f_upper;
     double result;
     target = (*cspan_at(&family, INT64_C(14)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(23)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(23)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(24)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(24)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -11186,9 +11184,9 @@ static double member_search(array_double_1d family, array_double_1d axis)
     if (whole && ((*cspan_at(&family, INT64_C(15))) > 0.5))
     {
         passed = (int64_t)((*cspan_at(&family, INT64_C(15))));
-        begin = (int64_t)((*cspan_at(&family, INT64_C(19))));
-        lower = (*cspan_at(&family, INT64_C(20)));
-        f_lower = (*cspan_at(&family, INT64_C(21)));
+        begin = (int64_t)((*cspan_at(&family, INT64_C(20))));
+        lower = (*cspan_at(&family, INT64_C(21)));
+        f_lower = (*cspan_at(&family, INT64_C(22)));
         if ((begin > INT64_C(13)) && (lower >= 0.0) && (f_lower > target))
         {
             return -1.0;
@@ -11219,13 +11217,13 @@ static double member_search(array_double_1d family, array_double_1d axis)
         {
             if (whole)
             {
-                (*cspan_at(&family, INT64_C(19))) = i + INT64_C(1);
-                (*cspan_at(&family, INT64_C(20))) = p;
+                (*cspan_at(&family, INT64_C(20))) = i + INT64_C(1);
+                (*cspan_at(&family, INT64_C(21))) = p;
                 if (!inside)
                 {
-                    (*cspan_at(&family, INT64_C(20))) = -1.0;
+                    (*cspan_at(&family, INT64_C(21))) = -1.0;
                 }
-                (*cspan_at(&family, INT64_C(21))) = f_upper;
+                (*cspan_at(&family, INT64_C(22))) = f_upper;
             }
             if (f_upper > f_lower)
             {
@@ -11297,17 +11295,17 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(13))) = 0.0;
     (*cspan_at(&family, INT64_C(14))) = distance;
     (*cspan_at(&family, INT64_C(15))) = -1.0;
-    (*cspan_at(&family, INT64_C(24))) = -1.0;
+    (*cspan_at(&family, INT64_C(25))) = -1.0;
     (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(30))) = 1.0;
-    (*cspan_at(&family, INT64_C(31))) = 0.0;
-    (*cspan_at(&family, INT64_C(22))) = 0.0;
+    (*cspan_at(&family, INT64_C(31))) = 1.0;
+    (*cspan_at(&family, INT64_C(32))) = 0.0;
+    (*cspan_at(&family, INT64_C(23))) = 0.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(15))) = member;
     (*cspan_at(&family, INT64_C(16))) = span_min(span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time), time);
-    (*cspan_at(&family, INT64_C(23))) = -1.0;
+    (*cspan_at(&family, INT64_C(24))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(13))) = 1.0;
@@ -11318,7 +11316,7 @@ static bool same_members(int64_t branch, array_double_1d problem, array_double_1
 {
     double a;
     double b;
-    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(22))) > 0.5))
+    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(23))) > 0.5))
     {
         return 0;
     }
@@ -11343,21 +11341,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(26)));
-    level2 = (*cspan_at(&family, INT64_C(28)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(24))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(25))));
+    level1 = (*cspan_at(&family, INT64_C(27)));
+    level2 = (*cspan_at(&family, INT64_C(29)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(25))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(26))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(30))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(31))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(30)));
+        duration = basis * (*cspan_at(&family, INT64_C(31)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(31))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(32))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(27))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(29))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(28))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(30))), axis);
     if ((*cspan_at(&family, INT64_C(11))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -11391,7 +11389,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(23))) = p;
+    (*cspan_at(&family, INT64_C(24))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -11597,7 +11595,7 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     {
         return count;
     }
-    (*cspan_at(&family, INT64_C(22))) = 1.0;
+    (*cspan_at(&family, INT64_C(23))) = 1.0;
     outside = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -12250,8 +12248,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double y;
     double error;
     double speed;
-    (*cspan_at(&family, INT64_C(30))) = 1.0;
-    (*cspan_at(&family, INT64_C(31))) = 0.0;
+    (*cspan_at(&family, INT64_C(31))) = 1.0;
+    (*cspan_at(&family, INT64_C(32))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -12263,7 +12261,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(31))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(32))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -12275,7 +12273,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(31))) = 1.0;
+            (*cspan_at(&family, INT64_C(32))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -15640,7 +15638,8 @@ static double short_window(double duration, array_double_1d problem, array_doubl
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
-    (*cspan_at(&work, INT64_C(98), INT64_C(18))) = 0.0;
+    (*cspan_at(&work, INT64_C(98), INT64_C(18))) = INT64_C(0);
+    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = 0.0;
     (*cspan_at(&work, INT64_C(98), INT64_C(17))) = 1e+300;
     (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 0.0;
 }
@@ -15747,10 +15746,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         status = touching_form(status, phases, asked, axis, work);
     }
-    if (total_duration(phases, status) > most)
-    {
-        (*cspan_at(&work, INT64_C(98), INT64_C(18))) = 3.0;
-    }
+    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = total_duration(phases, status) > most;
     return status;
 }
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
@@ -15775,7 +15771,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
 {
     array_double_1d asked;
     array_double_1d family;
-    double missed;
+    int64_t missed;
     double free;
     array_double_1d rest;
     double longest;
@@ -15789,24 +15785,19 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    missed = 2.0 * (*cspan_at(&family, INT64_C(18)));
+    missed = (int64_t)((*cspan_at(&family, INT64_C(18))));
     if (count == INT64_C(0))
     {
         free = (*cspan_at(&family, INT64_C(17)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&family, INT64_C(18))) > 2.5)
-        {
-            missed = 3.0;
-        }
         if ((*cspan_at(&work, INT64_C(101), INT64_C(10))) < 0.5)
         {
-            missed = span_max(missed, 1.0);
+            missed = span_max_int(missed, INT64_C(1));
         }
         if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
         {
-            missed = span_max(missed, 2.0);
+            missed = INT64_C(2);
         }
-        (*cspan_at(&family, INT64_C(17))) = free;
     }
     else
     {
@@ -15817,7 +15808,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
             count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
             if (total_duration(phases, count) > longest)
             {
-                missed = 2.0;
+                missed = INT64_C(2);
             }
         }
         if (((*cspan_at(&axis, INT64_C(36))) > 0.5) && (!ramps_suffice(axis)))
@@ -15829,14 +15820,11 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     {
         trial = span_rows(&work, INT64_C(0), INT64_C(21));
         count = shorter_cruise(count, phases, asked, axis, trial);
-    }
-    if ((count > INT64_C(0)) && (((*cspan_at(&axis, INT64_C(12))) < 0.5) || ((*cspan_at(&axis, INT64_C(24))) > 0.0)))
-    {
         count = shorter_braked(count, asked, axis, phases, work);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {
-        missed = span_max(missed, 2.0);
+        missed = INT64_C(2);
     }
     (*cspan_at(&family, INT64_C(18))) = missed;
     return count;
@@ -16378,13 +16366,15 @@ static void note_shortest(double time, array_double_1d axis, array_double_2d cel
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
-    double missed;
+    int64_t missed;
+    double slow;
     int64_t j;
     double time;
     int64_t status;
     report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(0))) = axis;
-    missed = 0.0;
+    missed = INT64_C(0);
+    slow = 0.0;
     if (!segfmu_ramp_parameters(share, span_row(&axes, axis), work))
     {
         return -INT64_C(9);
@@ -16403,12 +16393,12 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
             (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
             return status;
         }
-        missed = span_max(missed, (*cspan_at(&work, INT64_C(98), INT64_C(18))));
+        missed = span_max_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(18)))));
+        slow = span_max(slow, (*cspan_at(&work, INT64_C(98), INT64_C(19))));
         note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
-        (*cspan_at(&cells, j, INT64_C(67), INT64_C(7))) = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
-        (*cspan_at(&cells, j, INT64_C(67), INT64_C(9))) = 0.0;
     }
     (*cspan_at(&work, INT64_C(98), INT64_C(18))) = missed;
+    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = slow;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -16433,7 +16423,6 @@ static void keep_shortest(int64_t axis, array_double_2d axes, array_double_3d ce
         count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
         copy_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), span_rows(&cell, INT64_C(33), INT64_C(66)), count);
         (*cspan_at(&cell, INT64_C(67), INT64_C(5))) = count;
-        (*cspan_at(&cell, INT64_C(67), INT64_C(8))) = (*cspan_at(&cell, INT64_C(67), INT64_C(7)));
     }
 }
 static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -16450,24 +16439,11 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
         copy_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), phases, count);
         (*cspan_at(&cell, INT64_C(67), INT64_C(3))) = count;
         note_shortest(total_duration(phases, count), span_row(&axes, axis), cell);
-        (*cspan_at(&cell, INT64_C(67), INT64_C(7))) = (*cspan_at(&cell, INT64_C(67), INT64_C(8)));
     }
 }
-static double smoothness_share(double usual, double share, array_double_1d axis)
+static double smoothness_share(double usual, double share)
 {
-    double power;
-    double margin;
-    power = 0.5;
-    margin = 0.001;
-    if (ramps_suffice(axis))
-    {
-        margin = 0.005;
-    }
-    if ((*cspan_at(&axis, INT64_C(24))) > 0.0)
-    {
-        power = 1.0 / 3.0;
-    }
-    return pow(((1.0 - usual) / (1.0 - share)), power) * (1.0 - margin);
+    return 0.999 * sqrt((1.0 - usual) / (1.0 - share));
 }
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -16484,33 +16460,29 @@ static bool shorter_with(double share, double kept, double factor, int64_t axis,
     restore_shortest(axis, axes, cells);
     return 0;
 }
-static int64_t plan_steeper(double* result_0, double* result_1_0001, double missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static double plan_steeper(int64_t missed, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    double share;
     double factor;
+    double share;
     share = usual_share(span_row(&axes, axis));
     if (snap_is_last(span_row(&axes, axis)))
     {
-        factor = smoothness_share(share, moderate_share(), span_row(&axes, axis));
+        factor = smoothness_share(share, moderate_share());
         if (shorter_with(moderate_share(), share, factor, axis, axes, cells, work))
         {
             share = moderate_share();
         }
-        missed = span_min(missed, (*cspan_at(&work, INT64_C(98), INT64_C(18))));
+        missed = span_min_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(18)))));
     }
-    if (missed > 1.5)
+    if (missed == INT64_C(2))
     {
-        factor = smoothness_share(share, steepest_share(), span_row(&axes, axis));
+        factor = smoothness_share(share, steepest_share());
         if (shorter_with(steepest_share(), share, factor, axis, axes, cells, work))
         {
-            (*result_0) = steepest_share();
-            (*result_1_0001) = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
-            return 0;
+            share = steepest_share();
         }
     }
-    (*result_0) = share;
-    (*result_1_0001) = missed;
-    return 0;
+    return share;
 }
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -16520,136 +16492,51 @@ static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, ar
         (*cspan_at(&axes, axis, INT64_C(10))) = 0.0;
     }
 }
-static void note_held(double share, int64_t axis, array_double_2d axes, array_double_3d cells)
-{
-    double usual;
-    double factor;
-    int64_t j;
-    array_double_2d cell;
-    double delay;
-    double least;
-    double free;
-    if (!ramps_suffice(span_row(&axes, axis)))
-    {
-        return;
-    }
-    usual = usual_share(span_row(&axes, axis));
-    factor = 1.0;
-    if (share < usual)
-    {
-        factor = smoothness_share(usual, share, span_row(&axes, axis));
-    }
-    for (j = axis; (axes.shape[INT64_C(0)] > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += axes.shape[INT64_C(0)])
-    {
-        cell = span_matrix(&cells, j);
-        delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
-        least = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - delay;
-        free = (*cspan_at(&cell, INT64_C(67), INT64_C(7)));
-        if (snap_is_last(span_row(&axes, axis)) && (free > least) && (free < 1.01 * least))
-        {
-            least = free;
-        }
-        (*cspan_at(&cell, INT64_C(67), INT64_C(9))) = delay + least / factor;
-    }
-}
-static void hold_back(bool meeting, array_double_2d axes, array_double_3d cells, array_double_2d work)
-{
-    int64_t j;
-    array_double_2d cell;
-    int64_t row;
-    double held;
-    double shortest;
-    int64_t i;
-    for (j = INT64_C(0); j < cells.shape[INT64_C(0)]; j += INT64_C(1))
-    {
-        cell = span_matrix(&cells, j);
-        row = span_floor_mod(j, axes.shape[INT64_C(0)]);
-        held = (*cspan_at(&cell, INT64_C(67), INT64_C(9)));
-        shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
-        if (meeting)
-        {
-            for (i = j - row; i < j - row + axes.shape[INT64_C(0)]; i += INT64_C(1))
-            {
-                shortest = span_max(shortest, (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))));
-            }
-        }
-        if (held <= shortest * (1.0 + 1e-13))
-        {
-            continue;
-        }
-        if (set_duration(held, cell, span_row(&axes, row), work))
-        {
-            (*cspan_at(&cell, INT64_C(67), INT64_C(1))) = held;
-        }
-        else
-        {
-            set_duration((*cspan_at(&cell, INT64_C(67), INT64_C(0))), cell, span_row(&axes, row), work);
-        }
-    }
-}
-static int64_t plan_refused(int64_t* result_0, double* result_1, double* result_2, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static int64_t plan_refused(int64_t* result_0, double* result_1, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     double share;
     int64_t status;
-    double missed;
     double factor;
     share = moderate_share();
     status = plan_with_share(axis, share, axes, cells, work);
-    missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
     if (status != INT64_C(0))
     {
-        status = plan_with_share(axis, steepest_share(), axes, cells, work);
-        (*result_0) = status;
+        (*result_0) = plan_with_share(axis, steepest_share(), axes, cells, work);
         (*result_1) = steepest_share();
-        (*result_2) = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
         return 0;
     }
-    factor = 1.0;
-    if (ramps_suffice(span_row(&axes, axis)))
-    {
-        factor = smoothness_share(share, steepest_share(), span_row(&axes, axis));
-    }
+    factor = smoothness_share(share, steepest_share());
     if (shorter_with(steepest_share(), share, factor, axis, axes, cells, work))
     {
-        (*result_0) = status;
-        (*result_1) = steepest_share();
-        (*result_2) = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
-        return 0;
+        share = steepest_share();
     }
     (*result_0) = status;
     (*result_1) = share;
-    (*result_2) = missed;
     return 0;
 }
 static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    double usual;
     double share;
-    double missed;
+    int64_t missed;
     int64_t status;
-    usual = usual_share(span_row(&axes, axis));
-    share = usual;
-    status = plan_with_share(axis, usual, axes, cells, work);
-    missed = (*cspan_at(&work, INT64_C(98), INT64_C(18)));
+    share = usual_share(span_row(&axes, axis));
+    status = plan_with_share(axis, share, axes, cells, work);
+    missed = (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(18))));
     if ((*cspan_at(&axes, axis, INT64_C(12))) < 0.5)
     {
         return status;
     }
     if ((status == -INT64_C(1)) || (status == -INT64_C(2)))
     {
-        plan_refused(&status, &share, &missed, axis, axes, cells, work);
+        plan_refused(&status, &share, axis, axes, cells, work);
     }
-    else if ((status == INT64_C(0)) && (missed > 0.5))
+    else if ((status == INT64_C(0)) && (missed > INT64_C(0)))
     {
-        plan_steeper(&share, &missed, missed, axis, axes, cells, work);
+        share = plan_steeper(missed, axis, axes, cells, work);
     }
-    if ((status == INT64_C(0)) && (missed > 2.5))
+    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(19))) > 0.5))
     {
         plan_thoroughly(share, axis, axes, cells, work);
-    }
-    if (status == INT64_C(0))
-    {
-        note_held(share, axis, axes, cells);
     }
     return status;
 }
@@ -16992,7 +16879,6 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     int64_t smoothness;
     int64_t shape;
     int64_t axis;
-    bool meeting;
     int64_t status;
     report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
@@ -17019,11 +16905,6 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
         {
             return status;
         }
-    }
-    if ((*cspan_at(&options, INT64_C(4))) <= 0.0)
-    {
-        meeting = (int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(1);
-        hold_back(meeting, axes, cells, work);
     }
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;

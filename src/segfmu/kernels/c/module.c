@@ -1533,7 +1533,7 @@ static PyObject *call_timed_profile(
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
-        && has_at_least(&call, "cell", 1, in_cell->shape[1], 10)
+        && has_at_least(&call, "cell", 1, in_cell->shape[1], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
         && has_at_least(&call, "work", 1, in_work->shape[1], 48)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
@@ -1577,7 +1577,7 @@ static PyObject *call_plan_phases(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
         && has_at_least(&call, "work", 1, in_work->shape[1], 48)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
@@ -2874,7 +2874,7 @@ static PyObject *call_count_pieces(
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)) {
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)) {
         answer = PyLong_FromLongLong(segfmu_count_pieces(
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}));
@@ -2917,7 +2917,7 @@ static PyObject *call_expand_plan(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
@@ -2980,7 +2980,7 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
@@ -3043,7 +3043,7 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 10)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))

@@ -5,7 +5,7 @@
 
 from segfmu.kernels.planner.intervals import common_duration, set_duration
 from segfmu.kernels.planner.parameters import axis_limits
-from segfmu.kernels.planner.plan_axis import hold_back, plan_axis
+from segfmu.kernels.planner.plan_axis import plan_axis
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -230,10 +230,6 @@ def plan_phases(
         status = plan_axis(axis, axes, cells, work)
         if status < 0:
             return status
-    # whoever asks for a duration may have the shortest one
-    if options[PlanOptions.DURATION] <= 0.0:
-        meeting = int(options[PlanOptions.SYNCHRONIZATION]) == Synchronization.WAYPOINTS
-        hold_back(meeting, axes, cells, work)
     return synchronize_plan(dwells, options, axes, cells, work)
 
 

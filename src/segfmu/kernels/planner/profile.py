@@ -30,6 +30,7 @@ from segfmu.kernels.planner.records import (
     PlanStatus,
     PlanWork,
     Problem,
+    Rises,
 )
 from segfmu.kernels.planner.touching import touching_form
 from segfmu.kernels.planner.window import early_window, short_window
@@ -38,7 +39,8 @@ from segfmu.kernels.planner.window import early_window, short_window
 def begin_search(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
     """Set the boundary problem in the row PROBLEM of `work` (PlanWork); nothing is known of it."""
     boundary_problem(problem, axis, work[PlanWork.PROBLEM, :])
-    work[PlanWork.FAMILY, Family.MISSED] = 0.0
+    work[PlanWork.FAMILY, Family.MISSED] = Rises.USUAL
+    work[PlanWork.FAMILY, Family.SLOW] = 0.0
     work[PlanWork.FAMILY, Family.FREE] = 1e300
     work[PlanWork.PASSING, Passing.PLAIN] = 0.0
 
@@ -91,35 +93,31 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
-    missed = 2.0 * family[Family.MISSED]
+    missed = int(family[Family.MISSED])
     if count == 0:
         free = family[Family.FREE]
         count = shortest_braked(asked, axis, phases, work)
-        if family[Family.MISSED] > 2.5:
-            missed = 3.0
         if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
-            missed = max(missed, 1.0)
+            missed = max(missed, int(Rises.MODERATE))
         if count > 0 and misses_little(free, total_duration(phases, count), asked, axis):
-            missed = max(missed, 2.0)
-        family[Family.FREE] = free
+            missed = int(Rises.STEEPEST)
     else:
         rest = work[PlanWork.REST, :]
         longest = short_window(total_duration(phases, count), asked, axis, rest)
         if longest > 0.0:
             count = loop_form(LoopArc.FOLD, count, longest, phases, asked, axis, work)
             if total_duration(phases, count) > longest:
-                missed = 2.0
+                missed = int(Rises.STEEPEST)
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
     if count > 0 and axis[Axis.PLATEAU] < 0.5:
         # two ramps by way of zero may take no longer than one, over another distance
         trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
         count = shorter_cruise(count, phases, asked, axis, trial)
-    if count > 0 and (axis[Axis.PLATEAU] < 0.5 or axis[Axis.SHARES] > 0.0):
         count = shorter_braked(count, asked, axis, phases, work)
     # where the snap is not the highest limit, steeper rises are always tried
     if not snap_is_last(axis) and not is_resting(asked, axis):
-        missed = max(missed, 2.0)
+        missed = int(Rises.STEEPEST)
     family[Family.MISSED] = missed
     return count
 
@@ -144,8 +142,7 @@ def shortest_braked(
         status = shorter_dipped(status, phases, asked, axis, work)
     if axis[Axis.THOROUGH] > 0.5 and total_duration(phases, status) > far:
         status = touching_form(status, phases, asked, axis, work)
-    if total_duration(phases, status) > most:
-        work[PlanWork.FAMILY, Family.MISSED] = 3.0
+    work[PlanWork.FAMILY, Family.SLOW] = total_duration(phases, status) > most
     return status
 
 

@@ -62,6 +62,17 @@ class Braking(Codes):
     NOT_NEEDED = -3
 
 
+class Rises(Codes):
+    """How steep the rises of the ramps are (parameters.py).
+
+    USUAL: as smoothness asks. MODERATE, STEEPEST: where the limits leave no room for those.
+    """
+
+    USUAL = 0
+    MODERATE = 1
+    STEEPEST = 2
+
+
 class PlanOptions(Record):
     """How to plan."""
 
@@ -197,7 +208,8 @@ class Family(Record):
     MEMBER = field("number of the member of that value, from 0; -1: the first one found")
     SCALE = field("time over which members are looked for", "s")
     FREE = field("least duration of the optimal forms without the velocity limit", "s")
-    MISSED = field("1, 2: steeper, steepest rises may leave room for a shorter one, 3: more starts")
+    MISSED = field("rises that may leave room for a shorter profile, see Rises")
+    SLOW = field("1: the velocity limit makes the profile much longer: more starts may help")
     PASSED = field("samples that were passed up to the member before")
     PASSED_INSIDE = field("parameter of the last one of them; -1: it has no member", "s")
     PASSED_VALUE = field("its distance or duration", "m or s")
@@ -310,9 +322,6 @@ class Interval(Record):
     ABOVE_COUNT = field("number of phases of the second profile; 0: there is none")
     KEPT_COUNT = field("number of phases that are kept in its place")
     PASSING = field("1: the shortest profile passes zero jerk with snap")
-    FREE = field("duration of the merged form without the velocity limit", "s")
-    KEPT_FREE = field("the same of the profile that is kept", "s")
-    HELD = field("duration to which the shortest profile is held back", "s")
 
 
 class Place(Record):

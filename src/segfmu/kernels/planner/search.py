@@ -7,7 +7,7 @@ from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
-from segfmu.kernels.planner.records import Axis, Family
+from segfmu.kernels.planner.records import Axis, Family, Rises
 
 
 def window_edge(
@@ -202,7 +202,7 @@ def note_near(y: float, duration: float, family: 'float[:]', axis: 'float[:]') -
     speed = abs(family[Family.V]) + abs(family[Family.W])
     speed = speed + (abs(family[Family.A]) + abs(family[Family.B])) * duration
     if abs(y - family[Family.TARGET]) <= saving(axis) * speed * duration:
-        family[Family.MISSED] = 1.0
+        family[Family.MISSED] = Rises.STEEPEST
 
 
 def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
@@ -212,7 +212,7 @@ def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
     low = max(0.0, max(a, b))
     first, least = level_gain(low, a, b, axis)
     if family[Family.W] - family[Family.V] >= (1.0 - saving(axis)) * least:
-        family[Family.MISSED] = 1.0
+        family[Family.MISSED] = Rises.STEEPEST
 
 
 def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
