@@ -11,7 +11,7 @@ EXTRAS ?= dev
 PIP = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile \
 	--constraint requirements-dev.lock
 
-.PHONY: help demo quick test interpreted lint examples pictures docs bench fuzz fmus check-platforms \
+.PHONY: help demo quick test soak interpreted lint examples pictures docs bench fuzz fmus check-platforms \
 	generate golden lock wheel check-wheel release clean
 .DEFAULT_GOAL := demo
 
@@ -73,19 +73,32 @@ demo: $(VENV)/package ## plan, invert, pack, co-simulate and judge the paper's m
 	$(BIN)/segfmu simulate models/paper.toml --output $(OUT)
 
 # the tests that fail for most mistakes in kernels, planner, crane, FMUs and generated files
-QUICK := tests/codegen tests/golden tests/property tests/kernels/test_backend.py \
+QUICK := tests/golden tests/property tests/kernels/test_backend.py \
 	tests/kernels/numerics tests/kernels/crane tests/planning tests/fmu/standard/test_description.py \
 	tests/test_layers.py tests/validation/files/test_crane_file.py \
 	tests/validation/files/test_files.py::test_reference_page_is_that_of_the_models
 
-# workers on all cores; one that is done takes over tests of the others
-PYTEST := $(BIN)/python -m pytest -q -n auto --dist worksteal
+# Workers on all cores; one that is done takes over tests of the others. Threads of OpenBLAS would
+# wait for cores that other workers have.
+PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -q -n auto --dist worksteal
 
-quick: $(VENV)/installed ## the tests that fail for most mistakes, in half a minute
-	$(PYTEST) $(QUICK)
+# what generated files are made from and by, and the files
+TRANSLATED := $(shell find src/segfmu/kernels src/segfmu/codegen src/segfmu/crane tests/codegen \
+	-name '*.py' -o -name '*.[ch]' -o -name '*.pyi') requirements-dev.lock
+
+quick: $(VENV)/installed ## the tests that fail for most mistakes, without long ones; translates what has changed
+	@$(MAKE) --no-print-directory $(VENV)/translated
+	$(PYTEST) -m "not long and not soak" $(QUICK)
+
+$(VENV)/translated: $(TRANSLATED)
+	$(PYTEST) tests/codegen
+	@touch $@
 
 test: $(VENV)/installed ## all tests, on all cores
 	$(PYTEST)
+
+soak: $(VENV)/installed ## the random campaigns of the tests, with 2 to 30 times as many problems
+	SEGFMU_SOAK=1 $(PYTEST) -m soak
 
 interpreted: $(VENV)/installed ## some tests on the interpreted kernels, as where no C compiler is
 	SEGFMU_INTERPRETED=1 $(PYTEST) -m interpreted

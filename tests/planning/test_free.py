@@ -50,7 +50,7 @@ def walk(seed: int, count: int) -> np.ndarray:
     return np.cumsum(steps + 0.3 * random.normal(size=(count, 3)), axis=0)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(i, marks=pytest.mark.long) for i in (1, 2, 3))])
 def test_long_missions_are_planned_and_better_than_with_free_velocities_alone(seed: int) -> None:
     places = walk(seed, 10 + 3 * seed)
     totals = {}
@@ -91,6 +91,7 @@ def test_a_moving_start_costs_few_steps_and_no_warning(monkeypatch: pytest.Monke
     assert len(steps) < 1500
 
 
+@pytest.mark.long
 def test_the_choice_is_the_same_every_time() -> None:
     places = walk(1, 6)
     points = [Waypoint(places[0]), *(Waypoint(p, "free", "free") for p in places[1:-1]),
@@ -125,6 +126,7 @@ def test_ramps_of_nanoseconds_do_not_matter(
     assert verify(found).passed
 
 
+@pytest.mark.long
 def test_more_room_is_never_slower_than_the_usual_room() -> None:
     """Without any bound the search alone ended 28 % later."""
     mission = list(missions(75, (4, 8), 1))[74]
@@ -151,7 +153,9 @@ def test_states_that_nearly_are_at_a_limit(off: float, sign: float) -> None:
         assert verify(trajectory).passed
 
 
-@pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize(
+    "smoothness", [2, 3, 4, *(pytest.param(n, marks=pytest.mark.long) for n in (5, 6))]
+)
 @pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
 def test_every_smoothness_and_shape_is_faster_than_stopping(smoothness: int, shape: str) -> None:
     limits = Limits(1.0, 1.0, 3.0, *[20.0, 200.0, 2000.0][:smoothness - 2])
@@ -248,6 +252,7 @@ def test_free_states_are_near_the_best_that_another_search_finds(places) -> None
 
 @pytest.mark.parametrize("overshoot", [0.0, 0.25, np.inf])
 @pytest.mark.parametrize("wall", [6.0, 6.0 + 1e-7, 6.01, 6.2, 9.0])
+@pytest.mark.long
 def test_free_states_keep_the_range_of_the_positions(wall: float, overshoot: float) -> None:
     limits = Limits(1.0, 0.4, 0.4, 0.4)
     points = [Waypoint([0, 0]), Waypoint([6, 2], "free", "free"), Waypoint([5, 6])]
@@ -271,6 +276,7 @@ def test_rest_is_left_where_given_states_lead_to_the_bound() -> None:
 
 
 @pytest.mark.parametrize("absent", [[0], [1], [2], [0, 1, 2]])
+@pytest.mark.long
 def test_limits_that_are_none_do_not_lengthen_a_mission(absent: list[int]) -> None:
     random = np.random.default_rng(3)
     positions = random.normal(size=(6, 2))

@@ -20,6 +20,7 @@ from segfmu import (
     stop,
     verify,
 )
+from tests.campaign import campaign
 
 LIMITS = Limits([1.0, 0.8, 0.5], [1.0, 0.8, 0.8], 4.0, 30.0)
 CRANE = Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
@@ -59,18 +60,19 @@ def route(random: np.random.Generator) -> list[Waypoint]:
 
 
 @pytest.mark.parametrize("options", OPTIONS)
-def test_repeats_change_nothing(options) -> None:
+@campaign(2, 10)
+def test_repeats_change_nothing(options, count: int) -> None:
     random = np.random.default_rng(5)
-    for _ in range(4):
+    for _ in range(count):
         points = route(random)
         once = plan(points, limits(options), **options)
         counts = random.integers(1, 4, len(points))
         repeated = []
-        for point, count in zip(points, counts, strict=True):
+        for point, times in zip(points, counts, strict=True):
             # one of them has the dwell
             states = ("free", "free") if point.free else (point.velocity, point.acceleration)
             still = Waypoint(point.position, *states)
-            repeated += [still] * (count - 1) + [point]
+            repeated += [still] * (times - 1) + [point]
         found = plan(repeated, limits(options), **options)
         assert verify(found).passed
         assert same_path(once, found)

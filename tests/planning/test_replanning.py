@@ -19,6 +19,7 @@ from segfmu import (
     stop,
     verify,
 )
+from tests.campaign import campaign
 from tests.property import soak_replan
 
 TARGET = Waypoint([1.0, 0.5, 0.2])
@@ -52,7 +53,7 @@ def test_a_plan_to_the_same_target_ends_when_the_first_one_would_have(n: int, t:
     assert t + new.duration <= old.duration * (1.0 + 1e-9)
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+@pytest.mark.parametrize("n", [2, 3, 4, *(pytest.param(n, marks=pytest.mark.long) for n in (5, 6))])
 def test_replanned_in_cycles_it_arrives_in_time(n: int) -> None:
     first = trajectory = first_plan(n)
     passed = 0.0
@@ -100,6 +101,7 @@ def test_shortly_after_its_start_a_plan_is_left(n: int, share: float) -> None:
     assert verify(reach_velocity(old, [0.5, -1.0], t)).passed
 
 
+@pytest.mark.long
 def test_in_many_cycles_rounding_errors_do_not_delay_it() -> None:
     bounds = Limits(
         [0.52, 4.96, 19.5], [22.0, 1.0, 0.0967], [0.045, 0.0772, 1.0], [1.18, 22.7, 0.433]
@@ -436,13 +438,14 @@ def test_a_refusal_names_the_limit_that_the_state_breaks(
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("synchronize", ["waypoints", "total", "none"])
+@campaign(5, 20)
 def test_at_the_very_end_of_a_plan_that_ends_moving_nothing_is_left(
-    n: int, synchronize: str
+    n: int, synchronize: str, count: int
 ) -> None:
     """Its state there differs from the target by rounding; axes went round a loop."""
     rng = np.random.default_rng(n)
     limits = Limits(*(1.0, 1.0, 4.0, 20.0, 200.0, 2000.0)[: max(n, 3)])
-    for _ in range(20):
+    for _ in range(count):
         target = Waypoint(rng.uniform(-1.0, 1.0, 3), rng.uniform(-0.5, 0.5, 3))
         points = [Waypoint([0.0] * 3), target]
         try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 
 from segfmu.codegen.amalgam import modules, tree
 
@@ -24,7 +25,8 @@ class Function:
     doc: str
 
 
-def functions() -> list[Function]:
+@cache
+def functions() -> tuple[Function, ...]:
     """All kernels, in an order in which the arrays written by called kernels are known."""
     known: dict[str, Function] = {}
     for module in modules():
@@ -32,7 +34,7 @@ def functions() -> list[Function]:
         # within a module a function may call a later one, so two passes are needed
         for node in nodes + nodes:
             known[node.name] = _function(node, known)
-    return list(known.values())
+    return tuple(known.values())
 
 
 def _function(node: ast.FunctionDef, known: dict[str, Function]) -> Function:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import pytest
@@ -93,7 +94,9 @@ def lift(time: float) -> float:
     return -0.3 * np.sin(2.0 * np.pi * time / 2.0) ** 3 * (time < 2.0)
 
 
-PLANNED = swing(push, 5.0, rope=lift)
+@cache
+def planned() -> np.ndarray:
+    return swing(push, 5.0, rope=lift)
 
 
 def measured(states: np.ndarray, offset: float = 0.0, noise: float = 0.0) -> np.ndarray:
@@ -108,7 +111,7 @@ def measured(states: np.ndarray, offset: float = 0.0, noise: float = 0.0) -> np.
 @pytest.mark.parametrize("offset", [-0.08, -0.04, 0.02, 0.04, 0.08])
 def test_the_offset_is_found_in_a_move_with_hoisting(offset: float, payload: float) -> None:
     true = swing(push, 5.0, rope=lift, length=LENGTH + offset, payload=payload)
-    found, _ = estimates(measured(true, offset), PLANNED)
+    found, _ = estimates(measured(true, offset), planned())
     assert not found[:30].any()
     assert found[-1] == pytest.approx(offset, rel=0.04)
     # at rest nothing is learnt, and nothing drifts
@@ -119,21 +122,21 @@ def test_the_offset_is_found_from_rounded_signals_of_a_swaying_load() -> None:
     true = swing(push, 5.0, rope=lift, length=LENGTH + 0.04, start=(0.05, -0.03))
     signals = measured(true, 0.04)
     signals[:, 3:] = np.round(signals[:, 3:] / STEP) * STEP
-    found, _ = estimates(signals, PLANNED)
+    found, _ = estimates(signals, planned())
     assert found[-1] == pytest.approx(0.04, rel=0.2)
 
 
 @pytest.mark.parametrize("noise", [0.0, STEP / np.sqrt(12.0)])
 def test_without_an_offset_none_is_used(noise: float) -> None:
     signals = measured(swing(push, 5.0, rope=lift), noise=noise)
-    found, memory = estimates(signals, PLANNED)
+    found, memory = estimates(signals, planned())
     assert not found.any()
     assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < (0.02 if noise else 1e-6)
 
 
 @pytest.mark.parametrize("start", [0.02, 0.1])
 def test_initial_sway_is_no_offset(start: float) -> None:
-    found, memory = estimates(measured(swing(push, 5.0, rope=lift, start=(start, 0.0))), PLANNED)
+    found, memory = estimates(measured(swing(push, 5.0, rope=lift, start=(start, 0.0))), planned())
     assert not found.any()
     assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < 4e-3
 
@@ -145,7 +148,7 @@ def test_a_gust_is_no_offset(begin: float) -> None:
         force = 0.5 * (1.0 - np.cos(2.0 * np.pi * share)) * (0.0 < share < 1.0)
         return force * np.array([1.0, 0.6, 0.0])
 
-    found, _ = estimates(measured(swing(push, 5.0, rope=lift, wind=blow)), PLANNED)
+    found, _ = estimates(measured(swing(push, 5.0, rope=lift, wind=blow)), planned())
     assert not found.any()
 
 
@@ -154,11 +157,11 @@ def test_constant_wind_is_no_offset_and_moves_no_estimate(wind: float) -> None:
     def blow(time: float) -> np.ndarray:
         return np.array([wind, -wind, 0.0])
 
-    found, memory = estimates(measured(swing(push, 5.0, rope=lift, wind=blow)), PLANNED)
+    found, memory = estimates(measured(swing(push, 5.0, rope=lift, wind=blow)), planned())
     assert not found.any()
     assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < 2e-3
     true = swing(push, 5.0, rope=lift, wind=blow, length=LENGTH + 0.04)
-    found, memory = estimates(measured(true, 0.04), PLANNED)
+    found, memory = estimates(measured(true, 0.04), planned())
     assert memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND] == pytest.approx(0.04, rel=0.03)
     # in use where the wind's beginning, which is like a gust, is soon forgotten
     assert found[-1] == pytest.approx(0.04 if wind < 0.1 else 0.0, rel=0.03)
@@ -202,7 +205,7 @@ def test_noise_at_rest_teaches_nothing() -> None:
 
 
 def test_a_share_of_zero_turns_it_off() -> None:
-    found, memory = estimates(measured(swing(push, 3.0, length=0.84), 0.04), PLANNED[:301], 0.0)
+    found, memory = estimates(measured(swing(push, 3.0, length=0.84), 0.04), planned()[:301], 0.0)
     assert not found.any() and not memory.any()
 
 

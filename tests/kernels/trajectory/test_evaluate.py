@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
+from segfmu.kernels.backend import evaluate
 from segfmu.kernels.planner.records import Phase
-from segfmu.kernels.trajectory.evaluate import evaluate, evaluate_orders, find_piece
+from segfmu.kernels.trajectory.evaluate import evaluate_orders, find_piece
 from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState
 from tests.problems import packed_axis

@@ -1,0 +1,16 @@
+"""How much of a random campaign a test takes: `make soak` takes more of the same."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+SOAK = bool(os.environ.get("SEGFMU_SOAK"))
+
+
+def campaign(usual: int, soak: int, name: str = "count") -> pytest.MarkDecorator:
+    """Give a test the argument `name`: `usual`, or in a soak `soak`."""
+    assert usual < soak
+    value = pytest.param(soak if SOAK else usual, marks=pytest.mark.soak)
+    return pytest.mark.parametrize(name, [value])
