@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import pytest
-from filelock import FileLock
 from hypothesis import settings
 
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -17,6 +14,7 @@ from segfmu.fmu.native import archive as native
 from segfmu.fmu.python.archive import build_all
 from tests.campaign import SOAK
 from tests.compiler import require_native
+from tests.sharing import shared
 
 # The same examples in every run of the whole suite; `--hypothesis-profile=search` looks for more.
 settings.register_profile("repeatable", derandomize=True, deadline=None)
@@ -28,7 +26,7 @@ settings.load_profile("search" if SOAK else "repeatable")
 def fmus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Archives of GantryFeedforward and GantryCrane on the Python backend."""
     specs = (gantry_feedforward.spec(), gantry_crane.spec())
-    return _shared(tmp_path_factory, "fmus", lambda folder: build_all(folder, specs=specs))
+    return pair(shared(tmp_path_factory, "fmus", lambda folder: build_all(folder, specs=specs)))
 
 
 @pytest.fixture(scope="session")
@@ -37,22 +35,13 @@ def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Pat
     require_native()
     specs = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
     return {
-        fmi: _shared(
+        fmi: pair(shared(
             tmp_path_factory, f"native{fmi}", partial(native.build_all, specs, fmi=fmi)
-        )
+        ))
         for fmi in (2, 3)
     }
 
 
-def _shared(
-    factory: pytest.TempPathFactory, name: str, build: Callable[[Path], list[Path]]
-) -> tuple[Path, Path]:
-    """The two archives of a folder that one worker of pytest-xdist builds for all."""
-    base = factory.getbasetemp()
-    if "PYTEST_XDIST_WORKER" in os.environ:
-        base = base.parent
-    with FileLock(base / f"{name}.lock"):
-        if not (base / name).exists():
-            build(base / f"{name}.part")
-            (base / f"{name}.part").rename(base / name)
-    return base / name / "GantryFeedforward.fmu", base / name / "GantryCrane.fmu"
+def pair(folder: Path) -> tuple[Path, Path]:
+    """The two archives of a folder."""
+    return folder / "GantryFeedforward.fmu", folder / "GantryCrane.fmu"

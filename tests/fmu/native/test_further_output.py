@@ -11,6 +11,7 @@ from fmpy.fmi1 import FMICallException
 from segfmu.fmu import models
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
+from segfmu.fmu.native import compilers
 from segfmu.fmu.native.archive import build_all
 from segfmu.fmu.standard.spec import Spec, output
 from tests.fmu.native.importer import Importer
@@ -31,6 +32,9 @@ def built(request, tmp_path_factory) -> Path:
     with pytest.MonkeyPatch.context() as patch:
         model = replace(GANTRY_CRANE, name=MODEL, native_spec=further, largest=further)
         patch.setitem(models._registered, MODEL, model)
+        # its speed is of no interest here
+        faster = tuple("-O1" if o == "-O3" else o for o in compilers.OPTIONS)
+        patch.setattr(compilers, "OPTIONS", faster)
         folder = tmp_path_factory.mktemp("further")
         return build_all([further()], folder, fmi=request.param)[0]
 

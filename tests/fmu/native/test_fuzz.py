@@ -1,4 +1,4 @@
-"""A few thousand random call sequences; `python -m tests.fmu.native.fuzz` makes a million."""
+"""Some random call sequences; `python -m tests.fmu.native.fuzz` makes a million."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.campaign import campaign
 from tests.compiler import CC, require_cc
 from tests.fmu.native import fuzz
-
-SEQUENCES = 1500
 
 
 @pytest.fixture(scope="module")
@@ -29,12 +28,15 @@ def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
     return CC
 
 
+@campaign(500, 20_000)
 # every source is in one of the two; the command makes all four
 @pytest.mark.parametrize(("fmi", "spec"), [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1])])
-def test_random_calls_end_with_a_status(compiler: str, tmp_path: Path, spec, fmi: int) -> None:
+def test_random_calls_end_with_a_status(
+    compiler: str, tmp_path: Path, spec, fmi: int, count: int
+) -> None:
     target = fuzz.program(compiler, spec, fmi, tmp_path)
-    told = fuzz.run(target, SEQUENCES, 1, timeout=120.0)
+    told = fuzz.run(target, count, 1, timeout=600.0)
     sequences, calls, errors, messages = (int(t.split()[0]) for t in told.split(", "))
-    assert (sequences, calls) == (SEQUENCES, 40 * SEQUENCES)
+    assert (sequences, calls) == (count, 40 * count)
     # a good part of the calls is in order, so that the models run
     assert errors < 0.8 * calls and messages > 0

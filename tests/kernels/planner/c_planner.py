@@ -117,16 +117,22 @@ class Asked:
         self.problem = Problem(**fields | {n: a.ctypes.data for n, a in self.arrays.items()})
 
 
+def compiled(target: Path, *more: str | Path) -> Path:
+    """Compile the entry points, with further sources and options."""
+    sources = [TARGET / name for name in NAMES]
+    subprocess.run(
+        [CC, *FLAGS, *UNUSED, f"-I{TARGET}", *more, *sources, "-lm", "-o", target], check=True
+    )
+    return target
+
+
 class Planner:
-    """The entry points."""
+    """The entry points, compiled into a folder that does not have them yet."""
 
     def __init__(self, folder: Path) -> None:
         path = folder / "planner.so"
-        sources = [TARGET / name for name in NAMES]
-        subprocess.run(
-            [CC, *FLAGS, *UNUSED, "-fPIC", "-shared", f"-I{TARGET}", *sources, "-lm", "-o", path],
-            check=True,
-        )
+        if not path.exists():
+            compiled(path, "-fPIC", "-shared")
         self.library = ctypes.CDLL(str(path))
         for name in ("segfmu_plan_size", "segfmu_replan_size"):
             getattr(self.library, name).restype = ctypes.c_size_t

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.codegen.native import TARGET
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS
-from tests.compiler import CC, needs_cc
+from tests.compiler import needs_cc
+from tests.kernels.planner.c_planner import compiled
+from tests.sharing import shared
 
 POINTS = [
     Waypoint([0.0, 0.0, -1.0]), Waypoint([0.07, 0.055, -0.9], [0.2, 0.1, 0.0], [0.3, 0.2, 0.0]),
@@ -25,14 +26,10 @@ pytestmark = needs_cc
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The driver, compiled from the sources that ship."""
-    program = tmp_path_factory.mktemp("driver") / "driver"
-    sources = [Path(__file__).with_name("plan_driver.c"), TARGET / "plan.c", TARGET / "kernels.c"]
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1"]
-    unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
-    subprocess.run(
-        [CC, *flags, *unused, f"-I{TARGET}", *sources, "-lm", "-o", program], check=True
-    )
-    return program
+    source = Path(__file__).with_name("plan_driver.c")
+    return shared(
+        tmp_path_factory, "plan_driver", lambda folder: compiled(folder / "driver", source)
+    ) / "driver"
 
 
 def run(driver: Path, points, limits, *, smoothness=4, shape="plateau",

@@ -17,6 +17,7 @@ from segfmu.kernels.rig.records import Corrector, Loop, Settings
 from segfmu.kernels.rig.records import Sensors as Sensing
 from tests.compiler import CC, needs_cc
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
+from tests.sharing import shared
 
 STEPS = 60
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
@@ -38,7 +39,9 @@ def compiled(program: Path, *flags: str) -> Path:
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The driver with the compiler's checks of memory and undefined behaviour."""
-    return compiled(tmp_path_factory.mktemp("driver") / "driver", "-O1", "-g", *SANITIZERS)
+    return shared(
+        tmp_path_factory, "rig", lambda folder: compiled(folder / "driver", "-O0", *SANITIZERS)
+    ) / "driver"
 
 
 def steps(driven: bool) -> list[tuple[float, Setpoints]]:

@@ -1,0 +1,26 @@
+"""What one worker of pytest-xdist builds, once for all of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from filelock import FileLock
+
+
+def shared(
+    factory: pytest.TempPathFactory, name: str, build: Callable[[Path], object]
+) -> Path:
+    """A folder that `build` fills; the first worker that wants it builds, the others wait."""
+    base = factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        base = base.parent
+    with FileLock(base / f"{name}.lock"):
+        if not (base / name).exists():
+            part = base / f"{name}.part"
+            part.mkdir(exist_ok=True)
+            build(part)
+            part.rename(base / name)
+    return base / name
