@@ -1,5 +1,7 @@
 """The shortest profiles of one axis in all intervals, and how steep its rises are."""
 
+from math import sqrt
+
 from segfmu.kernels.planner.intervals import set_shortest
 from segfmu.kernels.planner.parameters import (
     moderate_share,
