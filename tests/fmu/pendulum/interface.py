@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from segfmu.fmu.standard.spec import Spec, Variable, output, parameter, time
+from segfmu.fmu.standard.spec import Spec, Variable, derivative, output, parameter, time
 
 INPUTS = (
     ("reference.bridge.acceleration", 0.0, "m/s2", "acceleration of the trolley"),
@@ -37,12 +37,14 @@ def native_spec(own: Spec) -> Spec:
         "sway.acceleration", "Real", "local", "continuous", "acceleration of the angle",
         unit="rad/s2",
     )
+    rate = derivative("sway.angle", own.variable("sway.rate"))
     known = ("sway.angle", "sway.rate", *(name for name, *_ in INPUTS))
     return replace(
-        own, variables=(*own.variables, acceleration, time()),
-        states=(("sway.angle", "sway.rate"), ("sway.rate", "sway.acceleration")),
+        own, variables=(*own.variables, rate, acceleration, time()),
+        states=(("sway.angle", rate.name), ("sway.rate", acceleration.name)),
         dependencies=(
             ("sway.angle", ("sway.angle",)), ("sway.rate", ("sway.rate",)),
+            (rate.name, ("sway.rate",)),
             ("sway.acceleration", known), ("load.offset", ("sway.angle", "reference.rope.length")),
         ),
         partials=(),

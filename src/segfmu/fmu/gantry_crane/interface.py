@@ -22,6 +22,7 @@ from segfmu.fmu.standard.spec import (
     Spec,
     Variable,
     choice,
+    derivative,
     output,
     parameter,
     signal,
@@ -165,14 +166,20 @@ def held(own: Spec) -> Spec:
 
 
 DEFLECTIONS = tuple(f"friction.{d}.deflection" for d in DRIVES)
-# State of model exchange and its derivatives: the crane's, the deflections of its contacts, then
-# the integrated powers.
-RATES = (
-    *STATE[5:], "bridge.acceleration", "trolley.acceleration", "rope.acceleration",
-    "sway.x.acceleration", "sway.y.acceleration", *(f"{n}_rate" for n in DEFLECTIONS),
-    "power.drives", "power.wind", "power.friction",
-)
+# State of model exchange: the crane's, the deflections of its contacts, then the integrated powers.
 STATES = (*STATE, *DEFLECTIONS, "energy.drives", "energy.wind", "energy.dissipated")
+# Derivatives that are outputs.
+SHOWN = dict(zip(STATE[:5], STATE[5:], strict=True)) | {
+    "energy.wind": "power.wind", "energy.dissipated": "power.friction",
+}
+ACCELERATIONS = (
+    "bridge.acceleration", "trolley.acceleration", "rope.acceleration", "sway.x.acceleration",
+    "sway.y.acceleration",
+)
+RATES = (
+    *(f"der({n})" for n in STATE[:5]), *ACCELERATIONS, *(f"{n}_rate" for n in DEFLECTIONS),
+    "power.drives", *(f"der({n})" for n in STATES[-2:]),
+)
 
 # what gains are by
 GAINED = (*STATE, "the velocity that corrections have added")
@@ -202,28 +209,23 @@ def native_spec(own: Spec | None = None) -> Spec:
     weights = [v.name for v in weight_parameters()]
     kept = [v for v in own.variables if v.name not in weights]
     table = _table({v.name: v.start for v in own.variables}, weights)
-    locals_ = [
-        Variable(f"{n}.acceleration", "Real", "local", "continuous", f"acceleration of {n}", unit=u)
-        for n, u in (
-            ("bridge", "m/s2"), ("trolley", "m/s2"), ("rope", "m/s2"), ("sway.x", "rad/s2"),
-            ("sway.y", "rad/s2"),
-        )
-    ]
-    locals_ += [
-        Variable(f"{n}_rate", "Real", "local", "continuous", f"derivative of {n}", unit="m/s")
-        for n in DEFLECTIONS
-    ]
-    power = Variable(
-        "power.drives", "Real", "local", "continuous", "power of all drives", unit="W"
-    )
+    rates = [_local(n, u, f"acceleration of {n.rpartition('.')[0]}")
+             for n, u in zip(ACCELERATIONS, (*["m/s2"] * 3, *["rad/s2"] * 2), strict=True)]
+    rates += [_local(f"{n}_rate", "m/s", f"derivative of {n}") for n in DEFLECTIONS]
+    rates.append(_local("power.drives", "W", "power of all drives"))
+    rates += [derivative(state, own.variable(rate)) for state, rate in SHOWN.items()]
     return replace(
-        own, variables=(*kept, *table, *locals_, power, time()), arrays=_table_arrays(),
+        own, variables=(*kept, *table, *rates, time()), arrays=_table_arrays(),
         states=tuple(zip(STATES, RATES, strict=True)), dependencies=_dependencies(),
         orders=1, partials=("ModelExchange",), terminals=(SETPOINTS,),
         constants=(
             ("TOLERANCE", TOLERANCE),
         ),
     )
+
+
+def _local(name: str, unit: str, description: str) -> Variable:
+    return Variable(name, "Real", "local", "continuous", description, unit=unit)
 
 
 def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
@@ -242,7 +244,8 @@ def _dependencies() -> tuple[tuple[str, tuple[str, ...]], ...]:
     for drive in DRIVES:
         for name in ("force", "saturated", "power"):
             found[f"drive.{drive}.{name}"] = acting
-    found |= dict.fromkeys((*RATES[5:], "rope.force"), acting)
+    found |= {f"der({n})": (rate,) for n, rate in SHOWN.items()}
+    found |= dict.fromkeys((*RATES[5:], "power.wind", "power.friction", "rope.force"), acting)
     for drive, axis in zip(DRIVES, ("bridge", "trolley", "rope"), strict=True):
         deflection = f"friction.{drive}.deflection"
         found[f"{deflection}_rate"] = (f"{axis}.velocity", deflection)

@@ -123,9 +123,9 @@ def _table(spec: Spec, array: Array) -> list[str]:
 
 
 def others(spec: Spec) -> list[str]:
-    """Calculated values of the FMU other than outputs."""
+    """Calculated values of the FMU other than outputs, each once."""
     lines = []
-    for v in spec.where("calculatedParameter", "local"):
+    for v in (v for v in spec.where("calculatedParameter", "local") if v.same_as is None):
         fixed = "final parameter " if v.causality == "calculatedParameter" else ""
         own = modifiers(v)
         if fixed:

@@ -140,7 +140,7 @@ def _calls(spec: Spec) -> list[tuple[tuple[str, ...], list[Variable]]]:
     inputs = {v.name for v in spec.where("input")}
     found: dict[tuple[str, ...], list[Variable]] = {}
     for v in spec.where("output", "local"):
-        if v.kind == "Real":
+        if v.kind == "Real" and v.same_as is None:
             known = dict(spec.dependencies).get(v.name, ())
             found.setdefault(tuple(n for n in known if n in inputs), []).append(v)
     return list(found.items())

@@ -49,9 +49,16 @@ def layout(spec: Spec) -> Layout:
     return placed
 
 
+def _states(spec: Spec) -> dict[str, int]:
+    """Places of the continuous states, from 1."""
+    return {state: place for place, (state, _) in enumerate(spec.states, 1)}
+
+
 def _place(variable: Variable, placed: Layout) -> None:
     start = variable.start or 0
-    if variable.kind == "Real":
+    if variable.same_as is not None:
+        placed.offsets[variable.name] = placed.offsets[variable.same_as]
+    elif variable.kind == "Real":
         placed.offsets[variable.name] = len(placed.reals)
         placed.reals.append(float(start))
     else:
@@ -131,7 +138,8 @@ def _row(spec: Spec, entry: Entry, placed: Layout) -> str:
         f'"{entry.name}"', "-INFINITY" if least is None else repr(float(least)),
         "INFINITY" if most is None else repr(float(most)), str(placed.offsets[v.name]),
         str(entry.array.columns if entry.array else 0), KINDS[v.kind],
-        _setting(v), _truth(calculated), _truth(derived), _truth(counts),
+        _setting(v), str(_states(spec).get(v.name, 0)), _truth(calculated), _truth(derived),
+        _truth(counts),
     )
     return f"    {{{', '.join(fields)}}}"
 

@@ -166,7 +166,7 @@ def _structure(root: ET.Element, spec: Spec) -> None:
         _unknown(outputs, spec, variable.name)
     if spec.states:
         derivatives = ET.SubElement(structure, "Derivatives")
-        for _, rate in sorted(spec.states, key=lambda pair: spec.references[pair[1]]):
+        for _, rate in spec.states:
             _unknown(derivatives, spec, rate)
     unknowns = ET.SubElement(structure, "InitialUnknowns")
     for name in initial_unknowns(spec):

@@ -30,7 +30,8 @@ class Variable:
     """One variable. `start` is None exactly where the FMU calculates the initial value.
 
     `computed` marks a start value that was computed from those of other variables. Its last digits
-    may depend on the machine, so it is no part of the FMU's identity.
+    may depend on the machine, so it is no part of the FMU's identity. `same_as` names the variable
+    whose value this one has as well.
     """
 
     name: str
@@ -45,6 +46,7 @@ class Variable:
     nominal: float | None = None
     enumeration: Enumeration | None = None
     computed: bool = False
+    same_as: str | None = None
 
     @property
     def initial(self) -> str | None:
@@ -109,6 +111,9 @@ class Spec:
             raise AssertionError("variable names are unique by construction")
         if any(v.causality == "independent" for v in self.variables[:-1]):
             raise AssertionError("time is last, as FMI 2.0 does without it")
+        rates = (self.variables[references[rate] - 1] for _, rate in self.states)
+        if any(v.causality != "local" for v in rates):
+            raise AssertionError("derivatives are variables of their own, as by `derivative`")
         object.__setattr__(self, "references", references)
 
     def variable(self, name: str) -> Variable:
@@ -180,6 +185,17 @@ def output(
     variability: Variability = "continuous" if kind == "Real" else "discrete"
     return Variable(
         name, kind, "output", variability, description, start, unit, nominal=nominal
+    )
+
+
+def derivative(state: str, rate: Variable) -> Variable:
+    """The derivative of a state whose value is that of an output.
+
+    Importers such as CasADi take every variable for one thing, so it is a variable of its own.
+    """
+    return Variable(
+        f"der({state})", "Real", "local", "continuous", f"derivative of {state}: {rate.name}",
+        unit=rate.unit, nominal=rate.nominal, same_as=rate.name,
     )
 
 

@@ -7,6 +7,8 @@
 enum { REALS = 1 << KIND_REAL, BOOLEANS = 1 << KIND_BOOLEAN,
        INTEGERS = 1 << KIND_INTEGER | 1 << KIND_ENUMERATION };
 
+static const int glue_state_modes = MODE_CONTINUOUS;
+
 static void report(instance *c, int code, const char *category, const char *message)
 {
     fmi2CallbackLogger log = (fmi2CallbackLogger)c->log;

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+static const int glue_state_modes = MODE_CONTINUOUS | MODE_EVENT;
+
 static void report(instance *c, int code, const char *category, const char *message)
 {
     fmi3LogMessageCallback log = (fmi3LogMessageCallback)c->log;

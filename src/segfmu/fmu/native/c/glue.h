@@ -19,6 +19,9 @@ enum {
     MODE_UPDATE = 256
 };
 
+/* modes in which states can be set one by one in model exchange; of fmi2.c and fmi3.c */
+static const int glue_state_modes;
+
 typedef struct instance instance;
 typedef void (*reporter)(instance *c, int status, const char *category, const char *message);
 /* any function; cast back to its own type before it is called */

@@ -36,6 +36,7 @@ typedef struct {
     uint16_t columns;     /* of an array, which has all rows of the instance; 0: a scalar */
     uint8_t kind;
     uint8_t setting;
+    uint8_t state;        /* its place among the states, from 1; 0: it is none */
     bool calculated;      /* follows from the others */
     bool differentiable;  /* an output or a state's derivative, continuous */
     bool counts;          /* rows in use, at most those that there are */

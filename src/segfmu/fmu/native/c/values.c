@@ -7,7 +7,7 @@
 #include "records.h"
 
 /* Modes in which a variable may be set. */
-static int modes_of(const instance *c, uint8_t setting)
+static int modes_of(const instance *c, const variable *v)
 {
     static const int modes[] = {
         0, MODE_INSTANTIATED | MODE_INITIALISATION,
@@ -15,8 +15,14 @@ static int modes_of(const instance *c, uint8_t setting)
         MODE_INSTANTIATED | MODE_INITIALISATION,
         MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING
     };
-    return setting == SET_FIXED && c->model->starting ? modes[setting] | MODE_EVENT
-                                                      : modes[setting];
+    int allowed = modes[v->setting];
+    if (v->setting == SET_FIXED && c->model->starting) {
+        allowed |= MODE_EVENT;
+    }
+    if (v->state > 0 && c->model->interface == MODEL_EXCHANGE) {
+        allowed |= glue_state_modes;
+    }
+    return allowed;
 }
 
 static const char *kind_name(uint8_t kind)
@@ -85,9 +91,10 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
     const int64_t mode = c->model->mode;
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
-        if ((modes_of(c, v->setting) & mode) == 0) {
+        const int modes = modes_of(c, v);
+        if ((modes & mode) == 0) {
             glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
-                     v->setting == SET_NEVER ? "at all" : "now");
+                     modes == 0 ? "at all" : "now");
             return false;
         }
     }
@@ -172,6 +179,21 @@ static bool all_in_range(instance *c, const uint32_t references[], size_t count,
     return true;
 }
 
+/* Set those that are states of the running model: it has them, not `real`. */
+static void set_states(instance *c, const uint32_t references[], size_t count, const double values[])
+{
+    double states[MODEL_STATES + 1];
+    model_get_states(c->model, states);
+    for (size_t i = 0; i < count; i++) {
+        const variable *v = glue_variable(references[i]);
+        if (v->state > 0) {
+            states[v->state - 1] = *values;
+        }
+        values += glue_elements_of(c, v);
+    }
+    model_set_states(c->model, states);
+}
+
 bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size)
 {
@@ -180,6 +202,9 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
     }
     double *real = c->model->real;
     int settings = 0;
+    if (MODEL_STATES > 0 && (c->model->mode & glue_state_modes) != 0) {
+        set_states(c, references, count, values);
+    }
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
         if (v->columns == 0) {
