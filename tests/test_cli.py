@@ -292,11 +292,30 @@ def test_a_modelica_package_has_the_fmus_that_were_built(tmp_path, monkeypatch, 
     assert guid in (tmp_path / "Segfmu" / "GantryFeedforward.mo").read_text()
 
 
-@pytest.mark.parametrize("other", [("--fmi", "3"), ("--backend", "python")])
-@pytest.mark.parametrize("option", ["--ssp", "--modelica"])
-def test_files_for_other_tools_are_for_native_fmus_of_fmi_2(
-    other: tuple[str, str], option: str, tmp_path, monkeypatch, capsys
+def test_a_system_of_fmi_3_is_ssp_2(tmp_path, monkeypatch, capsys) -> None:
+    code, printed, _ = invoke(
+        monkeypatch, capsys, "build", "-o", str(tmp_path), "--ssp", "--fmi", "3"
+    )
+    assert code == 0
+    names = {"GantryFeedforward.fmu", "GantryCrane.fmu", "mission.ssp"}
+    assert {p.name for p in tmp_path.iterdir()} == names
+    assert all(n in printed.replace("\n", "") for n in names)
+    with zipfile.ZipFile(tmp_path / "mission.ssp") as package:
+        assert b' version="2.0" name="mission"' in package.read("SystemStructure.ssd")
+
+
+@pytest.mark.parametrize(
+    ("option", "other", "reason"),
+    [
+        ("--modelica", ("--fmi", "3"), "modelica needs FMUs of FMI 2"),
+        ("--modelica", ("--backend", "python"), "modelica needs native FMUs"),
+        ("--ssp", ("--backend", "python"), "ssp needs native FMUs"),
+        ("--ssp", ("--fmi", "3", "--enumerations", "integer"), "ssp has enumerations"),
+    ],
+)
+def test_files_for_other_tools_need_fmus_that_have_all(
+    option: str, other: tuple[str, ...], reason: str, tmp_path, monkeypatch, capsys
 ) -> None:
     code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path), option, *other)
     assert code == 2 and not list(tmp_path.iterdir())
-    assert error.count("\n") == 1 and f"{option[2:]} needs native FMUs of FMI 2" in error
+    assert error.count("\n") == 1 and reason in error

@@ -459,7 +459,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{bd4e675c-0d35-c0d3-e9e6-b9b6f0a68cab}", 16);
+      "{d8c81a1e-62fb-5876-a51d-9e2de222b09c}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";

@@ -154,7 +154,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{953f2ea8-ac83-33f1-8fcc-134e484bd68e}", 0);
+      "{ee28771d-d27f-42b8-0f7b-cfa6cdc7b1ea}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

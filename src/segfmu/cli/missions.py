@@ -82,7 +82,8 @@ def build(
         bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
     ] = False,
     ssp: Annotated[
-        bool, typer.Option("--ssp", help="Also write mission.ssp and OspSystemStructure.xml.")
+        bool,
+        typer.Option("--ssp", help="Also write mission.ssp and, of FMI 2, OspSystemStructure.xml."),
     ] = False,
 ) -> None:
     """Build GantryFeedforward.fmu and GantryCrane.fmu.

@@ -36,11 +36,12 @@ def build_all(
 
 def describe(
     folder: Path, archives: Sequence[Path], specs: Sequence[Spec] | None, title: str = "", *,
-    modelica: bool = False, ssp: bool = False,
+    fmi: int = 2, modelica: bool = False, ssp: bool = False,
 ) -> list[Path]:
-    """Write the files with which other tools load both native FMUs of FMI 2.0 as one system.
+    """Write the files with which other tools load both native FMUs as one system.
 
-    `specs` are interfaces with a mission's start values, `title` is its name.
+    `specs` are interfaces with a mission's start values, `title` is its name, `fmi` the archives'
+    version of FMI.
 
     Raises
     ------
@@ -55,7 +56,7 @@ def describe(
     if ssp:
         from segfmu.fmu.system import write_system
 
-        written += write_system(folder, archives, specs, title)
+        written += write_system(folder, archives, specs, title, fmi=fmi)
     return written
 
 

@@ -29,23 +29,25 @@ class Choice:
     numbered: bool = False
 
 
-def require_native(choice: Choice, option: str) -> None:
+def require_native(choice: Choice, option: str, versions: tuple[int, ...] = (2, 3)) -> None:
     """Refuse `option`, which asks for files for other tools, if the FMUs do not support it.
 
     Raises
     ------
     InputError
-        For other FMUs than native ones of FMI 2.0 with enumerations.
+        For other FMUs than native ones with enumerations, of one of these versions of FMI.
     """
     if choice.numbered:
         raise InputError(
             f"{option} has enumerations that arrive: leave out enumerations integer"
         )
-    if not choice.native or choice.fmi != 2:
+    if not choice.native:
         raise InputError(
-            f"{option} needs native FMUs of FMI 2: omit fmi and backend, and install a C "
-            "compiler, or the extra segfmu[platforms]"
+            f"{option} needs native FMUs: omit backend, and install a C compiler, or the extra "
+            "segfmu[platforms]"
         )
+    if choice.fmi not in versions:
+        raise InputError(f"{option} needs FMUs of FMI 2: omit fmi")
 
 
 def chosen(

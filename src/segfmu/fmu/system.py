@@ -22,20 +22,24 @@ STRUCTURE = "OspSystemStructure.xml"
 
 def write_system(
     folder: Path, archives: Sequence[Path], specs: Sequence[Spec] | None = None,
-    title: str = "",
+    title: str = "", *, fmi: int = 2,
 ) -> list[Path]:
-    """Write mission.ssp, and OspSystemStructure.xml beside the archives, into their folder.
+    """Write mission.ssp into the folder of the archives; for FMI 2.0 OspSystemStructure.xml too.
+
+    libcosim, which reads the latter, has no FMI 3.0.
 
     Parameters
     ----------
     folder
         That of the archives.
     archives
-        Native FMUs of FMI 2.0, GantryFeedforward and GantryCrane.
+        Native FMUs, GantryFeedforward and GantryCrane.
     specs
         Their interfaces; by default with the usual start values.
     title
         The mission's name.
+    fmi
+        Version of FMI of the archives.
 
     Raises
     ------
@@ -47,16 +51,17 @@ def write_system(
         m.native_spec(s)
         for m, s in zip(models, specs or [m.spec() for m in models], strict=True)
     )
-    system = System(title or "planner and crane", source, sink)
+    system = System(title or "planner and crane", source, sink, fmi)
     entries = ssp.files(system, version("segfmu"))
+    names = (PACKAGE, STRUCTURE) if fmi == 2 else (PACKAGE,)
     try:
         for spec, path in zip(system.specs, archives, strict=True):
             entries[f"{ssp.RESOURCES}/{archive(spec)}"] = path.read_bytes()
         with work_folder(folder) as work:
             pack(entries, work / PACKAGE)
             (work / STRUCTURE).write_bytes(osp.system_structure(system))
-            for name in (PACKAGE, STRUCTURE):
+            for name in names:
                 os.replace(work / name, folder / name)
     except OSError as error:
         raise BuildError(f"{folder}: cannot be written: {error.strerror}") from error
-    return [folder / PACKAGE, folder / STRUCTURE]
+    return [folder / name for name in names]

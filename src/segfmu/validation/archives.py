@@ -91,7 +91,7 @@ def build(
         Type of choices: "enumeration", or "integer" for importers without.
     modelica, ssp : bool
         Whether to write a Modelica package with both FMUs, and the coupled system for importers of
-        SSP and for libcosim.
+        SSP (1.0; 2.0 with FMI 3) and, with FMI 2, for libcosim.
     progress : callable
         Called with what is being done and the share of it that is done.
 
@@ -122,9 +122,10 @@ def build(
     choice = chosen(as_index("fmi", fmi), backend, platforms or "", enumerations=enumerations)
     if waypoints is not None:
         waypoints = as_index("waypoints", waypoints, MOST_WAYPOINTS, least=2)
-    for option, wanted in (("modelica", modelica), ("ssp", ssp)):
-        if wanted:
-            require_native(choice, option)
+    if modelica:
+        require_native(choice, "modelica", (2,))
+    if ssp:
+        require_native(choice, "ssp")
     title, interfaces, file = "", sized(waypoints), None
     require_folder(output, *(f"{spec.name}.fmu" for spec in interfaces))
     if mission is not None:
@@ -135,7 +136,9 @@ def build(
     target = folder(output)
     with with_keys(file):
         feedforward, crane = written(target, choice, interfaces, progress)
-    others = describe(target, (feedforward, crane), interfaces, title, modelica=modelica, ssp=ssp)
+    others = describe(
+        target, (feedforward, crane), interfaces, title, fmi=choice.fmi, modelica=modelica, ssp=ssp
+    )
     return Archives(feedforward, crane, tuple(others), choice.note)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from xml.etree import ElementTree as ET
 
 from segfmu.fmu.standard.fmi2 import (
@@ -15,7 +16,7 @@ from segfmu.fmu.standard.fmi2 import (
 )
 from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import Entry, entries
-from segfmu.fmu.standard.spec import Spec, Terminal
+from segfmu.fmu.standard.spec import Array, Spec, Terminal, Variable
 from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS
 
 TYPES = {
@@ -144,7 +145,7 @@ def _variable(entry: Entry, spec: Spec, references: dict[str, int]) -> ET.Elemen
     attributes = {
         "name": entry.name,
         "valueReference": str(references[v.name]),
-        "description": entry.array.description if entry.array else v.description,
+        "description": entry.description,
         "causality": v.causality,
         "variability": v.variability,
     }
@@ -156,18 +157,15 @@ def _variable(entry: Entry, spec: Spec, references: dict[str, int]) -> ET.Elemen
         attributes["derivative"] = str(references[state])
     element = ET.Element(TYPES[v.kind], attributes)
     if entry.array is not None:
-        element.set("start", _starts(entry, spec))
-        rows = len(entry.array.members) // entry.array.columns
-        ET.SubElement(element, "Dimension", {"start": str(rows)})
-        if entry.array.columns > 1:
-            ET.SubElement(element, "Dimension", {"start": str(entry.array.columns)})
+        element.set("start", starts(entry.array, spec))
+        for size in entry.shape:
+            ET.SubElement(element, "Dimension", {"start": str(size)})
     return element
 
 
-def _starts(entry: Entry, spec: Spec) -> str:
-    """Start values of all rows."""
-    assert entry.array is not None
-    members = [spec.variable(n) for n in entry.array.members]
+def starts(array: Array, spec: Spec) -> str:
+    """Start values of all rows, as XML has them."""
+    members = [spec.variable(n) for n in array.members]
     return " ".join(text(v, v.start or 0.0) for v in members)
 
 
@@ -175,19 +173,27 @@ def _structure(root: ET.Element, spec: Spec, references: dict[str, int]) -> None
     structure = ET.SubElement(root, "ModelStructure")
     known = dict(spec.dependencies)
 
-    def unknown(kind: str, name: str) -> None:
-        knowns = sorted(references[n] for n in known.get(name, ()))
+    def unknown(kind: str, name: str, knowns: Iterable[str]) -> None:
+        listed = sorted(references[n] for n in knowns)
         ET.SubElement(
             structure, kind,
             {
                 "valueReference": str(references[name]),
-                "dependencies": " ".join(map(str, knowns)),
+                "dependencies": " ".join(map(str, listed)),
             },
         )
 
     for variable in spec.where("output"):
-        unknown("Output", variable.name)
+        unknown("Output", variable.name, known.get(variable.name, ()))
     for _, rate in spec.states:
-        unknown("ContinuousStateDerivative", rate)
+        unknown("ContinuousStateDerivative", rate, known.get(rate, ()))
+    # all but time, as where nothing is said; CasADi wants it said
+    given = [v.name for v in spec.variables if v.name in references and _given(v)]
     for name in initial_unknowns(spec):
-        ET.SubElement(structure, "InitialUnknown", {"valueReference": str(references[name])})
+        timely = [n for n in known.get(name, ()) if spec.variable(n).causality == "independent"]
+        unknown("InitialUnknown", name, [*given, *timely])
+
+
+def _given(variable: Variable) -> bool:
+    """Whether a variable is known in initialisation mode; time aside."""
+    return variable.causality == "input" or variable.initial == "exact"

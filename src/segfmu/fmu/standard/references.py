@@ -15,6 +15,19 @@ class Entry:
     variable: Variable
     array: Array | None = None
 
+    @property
+    def description(self) -> str:
+        """What it is."""
+        return self.variable.description if self.array is None else self.array.description
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Sizes of an array; none of a scalar."""
+        if self.array is None:
+            return ()
+        rows, columns = len(self.array.members) // self.array.columns, self.array.columns
+        return (rows, columns) if columns > 1 else (rows,)
+
 
 def entries(spec: Spec, version: int) -> list[Entry]:
     """The value references of one version of FMI, in their order.

@@ -1,5 +1,6 @@
-"""System Structure and Parameterization, SSP 1.0: a system of FMUs with its parameters.
+"""System Structure and Parameterization: a system of FMUs with its parameters.
 
+It is SSP 1.0 for FMI 2.0, and SSP 2.0, which has the types and arrays of FMI 3.0, for that.
 Importers know parts of the standard. Parameters are bound at their components, as libcosim and Ecos
 take them nowhere else. Enumerations are bound at the system: at a component, libcosim ends the
 process and Ecos refuses the file. Both find the prefixes of elements by their usual letters.
@@ -10,9 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from xml.etree import ElementTree as ET
 
-from segfmu.fmu.standard.fmi2 import GENERATED, document, text
+from segfmu.fmu.standard.fmi2 import GENERATED, document
+from segfmu.fmu.standard.fmi3 import TYPES
+from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Enumeration, Spec, Variable
-from segfmu.fmu.standard.system import System, archive, values
+from segfmu.fmu.standard.system import System, archive, settings, values
 from segfmu.fmu.standard.units import BASE_UNITS
 
 SSP = "http://ssp-standard.org/SSP1/"
@@ -31,6 +34,8 @@ NAME = "mission"
 CHOICES = "choices"
 KINDS = {"input": "input", "output": "output", "parameter": "parameter",
          "calculatedParameter": "calculatedParameter"}
+# version of SSP by that of FMI
+VERSIONS = {2: "1.0", 3: "2.0"}
 # size of a component in a diagram, and of the space around it
 WIDTH, SPACE = 200.0, 100.0
 PITCH = 10.0
@@ -43,7 +48,7 @@ def files(system: System, version: str) -> dict[str, bytes]:
     """
     texts = {"SystemStructure.ssd": _description(system, version)}
     for spec in system.specs:
-        texts[f"{RESOURCES}/{spec.name}.ssv"] = _parameters(spec, version)
+        texts[f"{RESOURCES}/{spec.name}.ssv"] = _parameters(spec, system.fmi, version)
     texts[f"{RESOURCES}/{CHOICES}.ssv"] = _choices(system, version)
     return texts
 
@@ -56,13 +61,14 @@ def _description(system: System, version: str) -> bytes:
     root = ET.Element(
         "ssd:SystemStructureDescription",
         DESCRIBING | NAMESPACES
-        | {"version": "1.0", "name": NAME, "description": system.title} | _made(version),
+        | {"version": VERSIONS[system.fmi], "name": NAME, "description": system.title}
+        | _made(version),
     )
     inner = ET.SubElement(root, "ssd:System", {"name": "root", "description": system.title})
     _binding(inner, CHOICES)
     elements = ET.SubElement(inner, "ssd:Elements")
     for place, spec in enumerate(system.specs):
-        _component(elements, spec, place)
+        _component(elements, spec, place, system.fmi)
     connections = ET.SubElement(inner, "ssd:Connections")
     for name in system.connections:
         ET.SubElement(connections, "ssd:Connection", {
@@ -70,36 +76,39 @@ def _description(system: System, version: str) -> bytes:
             "endElement": system.sink.name, "endConnector": name,
         })
     _step_of_omsimulator(inner, system)
-    variables = [v for spec in system.specs for v in _shown(spec)]
+    variables = [e.variable for spec in system.specs for e in _shown(spec, system.fmi)]
     _enumerations(root, "ssd", [e for spec in system.specs for e in spec.enumerations])
     _units(root, "ssd", variables)
     experiment = ET.SubElement(
         root, "ssd:DefaultExperiment",
         {"startTime": "0", "stopTime": repr(system.source.stop_time)},
     )
-    _step_of_libcosim(experiment, system)
+    if system.fmi == 2:
+        _step_of_libcosim(experiment, system)
     return document(root)
 
 
-def _component(parent: ET.Element, spec: Spec, place: int) -> None:
+def _component(parent: ET.Element, spec: Spec, place: int, fmi: int) -> None:
     component = ET.SubElement(parent, "ssd:Component", {
         "name": spec.name, "description": spec.description,
         "type": "application/x-fmu-sharedlibrary", "source": f"{RESOURCES}/{archive(spec)}",
         "implementation": "CoSimulation",
     })
     connectors = ET.SubElement(component, "ssd:Connectors")
-    sides = {kind: [v.name for v in _shown(spec) if v.causality == kind]
+    sides = {kind: [e.name for e in _shown(spec, fmi) if e.variable.causality == kind]
              for kind in ("input", "output")}
-    for variable in _shown(spec):
+    for entry in _shown(spec, fmi):
+        variable = entry.variable
         connector = ET.SubElement(
             connectors, "ssd:Connector",
-            {"name": variable.name, "kind": KINDS[variable.causality],
-             "description": variable.description},
+            {"name": entry.name, "kind": KINDS[variable.causality],
+             "description": entry.description},
         )
-        ET.SubElement(connector, f"ssc:{variable.kind}", _unit(variable))
+        ET.SubElement(connector, f"ssc:{_type(variable, fmi)}", _unit(variable))
+        _dimensions(connector, entry)
         names = sides.get(variable.causality)
         if names:
-            y = (names.index(variable.name) + 0.5) / len(names)
+            y = (names.index(entry.name) + 0.5) / len(names)
             x = "0" if variable.causality == "input" else "1"
             ET.SubElement(connector, "ssd:ConnectorGeometry", {"x": x, "y": repr(y)})
     left = SPACE + place * (WIDTH + SPACE)
@@ -109,15 +118,24 @@ def _component(parent: ET.Element, spec: Spec, place: int) -> None:
     _binding(component, spec.name)
 
 
-def _shown(spec: Spec) -> list[Variable]:
+def _shown(spec: Spec, fmi: int) -> list[Entry]:
     """Variables that are connectors: a component needs not have all, and libcosim has no
     enumerations."""
-    given = {v.name for v, _ in values(spec)}
+    given = {e.name for e, _ in settings(spec, fmi)}
     return [
-        v for v in spec.variables
-        if v.kind != "Enumeration" and v.causality in KINDS
-        and (v.causality != "parameter" or v.name in given)
+        e for e in entries(spec, fmi)
+        if e.variable.kind != "Enumeration" and e.variable.causality in KINDS
+        and (e.variable.causality != "parameter" or e.name in given)
     ]
+
+
+def _type(variable: Variable, fmi: int) -> str:
+    return variable.kind if fmi == 2 else TYPES[variable.kind]
+
+
+def _dimensions(parent: ET.Element, entry: Entry) -> None:
+    for size in entry.shape:
+        ET.SubElement(parent, "ssc:Dimension", {"size": str(size)})
 
 
 def _unit(variable: Variable) -> dict[str, str]:
@@ -137,7 +155,7 @@ def _annotation(parent: ET.Element, kind: str) -> ET.Element:
 
 
 def _step_of_omsimulator(parent: ET.Element, system: System) -> None:
-    """SSP 1.0 has no communication step; without this, OMSimulator takes 0.1 s."""
+    """SSP has no communication step; without this, OMSimulator takes 0.1 s."""
     own = ET.SubElement(_annotation(parent, "org.openmodelica"), "oms:Annotations")
     information = ET.SubElement(own, "oms:SimulationInformation")
     ET.SubElement(information, "oms:FixedStepMaster", {
@@ -153,39 +171,39 @@ def _step_of_libcosim(parent: ET.Element, system: System) -> None:
     ET.SubElement(algorithm, "osp:FixedStepAlgorithm", step)
 
 
-def _set(name: str, version: str, description: str) -> tuple[ET.Element, ET.Element]:
+def _set(name: str, fmi: int, version: str, description: str) -> tuple[ET.Element, ET.Element]:
     """A set of parameters, and the element that takes them."""
     root = ET.Element(
         "ssv:ParameterSet",
-        NAMESPACES | {"version": "1.0", "name": name, "description": description}
+        NAMESPACES | {"version": VERSIONS[fmi], "name": name, "description": description}
         | _made(version),
     )
     return root, ET.SubElement(root, "ssv:Parameters")
 
 
-def _parameters(spec: Spec, version: str) -> bytes:
+def _parameters(spec: Spec, fmi: int, version: str) -> bytes:
     """Values of a component but its enumerations."""
-    root, entries = _set(NAME, version, f"parameters of {spec.name}")
-    given = [(v, value) for v, value in values(spec) if v.kind != "Enumeration"]
-    for variable, value in given:
-        entry = ET.SubElement(
-            entries, "ssv:Parameter",
-            {"name": variable.name, "description": variable.description},
+    root, listed = _set(NAME, fmi, version, f"parameters of {spec.name}")
+    given = [(e, value) for e, value in settings(spec, fmi) if e.variable.kind != "Enumeration"]
+    for entry, value in given:
+        element = ET.SubElement(
+            listed, "ssv:Parameter", {"name": entry.name, "description": entry.description}
         )
-        told = {"value": text(variable, value)} | _unit(variable)
-        ET.SubElement(entry, f"ssv:{variable.kind}", told)
-    _units(root, "ssv", [v for v, _ in given])
+        told = {"value": value} | _unit(entry.variable)
+        ET.SubElement(element, f"ssv:{_type(entry.variable, fmi)}", told)
+        _dimensions(element, entry)
+    _units(root, "ssv", [e.variable for e, _ in given])
     return document(root)
 
 
 def _choices(system: System, version: str) -> bytes:
     """Values of all enumerations by their names in the system."""
-    root, entries = _set(CHOICES, version, "enumerations of all components")
+    root, listed = _set(CHOICES, system.fmi, version, "enumerations of all components")
     for spec in system.specs:
         for variable, value in values(spec):
             if variable.enumeration is not None:
                 entry = ET.SubElement(
-                    entries, "ssv:Parameter",
+                    listed, "ssv:Parameter",
                     {"name": f"{spec.name}.{variable.name}", "description": variable.description},
                 )
                 item = variable.enumeration.items[int(value) - 1]

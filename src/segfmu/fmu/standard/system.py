@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from segfmu.fmu.standard.fmi2 import text
+from segfmu.fmu.standard.fmi3 import starts
+from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Spec, Value, Variable
 
 # Shifts the source's outputs by a time [s]. Importers that step both FMUs with the values of the
@@ -23,11 +26,14 @@ class System:
     source, sink : Spec
         Interfaces of the FMUs, whose names are those of the components. Their start values are the
         system's parameters; the source's default experiment is that of the system.
+    fmi : int
+        Version of FMI of both.
     """
 
     title: str
     source: Spec
     sink: Spec
+    fmi: int = 2
 
     @property
     def specs(self) -> tuple[Spec, Spec]:
@@ -57,6 +63,18 @@ def values(spec: Spec) -> Iterator[tuple[Variable, Value]]:
             yield variable, spec.step_size
         elif variable.name not in left_out and variable.start is not None:
             yield variable, variable.start
+
+
+def settings(spec: Spec, fmi: int) -> Iterator[tuple[Entry, str]]:
+    """The same as a version of FMI has them, values as XML has them; arrays with all rows."""
+    given = {v.name: value for v, value in values(spec)}
+    for entry in entries(spec, fmi):
+        variable = entry.variable
+        if entry.array is not None:
+            if not variable.computed:
+                yield entry, starts(entry.array, spec)
+        elif variable.name in given:
+            yield entry, text(variable, given[variable.name])
 
 
 def _left_out(spec: Spec) -> set[str]:
