@@ -97,7 +97,7 @@ $(VENV)/translated: $(TRANSLATED)
 test: $(VENV)/installed ## all tests, on all cores
 	$(PYTEST)
 
-soak: $(VENV)/installed ## the random campaigns of the tests, with 2 to 30 times as many problems
+soak: $(VENV)/installed ## the random campaigns of the tests, with 2 to 40 times as many problems
 	SEGFMU_SOAK=1 $(PYTEST) -m soak
 
 interpreted: $(VENV)/installed ## some tests on the interpreted kernels, as where no C compiler is

@@ -12,14 +12,13 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.python.archive import build_all
-from tests.campaign import SOAK
 from tests.compiler import require_native
 from tests.sharing import shared
 
 # The same examples in every run of the whole suite; `--hypothesis-profile=search` looks for more.
 settings.register_profile("repeatable", derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=2000, deadline=None)
-settings.load_profile("search" if SOAK else "repeatable")
+settings.load_profile("repeatable")
 
 
 @pytest.fixture(scope="session")
