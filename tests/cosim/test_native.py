@@ -13,9 +13,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from fmpy.fmi2 import FMU2Slave
+from fmpy.fmi3 import FMU3Slave
 
 from segfmu.cosim import Change, Connection, System, native
 from segfmu.cosim.layout import TYPES, CCopy, CSimulation
+from segfmu.cosim.messages import ERROR, FATAL
+from segfmu.errors import SimulationError
 from tests.compiler import CC, needs_cc, needs_loop, require_cc
 
 pytestmark = needs_loop
@@ -140,8 +144,39 @@ def test_failures_have_the_same_words(probes, caplog, fmi: int, status: int) -> 
             # the next run is one of its own
             rows = system.run({"one": {"x": 2.0}}, stop_time=1.0)
             assert rows["y"] == pytest.approx(2.0 + rows["time"])
+            # an instance that had a fatal error is no longer used, another one is made
+            assert set(rows["runs"]) == ({0} if status >= FATAL else {1})
     assert told[0] == told[1]
     assert any("said 5 times" in text for _, text in told[0][1])
+
+
+@pytest.mark.parametrize("engine", ["c", "python"])
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("status", [ERROR, FATAL])
+def test_nothing_is_called_after_a_fatal_error(
+    probes, monkeypatch, fmi: int, status: int, engine: str
+) -> None:
+    kind = {2: FMU2Slave, 3: FMU3Slave}[fmi]
+    called: list[str] = []
+
+    def watch(name: str) -> None:
+        own = getattr(kind, name)
+
+        def noting(*arguments: Any) -> Any:
+            called.append(name)
+            return own(*arguments)
+
+        monkeypatch.setattr(kind, name, noting)
+
+    for name in ("terminate", "reset", "freeInstance"):
+        watch(name)
+    told = {"fail.time": 0.45, "fail.status": status}
+    with (
+        pytest.raises(SimulationError, match="told to fail"),
+        System({"one": probes[fmi]}, step=0.1, engine=engine) as system,
+    ):
+        system.run({"one": told}, stop_time=1.0)
+    assert called == ([] if status == FATAL else ["freeInstance"])
 
 
 @pytest.mark.parametrize(
@@ -155,6 +190,12 @@ def test_ends_that_fmi3_asks_for(probes, status: int, words: str) -> None:
             with pytest.raises(Exception, match=words):
                 system.run({"one": {"fail.time": 0.45, "fail.status": status}}, stop_time=1.0)
             assert system.run(stop_time=1.0).size == 11
+
+
+def test_the_first_fmu_alone_ends_steps_early(probes) -> None:
+    values = {"b": {"fail.time": 0.45, "fail.status": -1}}
+    rows = both({"a": probes[2], "b": probes[3]}, values, step=0.1, connections=[])
+    assert rows["time"] == pytest.approx(np.arange(11) * 0.1)
 
 
 def test_other_threads_run_meanwhile(native_fmus) -> None:

@@ -11,6 +11,8 @@ from scipy.integrate import solve_ivp
 from segfmu import Crane, SimulationError
 from segfmu.crane import Plant, Rig, Setpoints, TravelLimits
 from segfmu.crane.feedback import design
+from segfmu.kernels.crane.buffers import buffer_force, buffer_slopes
+from segfmu.kernels.crane.records import Plant as Parameters
 
 LAB, STS = Crane(2.2, 1.155, 1.0), Crane(300e3, 15e3, 40e3)
 SIZES = pytest.mark.parametrize("crane", [LAB, STS], ids=["lab", "sts"])
@@ -111,3 +113,16 @@ def test_other_end_stops_stay_errors() -> None:
     plant, given = rolling(LAB, 1, 0.5, travel)
     with pytest.raises(SimulationError, match=r"trolley at 0\.1 m is at its end stop"):
         plant.step(1.0, given)
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_buffer_pushes_inwards_at_both_ends(side: float) -> None:
+    own = np.zeros(Parameters.SIZE)
+    own[Parameters.TRAVEL_MIN], own[Parameters.TRAVEL_MAX] = -1.0, 1.0
+    own[Parameters.STIFFNESS], own[Parameters.DAMPING] = 100.0, 10.0
+    for velocity in (0.5, 0.0, -0.05, -0.5):
+        found = buffer_force(own, 0, side * 1.01, side * velocity)
+        assert found == pytest.approx(side * max(1.0 + 10.0 * velocity, 0.0), abs=1e-12)
+        slopes = buffer_slopes(own, 0, side * 1.01, side * velocity)
+        assert slopes == ((100.0, 10.0) if found != 0.0 else (0.0, 0.0))
+    assert buffer_force(own, 0, side * 0.99, side * 0.5) == 0.0

@@ -242,6 +242,21 @@ TAMPERED = {
         planned(4), axis_waypoint_times=np.add(
             planned(4).axis_waypoint_times, [[0.0, 0.0], [0.0, 0.01], [0.0, 0.0]])
     ),
+    "wrong arrival of all axes": lambda: replace(
+        planned(4), axis_waypoint_times=np.add(
+            planned(4).axis_waypoint_times, [[0.0, 0.0], [1e-6, 1e-6], [0.0, 0.0]])
+    ),
+    "arrival a dwell too soon": lambda: replace(
+        dwelling(), axis_waypoint_times=np.add(
+            dwelling().axis_waypoint_times, [[0.0, 0.0], [-1e-6, -1e-6], [0.0, 0.0]])
+    ),
+    "dwell left early": lambda: replace(
+        dwelling(), waypoints=(dwelling().waypoints[0], Waypoint([0.07, 0.055], dwell=1.0 + 1e-6),
+                               dwelling().waypoints[2])
+    ),
+    "dwell at the end that is missing": lambda: replace(
+        planned(4), waypoints=(*planned(4).waypoints[:2], Waypoint([1.0, 0.8], dwell=0.5))
+    ),
     "late start in the times": lambda: replace(
         planned(4), axis_waypoint_times=np.add(
             planned(4).axis_waypoint_times, [[1.0], [0.0], [0.0]])

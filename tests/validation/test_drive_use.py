@@ -104,6 +104,33 @@ def test_the_use_of_a_run_is_part_of_its_verdict() -> None:
     assert [row.name for row in failed] == ["use of the bound of trolley acceleration"]
 
 
+def test_a_run_uses_what_its_rows_have_at_most() -> None:
+    """Of every demand the greatest magnitude, of either sign, and when."""
+    time = np.linspace(0.0, 2.0, 2001)
+    found = {}
+    for sign in (1.0, -1.0):
+        rows = np.zeros(time.size, dtype=[(n, float) for n in (
+            "time", *(f"drive.{d}.force" for d in ("bridge", "trolley", "hoist")),
+            "bridge.velocity", "trolley.velocity", "rope.velocity", "sway.x.angle", "sway.y.angle",
+        )])
+        rows["time"] = time
+        # accelerations from -0.2 to 0.8 m/s2, the greatest at the end
+        rows["bridge.velocity"] = sign * (0.25 * time**2 - 0.2 * time)
+        rows["drive.bridge.force"] = sign * np.where(time < 1.5, -7.0, 3.0)
+        rows["sway.y.angle"] = sign * 0.3 * np.sin(np.pi * time)
+        bounds = ActuatorBounds(
+            force=[10.0, None, None], acceleration=[1.0, None, None], velocity=[1.0, None, None],
+            sway_angle=0.5,
+        )
+        found[sign] = {u.name: u for u in run_uses(rows, bounds) if np.isfinite(u.bound)}
+    for uses in found.values():
+        assert uses["bridge acceleration"].use == pytest.approx(0.8, abs=1e-3)
+        assert uses["bridge acceleration"].time == pytest.approx(2.0, abs=1e-3)
+        assert uses["bridge force"].use == pytest.approx(0.7)
+        assert uses["bridge velocity"].use == pytest.approx(0.6)
+        assert max(u.use for n, u in uses.items() if "sway" in n) == pytest.approx(0.6, abs=1e-5)
+
+
 def test_the_plot_shows_the_hoists_pull_without_the_weight(tmp_path: Path) -> None:
     task = mission(tmp_path)
     bounds = ActuatorBounds(force=[None, None, 12.0])

@@ -147,6 +147,30 @@ def test_a_late_sensor_still_has_room(native_fmus) -> None:
         assert np.isfinite(fmu.get("measured.sway.x.angle"))
 
 
+@pytest.mark.parametrize("names", [
+    ("limits.x.velocity",), ("waypoint.position",), ("limits.x.jerk", "waypoint.dwell"),
+])
+@pytest.mark.parametrize("wrong", [-1, 1, 1000])
+def test_arrays_of_another_size_than_their_variables_are_refused(native_fmus, names, wrong) -> None:
+    """FMI 3.0 tells both counts; nothing is read or written where they differ."""
+    with Importer(native_fmus[3][0]) as fmu:
+        variables = [fmu.variables[n] for n in names]
+        size = sum(int(np.prod([d.start for d in v.dimensions], dtype=int)) for v in variables)
+        references = (ctypes.c_uint32 * len(names))(*(v.valueReference for v in variables))
+        before = fmu.fmu.getFloat64([v.valueReference for v in variables], nValues=size)
+        for function in (fmu.fmu.dll.fmi3GetFloat64, fmu.fmu.dll.fmi3SetFloat64):
+            values = (ctypes.c_double * (size + 1001))(*[-7.5] * (size + 1001))
+            status = function(
+                ctypes.c_void_p(fmu.fmu.component), references, ctypes.c_size_t(len(names)),
+                values, ctypes.c_size_t(size + wrong),
+            )
+            assert status == 3
+            assert f"have {size} values, got {size + wrong}" in fmu.messages[-1]
+            assert set(values) == {-7.5}
+        after = fmu.fmu.getFloat64([v.valueReference for v in variables], nValues=size)
+        assert list(after) == list(before)
+
+
 @both
 @pytest.mark.parametrize("value", [1e-20, 1e9])
 def test_a_sample_time_that_cannot_be_counted_is_refused_at_once(

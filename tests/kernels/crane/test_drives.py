@@ -84,3 +84,22 @@ def test_gusts_rise_to_one_and_are_zero_outside(shape: float) -> None:
     assert [gust_factor(shape, s) for s in (-0.1, 0.0, 1.0, 1.1)] == [0.0] * 4
     assert gust_factor(shape, 0.5) == pytest.approx(1.0)
     assert gust_factor(shape, 0.25) == pytest.approx(0.5 if shape == 0.0 else np.sqrt(0.5))
+
+
+@pytest.mark.parametrize("velocity", [-0.4, 0.4])
+def test_drives_overcome_their_friction_while_the_rope_is_slack(velocity: float) -> None:
+    """Each carriage has its own mass to accelerate, and against its friction."""
+    plant, state = np.zeros(Plant.SIZE), np.zeros(PlantState.SIZE)
+    work, derivative = np.zeros((Work.SIZE, Work.COLUMNS)), np.zeros(PlantState.SIZE)
+    plant[: Plant.LAG] = *MASSES, DriveMode.VELOCITY
+    state[State.POSITION + 2], state[PlantState.PAID_OUT] = 0.8, 0.9
+    state[State.VELOCITY : State.VELOCITY + 2] = velocity
+    state[PlantState.SLACK] = 1.0
+    demand, friction = np.array([0.5, -0.2, 0.1]), np.array([3.0, 2.0, 1.0]) * np.sign(velocity)
+    work[Work.DEMAND, :3], work[Work.FRICTION, :3] = demand, friction
+    driven_derivative(plant, state, work, derivative)
+    force = work[Work.ACTION][Action.FORCE : Action.FORCE + 3]
+    # bridge with the trolley, the trolley, and a drum without a mass
+    assert force == pytest.approx(np.array([2.2 + 1.155, 1.155, 0.0]) * demand + friction)
+    assert derivative[State.VELOCITY : State.VELOCITY + 2] == pytest.approx(demand[:2])
+    assert work[Work.ACTION, Action.ROPE_FORCE] == 0.0

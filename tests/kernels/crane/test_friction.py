@@ -83,3 +83,13 @@ def test_slopes_are_those_of_the_force(static: float) -> None:
         found = friction_slopes(own, 0, velocity, z)
         assert found[0] == pytest.approx(by_velocity, rel=1e-5, abs=1e-3)
         assert found[1] == pytest.approx(by_deflection, rel=1e-5, abs=1.0)
+
+
+def test_drag_is_odd_and_grows_with_the_square() -> None:
+    own = plant()
+    own[Plant.DRAG + 2] = 0.7
+    for velocity in (-3.0, -0.2, 0.0, 0.4, 2.0):
+        drag = 0.7 * velocity * abs(velocity)
+        assert friction_force(own, 2, velocity, 0.0) == pytest.approx(velocity + drag)
+        slope, _ = friction_slopes(own, 2, velocity, 0.0)
+        assert slope == pytest.approx(1.0 + 1.4 * abs(velocity))

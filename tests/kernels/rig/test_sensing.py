@@ -107,3 +107,15 @@ def test_the_first_sample_is_there_at_once() -> None:
     memory = memory_of(sensors)
     start_sensing(sensors.vector, state_at(7.0), memory)
     assert signals(sensors, 0.0, memory).tolist() == state_at(7.0)[:5].tolist()
+
+
+def test_rounding_of_the_clock_holds_back_no_sample() -> None:
+    """3 * 0.1 + 0.3 is later than 0.6 by the last digit."""
+    sensors = Sensors(sample_time=0.1, dead_time=0.3)
+    assert 3 * 0.1 + 0.3 > 0.6
+    memory = memory_of(sensors)
+    start_sensing(sensors.vector, state_at(0.0), memory)
+    for _ in range(3):
+        take_sample(sensors.vector, state_at(next_sample(sensors.vector, memory)), memory)
+    assert signals(sensors, 0.6, memory) == pytest.approx(state_at(0.3)[:5], abs=1e-12)
+    assert signals(sensors, 0.6, memory)[0] > 0.25

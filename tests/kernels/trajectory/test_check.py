@@ -145,3 +145,20 @@ def test_verdict_is_that_of_the_roots(values, length: float, derivative: int, ma
     if abs(margin) > 1e-6:
         bound = peak * (1.0 + margin)
         assert within(hull, count, bound) == (largest <= bound)
+
+
+def test_the_end_after_a_dwell_is_checked() -> None:
+    """The last dwell drifts away, smoothly and within all limits."""
+    def drift(arrays) -> None:
+        arrays["coefficients"][-1, 7] = 1e-5
+
+    assert plan(POINTS, LIMITS).timing[-1, 1] == pytest.approx(0.5)
+    assert judged(drift) == 2
+
+
+@pytest.mark.parametrize("count", [4, 9])
+def test_what_is_no_number_keeps_no_limit(count: int) -> None:
+    for place in range(count):
+        hull = np.zeros((40, Hull.SIZE))
+        hull[0, place] = np.nan
+        assert not within(hull, count, 1.0)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.stats import spearmanr
+from scipy.stats import f_oneway, rankdata, spearmanr
+from scipy.stats import t as student
 
 from segfmu.validation.campaigns.sensitivity import sensitivities
 
@@ -43,3 +44,32 @@ def test_runs_without_a_margin_are_left_out() -> None:
 def test_where_there_is_nothing_to_tell(factors: dict[str, list[float | None]]) -> None:
     assert sensitivities(factors, {"m": [1.0, 2.0, 3.0]}) == []
     assert sensitivities({"a": [1.0, 2.0, 3.0]}, {"m": [1.0, 1.0, 1.0]}) == []
+
+
+@pytest.mark.parametrize("count", [6, 12, 60])
+def test_the_chance_of_a_number_is_that_of_the_partial_correlation(count: int) -> None:
+    """Student's t with two degrees of freedom less than there are runs and other factors."""
+    a, b, c, m = np.random.default_rng(count).random((4, count))
+    found = sensitivities({"a": a.tolist(), "b": b.tolist(), "c": c.tolist()}, {"m": m.tolist()})
+    for one in found:
+        freedom = count - 2 - 2
+        ratio = abs(one.effect) * (freedom / (1.0 - one.effect**2)) ** 0.5
+        assert one.chance == pytest.approx(2.0 * student.sf(ratio, freedom), rel=1e-9)
+
+
+def test_the_chance_of_a_choice_is_that_of_the_analysis_of_variance() -> None:
+    kinds, margin = list("xyzxyzxyzxy"), np.random.default_rng(4).random(11)
+    ranks = rankdata(margin)
+    groups = [[r for r, k in zip(ranks, kinds, strict=True) if k == kind] for kind in "xyz"]
+    (one,) = sensitivities({"k": kinds}, {"m": margin.tolist()})
+    assert one.chance == pytest.approx(f_oneway(*groups).pvalue, rel=1e-9)
+
+
+def test_factors_that_say_the_same_take_one_degree_of_freedom() -> None:
+    a, b, m = np.random.default_rng(8).random((3, 9))
+    alone = sensitivities({"a": a.tolist(), "b": b.tolist()}, {"m": m.tolist()})
+    twice = sensitivities(
+        {"a": a.tolist(), "b": b.tolist(), "c": b.tolist()}, {"m": m.tolist()}
+    )
+    chance = {s.factor: s.chance for s in alone}["a"]
+    assert {s.factor: s.chance for s in twice}["a"] == pytest.approx(chance, rel=1e-9)
