@@ -26,6 +26,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "h": ("master_time", ()),
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),
+    "q": ("drive_friction", ()),
     "l": ("braking", ()),
     "r": ("replanning", ()),
     "k": ("free_states", ("casadi",)),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linprog
 
 from segfmu import Crane, Trajectory
+from segfmu.crane import Friction
 
 FloatArray = NDArray[np.float64]
 ORDER = 3
@@ -38,8 +39,13 @@ def _root(a: FloatArray) -> FloatArray:
     return np.array(found)
 
 
-def demands(crane: Crane, trajectory: Trajectory, times: FloatArray) -> FloatArray:
-    """Magnitudes of force, velocity, acceleration, power and sway, shape (times, 14)."""
+def demands(
+    crane: Crane, trajectory: Trajectory, times: FloatArray, friction: Friction | None = None
+) -> FloatArray:
+    """Magnitudes of force, velocity, acceleration, power and sway, shape (times, 14).
+
+    With friction the times are samples from the start on, close enough for contacts to be followed.
+    """
     series = np.array([trajectory(times, d) / FACTORIALS[d] for d in range(5)])
     load = series[:ORDER].transpose(2, 0, 1)
     # series of the second derivative: coefficient i is (i + 2)(i + 1) times that of the position
@@ -57,6 +63,9 @@ def demands(crane: Crane, trajectory: Trajectory, times: FloatArray) -> FloatArr
         [moved[i] * acceleration[:, i] + crane.payload_mass * pull[i, 0] for i in range(2)]
         + [-crane.payload_mass * size[0]], axis=-1,
     )
+    if friction is not None:
+        position = np.stack([place[0] for place in places], axis=-1)
+        force = force + friction_along(crane, friction, position, velocity)
     sway = np.stack(
         [np.arctan2(pull[0, 0], np.hypot(pull[1, 0], pull[2, 0])),
          np.arctan2(pull[1, 0], pull[2, 0])], axis=-1,
@@ -64,10 +73,41 @@ def demands(crane: Crane, trajectory: Trajectory, times: FloatArray) -> FloatArr
     return np.asarray(np.abs(np.hstack([force, velocity, acceleration, force * velocity, sway])))
 
 
-def largest_use(crane: Crane, trajectory: Trajectory, bounds: FloatArray, samples: int) -> float:
+def friction_along(
+    crane: Crane, friction: Friction, position: FloatArray, velocity: FloatArray
+) -> FloatArray:
+    """Friction of bridge, trolley and hoist (times, 3) from rest on, from sample to sample.
+
+    The spring of a contact follows its axis up to the presliding displacement; beside it acts a
+    damper that is critical for the axis' own mass, as long as nothing slides.
+    """
+    masses = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, crane.payload_mass)
+    found = np.zeros(position.shape)
+    for axis, mass in enumerate(masses):
+        v, coulomb = velocity[:, axis], friction.coulomb[axis]
+        static = max(friction.static[axis], coulomb)
+        found[:, axis] = (friction.viscous[axis] + friction.drag[axis] * np.abs(v)) * v
+        if static == 0.0:
+            continue
+        level = coulomb + (static - coulomb) * np.exp(-((v / friction.width) ** 2))
+        springs = [0.0]
+        for way in np.diff(position[:, axis]):
+            stretched = springs[-1] + way
+            springs.append(min(max(stretched, -friction.presliding), friction.presliding))
+        share = np.array(springs) / friction.presliding
+        damping = 2.0 * np.sqrt(1.5 * static * mass / friction.presliding) * v
+        damped = damping / np.hypot(level, damping)
+        found[:, axis] += level * (0.5 * share * (3.0 - share**2) + damped * (1.0 - share**2))
+    return found
+
+
+def largest_use(
+    crane: Crane, trajectory: Trajectory, bounds: FloatArray, samples: int,
+    friction: Friction | None = None,
+) -> float:
     """Largest share of a bound, (14,), among equidistant samples of a plan."""
     times = np.linspace(0.0, trajectory.duration, samples)
-    return float((demands(crane, trajectory, times).max(axis=0) / bounds).max())
+    return float((demands(crane, trajectory, times, friction).max(axis=0) / bounds).max())
 
 
 def shortest_transfer(

@@ -1,4 +1,4 @@
-"""Feedforward alone on the perfect model: the error over the step; lag, friction compensated."""
+"""Feedforward alone on the perfect model: the error over the step; lag compensated."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 import segfmu
-from segfmu.crane import Drive, Friction, Plant, Rig, Setpoints
+from segfmu.crane import Drive, Plant, Rig, Setpoints
 from segfmu.crane.feedback import design
 from segfmu.crane.feedforward import Compensation, Feedforward
 
 LAB = segfmu.Crane(2.2, 1.155, 1.0)
 LAG = (0.025, 0.025, 0.025)
-VISCOUS, COULOMB = (100.0, 82.0, 75.0), (5.0, 7.5, 10.0)
 
 
 @cache
@@ -33,7 +32,6 @@ def largest_error(
     *,
     events: bool = False,
     driven: bool = False,
-    friction: Friction | None = None,
     settle: float = 0.0,
 ) -> float:
     """Largest distance of the load from its plan [m], setpoints linear between steps."""
@@ -46,7 +44,7 @@ def largest_error(
     forces, velocities = feedforward.force(times), feedforward.velocity(times)
     states, planned = flat.state(times), trajectory(times)
     drive = Drive(LAG[0] if driven else 0.0)
-    rig = Rig(drive, drive, drive, friction=friction or Friction())
+    rig = Rig(drive, drive, drive)
     feedback = design(LAB, sample_time=0.1, shortest=0.5, longest=1.0, rows=2)
     plant = Plant(
         LAB, states[0], Setpoints(forces[0], velocities[0]), feedback, driven=driven,
@@ -126,16 +124,6 @@ def late_error(compensation: Compensation, lag, dead) -> float:
     return largest
 
 
-def test_force_mode_with_friction_compensated() -> None:
-    friction = Friction(VISCOUS, COULOMB)
-    # an axis that sticks needs its whole friction from the first moment on
-    full = Compensation(viscous=VISCOUS, coulomb=COULOMB, width=1e-4)
-    assert largest_error(2e-3, full, friction=friction) < 1e-4
-    half = Compensation(viscous=tuple(0.5 * v for v in VISCOUS),
-                        coulomb=tuple(0.5 * c for c in COULOMB))
-    assert largest_error(2e-3, half, friction=friction) > 0.05
-
-
 def test_shapes_and_single_times() -> None:
     feedforward = Feedforward(inverse(), Compensation(LAG))
     assert feedforward.force(0.5).shape == feedforward.velocity(0.5).shape == (3,)
@@ -146,20 +134,12 @@ def test_shapes_and_single_times() -> None:
     assert feedforward.force(times) == pytest.approx(inverse().force(times))
 
 
-def test_arguments_are_not_changed() -> None:
-    force, velocity = np.ones(3), np.ones(3)
-    Compensation(LAG, VISCOUS, COULOMB).setpoints(force, velocity, np.ones(3))
-    assert force.tolist() == velocity.tolist() == [1.0, 1.0, 1.0]
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         ({"lag": (0.1, -0.1, 0.0)}, "lag of the trolley"),
-        ({"viscous": (0.0, 0.0, -1.0)}, "viscous of the hoist"),
-        ({"coulomb": (np.inf, 0.0, 0.0)}, "coulomb"),
-        ({"coulomb": (1.0, 0.0)}, "must have 3 values"),
-        ({"width": 0.0}, "width"),
+        ({"lag": (np.inf, 0.0, 0.0)}, "lag"),
+        ({"lag": (1.0, 0.0)}, "must have 3 values"),
         ({"dead_time": (0.0, 0.0, -0.1)}, "dead_time of the hoist"),
     ],
 )

@@ -26,18 +26,21 @@ from segfmu.kernels.control.records import (
     TrackingDesign,
 )
 from segfmu.kernels.crane.records import (
-    Compensation,
+    Contact,
+    ContactWork,
     CranePartials,
     Demand,
     DemandWork,
     FlatInverse,
     FlatSeries,
+    FrictionSeries,
     LoadPartials,
     Plant,
     PlantFault,
     PlantState,
     PlantStatus,
     Report,
+    Resistance,
     RopeFault,
     RopeWork,
     State,
@@ -203,6 +206,11 @@ def trajectory_calls() -> dict[str, Call]:
 def crane_calls() -> dict[str, Call]:
     rig = everything()
     plant = rig.parameters(LAB, True)
+    found = plan([Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.3, -0.6])], Limits(1.0, 1.0, 5.0))
+    planned = found.timing, found.coefficients, found.offsets, found.axis_durations
+    rows = zeros(2, Contact.SIZE)
+    rows[:, Contact.TIME] = 0.0, 0.3
+    rows[:, Contact.SETTLED] = 0.2, 0.9
     masses, state = np.array(LAB.masses), np.append(HANGING, zeros(PlantState.SIZE - State.SIZE))
     state[State.ANGLE] = 0.1
     flat = zeros(8, 3)
@@ -215,13 +223,23 @@ def crane_calls() -> dict[str, Call]:
         "plant_failure": (
             PlantStatus.BELOW_TRAVEL + 1, 0.5, state, plant, zeros(PlantFault.SIZE),
         ),
-        "compensate_setpoints": (axes, axes, plant_lags(), zeros(3), zeros(3)),
         "crane_rhs": (state, force, axes, masses, derivative),
         "crane_driven": (state, axes, force, axes, masses, derivative.copy(), zeros(3)),
         "crane_flat_inverse": (flat, masses, zeros(3), zeros(State.SIZE), zeros(5)),
         "drive_demands": (
-            np.stack([flat[:5], flat[:5]]), masses, zeros(DemandWork.SIZE, DemandWork.COLUMNS),
-            zeros(2, Demand.SIZE),
+            np.stack([flat[:5], flat[:5]]), np.array([0.0, 1.0]), plant[: Resistance.SIZE].copy(),
+            np.stack([rows] * 3), zeros(DemandWork.SIZE, DemandWork.COLUMNS), zeros(2, Demand.SIZE),
+        ),
+        "contact_history": (
+            1, *planned, plant[: Resistance.SIZE].copy(),
+            zeros(ContactWork.SIZE, ContactWork.COLUMNS), zeros(9, Contact.SIZE),
+        ),
+        "resists": (plant[: Resistance.SIZE].copy(), 1),
+        "planned_friction": (plant[: Resistance.SIZE].copy(), 1, 0.4, 0.3, 0.1, rows),
+        "next_contact_event": (0.4, 0.1, rows),
+        "friction_derivative": (
+            plant[: Resistance.SIZE].copy(), 1, 0.4, np.array([0.3, 1e-3, 0.2, 0.1, 0.5]), 3, rows,
+            zeros(FrictionSeries.SIZE, 4),
         ),
         "flat_derivatives": (
             flat, 2, masses, zeros(FlatSeries.SIZE, 5), zeros(FlatInverse.SIZE),
@@ -242,10 +260,6 @@ def crane_calls() -> dict[str, Call]:
             2.0, axes, np.array([12.0, 34.0]), zeros(4, Sinusoid.SIZE),
         ),
     }
-
-
-def plant_lags() -> np.ndarray:
-    return np.linspace(0.1, 1.0, Compensation.SIZE)
 
 
 def control_calls() -> dict[str, Call]:

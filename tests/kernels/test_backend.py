@@ -27,12 +27,15 @@ from segfmu.kernels.control.records import (
     Tracking,
     VelocityCommand,
 )
-from segfmu.kernels.crane import _crane, compensation, plant, rope
+from segfmu.kernels.crane import _crane, contact, friction_series, plant, rope
 from segfmu.kernels.crane.records import (
     CommandRates,
-    Compensation,
+    Contact,
+    ContactWork,
+    FrictionSeries,
     PlantState,
     Report,
+    Resistance,
     RopeWork,
     State,
     Work,
@@ -224,7 +227,7 @@ def test_feedback_agrees() -> None:
 @pytest.mark.parametrize("driven", [False, True])
 def test_flat_gains_agree(driven: bool) -> None:
     results = np.zeros((2, Gains.SIZE, Gains.COLUMNS))
-    crane = np.array([*MASSES, driven, 0.1, 0.0, 0.05])
+    crane = Crane(*MASSES).plant(driven, (0.1, 0.0, 0.05))
     for module, gains in zip((feedback, compiled), results, strict=True):
         bandwidth = module.feedback_bandwidth(1.3, 0.2, 9.81, 0.05, 0.25)
         module.feedback_gains(crane, 0.2, bandwidth, 1.1 * bandwidth, 9.0, 0.8, gains)
@@ -232,15 +235,33 @@ def test_flat_gains_agree(driven: bool) -> None:
     assert results[0].any()
 
 
-def test_compensation_agrees() -> None:
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_friction_along_a_plan_agrees(axis: int) -> None:
+    """History of a contact, friction, its derivatives and events."""
+    found = plan([Waypoint([0.0, 0.0, -1.0]), Waypoint([0.1, 0.3, -0.6]),
+                  Waypoint([0.2, 0.0, -0.9])], Limits(0.5, 0.4, 1.0))
+    plan_of = found.timing, found.coefficients, found.offsets, found.axis_durations
+    known = everything().parameters(LAB, True)[: Resistance.SIZE].copy()
+    known[Resistance.COULOMB : Resistance.STATIC] = 4.0
+    known[Resistance.STATIC : Resistance.DRAG] = 5.0
     outputs = []
-    for module in (compensation, compiled):
-        random = np.random.default_rng(6)
-        velocity, acceleration, force = random.uniform(0.1, 1.0, (3, 3))
-        known, setpoint = random.uniform(0.1, 1.0, Compensation.SIZE), np.zeros(3)
-        module.compensate_setpoints(velocity, acceleration, known, force, setpoint)
-        outputs.append(np.concatenate([force, setpoint]))
-    assert close(*outputs)
+    slope = friction_series.friction_derivative
+    interpreted = SimpleNamespace(**vars(contact), friction_derivative=slope)
+    for kernels in (interpreted, compiled):
+        rows = np.zeros((12, Contact.SIZE))
+        work = np.zeros((ContactWork.SIZE, ContactWork.COLUMNS))
+        count = kernels.contact_history(axis, *plan_of, known, work, rows)
+        values = [float(count), *rows.ravel()]
+        for time in np.linspace(0.0, found.duration + 0.1, 40):
+            motion = np.array([0.01 * time, 1e-3, 0.2, 0.1, 0.5])
+            values.append(kernels.planned_friction(known, axis, time, 0.01 * time, 1e-3, rows))
+            values.append(kernels.next_contact_event(time, 0.3, rows))
+            values.append(kernels.friction_derivative(
+                known, axis, time, motion, 3, rows, np.zeros((FrictionSeries.SIZE, 4))
+            ))
+        outputs.append(values)
+    assert outputs[0][0] >= 3.0
+    assert close(*map(np.array, outputs))
 
 
 def test_observers_agree() -> None:

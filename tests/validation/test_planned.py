@@ -1,4 +1,4 @@
-"""End stops between waypoints: extremes are found between samples."""
+"""Plans of missions: end stops between waypoints, friction of the crane file."""
 
 from __future__ import annotations
 
@@ -6,13 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from benchmarks.drive_oracle import demands
 from scipy.optimize import minimize_scalar
 
-from segfmu.crane import FlatInverse
+from segfmu import Limits, Waypoint
+from segfmu.crane import FlatInverse, bound_uses
 from segfmu.crane.inverse import POSITION
 from segfmu.errors import InfeasibleError
 from segfmu.validation import planned
 from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.output import plan_samples
+from segfmu.validation.planned import sticking
 
 CRANE = """bridge_mass = 2.0
 trolley_mass = 1.0
@@ -65,3 +69,51 @@ def test_a_stop_is_met_exactly_at_the_farthest_place(
         planned.planned(mission(tmp_path, farthest - 1e-5))
     assert refused.value.value == pytest.approx(farthest, abs=1e-6)
     assert refused.value.time == pytest.approx(found.x, abs=0.01)
+
+
+def test_an_axis_that_may_stick_as_it_moves_off_is_told() -> None:
+    """A hoist of 1 kg that loses 1 N over 1 mm/s; bridge and trolley are heavier and faster."""
+    still = {"coulomb": 3.0, "static": 4.0}
+    data = {
+        "crane": {"bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0,
+                  "friction": {"bridge": still, "trolley": still}},
+        "limits": Limits(0.5, 0.5, 1.0, 10.0),
+        "waypoints": [Waypoint([0.0, 0.0, -0.5]), Waypoint([1.0, 0.8, -0.4])],
+    }
+    task = load_mission(data)
+    assert sticking(task, task.plan()) == ""
+    task = load_mission(data, {"crane": {"friction": {"hoist": still}}})
+    told = sticking(task, task.plan())
+    assert told.startswith("the hoist may stick where it moves off at 0.") and "\n" not in told
+    driven = load_mission(task, {"crane": {"drive": "velocity"}})
+    assert sticking(driven, task.plan()) == ""
+
+
+def test_friction_of_the_crane_file_is_part_of_plan_and_tables() -> None:
+    """6 N drives with 4 N of friction: the plan keeps 6 N, and the table says how much of it."""
+    friction = {d: {"coulomb": 4.0} for d in ("bridge", "trolley", "hoist")}
+    drive = {"force_max": 6.0, "velocity_max": 1.0}
+    data = {
+        "crane": {"bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0, "bridge": drive,
+                  "trolley": drive, "friction": friction},
+        "waypoints": [Waypoint([0.0, 0.0, -0.5]), Waypoint([1.0, 0.8, -0.5])],
+    }
+    task = load_mission(data)
+    trajectory = task.plan()
+    bounds = task.build_bounds()
+    assert bounds is not None
+    times = np.linspace(0.0, trajectory.duration, 20_001)
+    known = task.build_friction()
+    needs = demands(task.build_crane(), trajectory, times, known).max(axis=0)
+    used = bound_uses(task.build_crane(), trajectory, bounds, known)
+    assert max(use.use for use in used) == pytest.approx(1.0, abs=1e-5)
+    # samples come that close to the peak, and no sample exceeds the bound
+    assert 0.999 < (needs / bounds.vector).max() < 1.0 + 1e-6
+    assert trajectory.duration > 1.3 * load_mission(
+        data | {"crane": data["crane"] | {"friction": {}}}
+    ).plan().duration
+    rows = plan_samples(task, trajectory, 1)
+    # the peak is a narrow one, where the friction changes its sign
+    assert 5.9 < np.abs(rows["force.bridge"]).max() <= 6.0
+    # moving and braking: the friction is on one side
+    assert rows["force.bridge"].min() > -3.0

@@ -15,7 +15,7 @@ from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import verify
 from segfmu.validation.files.mission import Mission, load_mission
 from segfmu.validation.output import about, folder, note, plan_samples, require_folder, stride
-from segfmu.validation.planned import beyond_drives, planned
+from segfmu.validation.planned import beyond_drives, planned, sticking
 
 NO_BOUNDS = (
     "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
@@ -50,6 +50,7 @@ def plan(
     for found in excursions(trajectory):
         tell(str(found))
     tell(beyond_drives(task, trajectory))
+    tell(sticking(task, trajectory))
     if target is not None:
         _write_plan(task, trajectory, target, every)
 
@@ -170,7 +171,9 @@ def _show_bounds(task: Mission, trajectory: Trajectory) -> None:
         return
     from segfmu.validation.drive_use import bound_table
 
-    console.print(bound_table(bound_uses(task.build_crane(), trajectory, bounds)))
+    console.print(bound_table(
+        bound_uses(task.build_crane(), trajectory, bounds, task.build_friction())
+    ))
 
 
 def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
@@ -182,7 +185,9 @@ def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int)
     save(plot_plan(trajectory, task.name), output / "plan.png")
     save(plot_path(trajectory, task.name, task.build_clearance()), output / "path.png")
     bounds = task.build_bounds() or ActuatorBounds()
-    drives = plot_drives(task.build_crane(), trajectory, bounds, task.name)
+    drives = plot_drives(
+        task.build_crane(), trajectory, bounds, task.name, task.build_friction()
+    )
     save(drives, output / "drives.png")
     tell(note("plan.csv", every, task.simulation.step))
     tell(f"plan.csv, plan.png, path.png and drives.png are in {output}")

@@ -16,9 +16,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from segfmu.crane.bounds import NAMES as BOUNDS
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
+from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import demands_in_state, peaks
-from segfmu.crane.drive_refusals import exceeded, refused, require_lift
+from segfmu.crane.drive_refusals import exceeded, refused, require_start
 from segfmu.crane.drive_task import SEARCHED, Task, with_motion
+from segfmu.crane.equipment import Friction
 from segfmu.crane.inverse import require_flat
 from segfmu.crane.limit_search import (
     EXACT,
@@ -97,6 +99,7 @@ def plan_actuated(
     position_max: ArrayLike | None = None,
     axis_names: Sequence[str] | None = None,
     clearance: Clearance | None = None,
+    friction: Friction = NONE,
     progress: Callable[[float], None] = lambda _: None,
 ) -> ActuatedPlan:
     """Plan the load's trajectory as fast as the bounds of the crane's drives allow.
@@ -117,6 +120,8 @@ def plan_actuated(
         As for `plan`; smoothness 4 or more.
     clearance : Clearance, optional
         Workspace and obstacles; the search rejects plans that do not keep off them.
+    friction : Friction, optional
+        Of the axes, which the drives overcome as well; none by default.
     progress : callable, optional
         Called with the share of the search that is done, from 0 to 1.
 
@@ -140,45 +145,49 @@ def plan_actuated(
         waypoints, ANY_LIMITS if limits is None else limits, **options, **timing
     )
     require_flat(crane, len(request.axis_names), smoothness)
+    resistance(crane, friction)
     options |= {"position_min": position_min, "position_max": position_max}
     refusal: InfeasibleError | None = None
     if limits is not None:
         found, refusal = _as_limited(
-            crane, bounds, clearance, lambda: plan(waypoints, limits, **options, **timing)
+            crane, bounds, friction, clearance,
+            lambda: plan(waypoints, limits, **options, **timing),
         )
         if found is not None:
             return found
-    task = _task(crane, request.waypoints, limits, bounds, options, clearance)
+    task = _task(crane, request.waypoints, limits, bounds, options, clearance, friction)
     try:
         _require_states(task, bounds)
-        require_lift(task)
+        require_start(task)
         best = _searched(task, bounds, progress)
     except InfeasibleError as error:
         raise refusal or error from None
     if duration is not None or sample_time is not None:
         best = _timed(best, replace(best.task, options=options | timing), bounds, progress)
-    return _measured(crane, bounds, best.trajectory)
+    return _measured(crane, bounds, friction, best.trajectory)
 
 
 def bound_uses(
-    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds
+    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, friction: Friction = NONE
 ) -> tuple[BoundUse, ...]:
     """The exact use of every bound of the drives by a trajectory of x, y and z."""
-    return uses(bounds, *peaks(crane, trajectory))
+    return uses(bounds, *peaks(crane, trajectory, friction))
 
 
-def _measured(crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory) -> ActuatedPlan:
-    return ActuatedPlan(trajectory, bound_uses(crane, trajectory, bounds))
+def _measured(
+    crane: Crane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
+) -> ActuatedPlan:
+    return ActuatedPlan(trajectory, bound_uses(crane, trajectory, bounds, friction))
 
 
 def _as_limited(
-    crane: Crane, bounds: ActuatorBounds, clearance: Clearance | None,
+    crane: Crane, bounds: ActuatorBounds, friction: Friction, clearance: Clearance | None,
     made: Callable[[], Trajectory],
 ) -> tuple[ActuatedPlan | None, InfeasibleError | None]:
     """The plan with the given limits, if nothing needs a slower one; why it was refused, if so."""
     try:
         trajectory = made()
-        found = _measured_taut(crane, bounds, trajectory)
+        found = _measured_taut(crane, bounds, friction, trajectory)
         if clearance is not None and found is not None and found.passed:
             clearance.require(trajectory)
     except InfeasibleError as error:
@@ -190,7 +199,7 @@ def _as_limited(
 
 
 def _measured_taut(
-    crane: Crane, bounds: ActuatorBounds, trajectory: Trajectory
+    crane: Crane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
 ) -> ActuatedPlan | None:
     """A plan as it uses the bounds; None if the rope goes slack, which a slower one may avoid."""
     try:
@@ -199,12 +208,12 @@ def _measured_taut(
         if bounds.known:
             return None
         raise
-    return _measured(crane, bounds, trajectory)
+    return _measured(crane, bounds, friction, trajectory)
 
 
 def _task(
     crane: Crane, waypoints: tuple[Waypoint, ...], limits: Limits | None, bounds: ActuatorBounds,
-    options: dict[str, Any], clearance: Clearance | None,
+    options: dict[str, Any], clearance: Clearance | None, friction: Friction,
 ) -> Task:
     """The task with free states at rest; those of axes that pass a waypoint are unknowns."""
     caps = np.full((3, SEARCHED), np.inf)
@@ -220,7 +229,9 @@ def _task(
     rest = np.nan_to_num(np.swapaxes(states, 1, 2))
     resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))
     free = _passing(waypoints, first) & np.isnan(np.swapaxes(states, 1, 2)[:, 1:])
-    return Task(crane, resting, free, first, bounds.vector, caps, higher, options, clearance)
+    return Task(
+        crane, resting, free, first, bounds.vector, caps, higher, options, clearance, friction
+    )
 
 
 def _passing(waypoints: tuple[Waypoint, ...], first: NDArray[np.intp]) -> NDArray[np.bool_]:
@@ -243,7 +254,7 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
     ):
         if free.any():
             continue
-        needs = demands_in_state(task.crane, point)
+        needs = demands_in_state(task.crane, point, task.friction)
         worst = int((needs / bounds.vector).argmax())
         found = BoundUse(BOUNDS[worst], float(needs[worst]), float(bounds.vector[worst]), 0.0)
         if found.use > EXACT.most:

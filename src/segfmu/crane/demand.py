@@ -2,7 +2,7 @@
 
 The demands are analytic functions on every polynomial piece of the trajectory. There they are
 interpolated at Chebyshev points; a piece is halved until the last coefficients vanish, and the peak
-is found on the interpolating polynomial.
+is found on the interpolating polynomial. Where friction changes its law, pieces begin as well.
 """
 
 from __future__ import annotations
@@ -12,11 +12,14 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial import chebyshev
+from numpy.typing import ArrayLike
 
+from segfmu.crane.contacts import NONE, Contacts, resistance
+from segfmu.crane.equipment import Friction
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import Demand, DemandWork
+from segfmu.kernels.crane.records import Axes, Contact, Demand, DemandWork
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.waypoint import Waypoint
 
@@ -35,33 +38,52 @@ SMALL_SWAY = 1e-6
 # points of a resolved piece among which the peak is sought
 GRID = 65
 NEWTON_STEPS = 5
+# way [m] behind which every contact slides
+FAR = 1e30
 
 
-def demands(crane: Crane, trajectory: LoadTrajectory, times: FloatArray) -> FloatArray:
+def demands(
+    crane: Crane, trajectory: LoadTrajectory, times: FloatArray, friction: Friction = NONE
+) -> FloatArray:
     """Rows of the record `Demand` at times, shape (times, 14)."""
+    return _at(Contacts(crane, friction, trajectory), trajectory, times)
+
+
+def demands_in_state(crane: Crane, point: Waypoint, friction: Friction = NONE) -> FloatArray:
+    """Magnitudes of the demands in the state of a waypoint, shape (14,).
+
+    An axis that moves slides; one at rest needs no more than what it carries.
+    """
+    flat = np.zeros((1, ORDERS, 3))
+    flat[0] = point.position, point.velocity, point.acceleration, point.jerk, point.snap
+    known = resistance(crane, friction)
+    rows = np.zeros((Axes.SIZE, 1, Contact.SIZE))
+    velocity = _of(flat, np.zeros(1), known, rows)[0, Demand.VELOCITY : Demand.ACCELERATION]
+    # far from where it turned
+    rows[:, 0, Contact.POSITION] = np.where(velocity == 0.0, 0.0, -np.sign(velocity) * FAR)
+    rows[velocity == 0.0, 0, Contact.RELEASED] = 1.0
+    return np.asarray(np.abs(_of(flat, np.zeros(1), known, rows)[0]))
+
+
+def _at(contacts: Contacts, trajectory: LoadTrajectory, times: FloatArray) -> FloatArray:
     flat = np.empty((times.size, ORDERS, 3))
     for order in range(ORDERS):
         flat[:, order] = trajectory(times, order)
-    return _of(crane, flat)
+    return _of(flat, times, contacts.resistance, contacts.rows)
 
 
-def demands_in_state(crane: Crane, point: Waypoint) -> FloatArray:
-    """Magnitudes of the demands in the state of a waypoint, shape (14,)."""
-    flat = np.zeros((1, ORDERS, 3))
-    flat[0] = point.position, point.velocity, point.acceleration, point.jerk, point.snap
-    return np.asarray(np.abs(_of(crane, flat)[0]))
-
-
-def _of(crane: Crane, flat: FloatArray) -> FloatArray:
+def _of(
+    flat: FloatArray, times: FloatArray, known: FloatArray, rows: FloatArray
+) -> FloatArray:
     found = np.empty((flat.shape[0], Demand.SIZE))
     work = np.zeros((DemandWork.SIZE, DemandWork.COLUMNS))
-    backend.drive_demands(flat, np.array(crane.masses), work, found)
+    backend.drive_demands(flat, np.ascontiguousarray(times), known, rows, work, found)
     return found
 
 
-def joints(trajectory: LoadTrajectory) -> FloatArray:
-    """Times at which a polynomial piece of any axis begins or ends, ascending."""
-    ends = [np.array([0.0, trajectory.duration])]
+def joints(trajectory: LoadTrajectory, more: ArrayLike = ()) -> FloatArray:
+    """Times at which a polynomial piece of any axis begins or ends, and more, ascending."""
+    ends = [np.array([0.0, trajectory.duration]), np.asarray(more, dtype=np.float64)]
     for axis in range(3):
         starts, lengths, _ = trajectory.pieces(axis)
         ends += [starts, starts + lengths]
@@ -70,22 +92,30 @@ def joints(trajectory: LoadTrajectory) -> FloatArray:
     return np.asarray(times[apart])
 
 
-def rough_peaks(crane: Crane, trajectory: LoadTrajectory) -> FloatArray:
+def rough_peaks(
+    crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
+) -> FloatArray:
     """Largest magnitudes among samples, shape (14,): a look, not a proof."""
     ends = joints(trajectory)
     shares = ends[:-1, None] + np.diff(ends)[:, None] * np.array([0.0, 0.21, 0.5, 0.79])
     even = np.linspace(0.0, trajectory.duration, 129)
-    times = np.sort(np.concatenate([shares.ravel(), even]))
-    peaks: FloatArray = np.abs(demands(crane, trajectory, times)).max(axis=0)
+    contacts = Contacts(crane, friction, trajectory)
+    turns = contacts.times
+    # friction is greatest as a contact begins to slide
+    times = np.sort(np.concatenate([shares.ravel(), even, turns, 0.5 * (turns[1:] + turns[:-1])]))
+    peaks: FloatArray = np.abs(_at(contacts, trajectory, times)).max(axis=0)
     return peaks
 
 
-def peaks(crane: Crane, trajectory: LoadTrajectory) -> tuple[FloatArray, FloatArray]:
+def peaks(
+    crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
+) -> tuple[FloatArray, FloatArray]:
     """Exact largest magnitudes of all demands and their times [s], shapes (14,)."""
-    ends = joints(trajectory)
+    contacts = Contacts(crane, friction, trajectory)
+    ends = joints(trajectory, contacts.times)
     if ends.size < 2:
-        return np.abs(demands(crane, trajectory, ends)[0]), np.zeros(Demand.SIZE)
-    starts, lengths, series = _resolved(crane, trajectory, ends)
+        return np.abs(_at(contacts, trajectory, ends)[0]), np.zeros(Demand.SIZE)
+    starts, lengths, series = _resolved(contacts, trajectory, ends)
     grid = np.linspace(-1.0, 1.0, GRID)
     values = np.abs(chebyshev.chebval(grid, series))
     best = values.max(axis=(1, 2))
@@ -97,14 +127,14 @@ def peaks(crane: Crane, trajectory: LoadTrajectory) -> tuple[FloatArray, FloatAr
         at = grid[values[i, near].argmax(axis=1)]
         places = _stationary(series[:, i][:, near], at)
         moments_near = starts[near] + 0.5 * (places + 1.0) * lengths[near]
-        heights = np.abs(demands(crane, trajectory, moments_near)[:, i])
+        heights = np.abs(_at(contacts, trajectory, moments_near)[:, i])
         worst = int(heights.argmax())
         found[i], moments[i] = heights[worst], moments_near[worst]
     return found, moments
 
 
 def _resolved(
-    crane: Crane, trajectory: LoadTrajectory, ends: FloatArray
+    contacts: Contacts, trajectory: LoadTrajectory, ends: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Starts and lengths (pieces,) and Chebyshev series (17, 14, pieces) of resolved pieces."""
     starts, lengths = ends[:-1], np.diff(ends)
@@ -113,7 +143,7 @@ def _resolved(
     before = np.full((Demand.SIZE, starts.size), np.inf)
     for halving in range(HALVINGS + 1):
         times = starts[:, None] + 0.5 * lengths[:, None] * (1.0 + _nodes())
-        values = demands(crane, trajectory, times.ravel()).reshape(*times.shape, Demand.SIZE)
+        values = _at(contacts, trajectory, times.ravel()).reshape(*times.shape, Demand.SIZE)
         size = np.maximum(size, np.abs(values).max(axis=(0, 1)))
         series = np.einsum("kj,pji->kip", _transform(), values)
         tail = np.abs(series[-2:]).max(axis=0)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from segfmu.crane.bounds import ActuatorBounds, BoundUse, uses
+from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
 from segfmu.crane.demand import peaks
 from segfmu.crane.drive_task import WEIGHTLESS, Task
 from segfmu.crane.limit_search import ROUGH, just_kept
@@ -28,20 +28,32 @@ def refused(
         except InfeasibleError as error:
             return error
     closest = min(tried, key=lambda found: found.use)
-    found = uses(bounds, *peaks(closest.task.crane, closest.trajectory))
+    found = uses(bounds, *peaks(closest.task.crane, closest.trajectory, closest.task.friction))
     worst = max(found, key=lambda use: use.use)
     return exceeded("", worst, f"even the slowest plan, at {worst.time:.3f} s")
 
 
-def require_lift(task: Task) -> None:
-    """Refuse a hoist that can only just hold the load: any motion needs more."""
-    bound = float(task.bounds[Demand.FORCE + 2])
-    if task.weight * (1.0 - WEIGHTLESS) <= bound <= task.weight * (1.0 + WEIGHTLESS):
-        raise InfeasibleError(
-            f"hoist force needs more than {task.weight:.9g} N, the load's weight, for any motion; "
-            f"the bound is {bound:.9g} N; raise the bound or lower the load's mass",
-            limit="hoist force", value=task.weight, bound=bound,
-        )
+def require_start(task: Task) -> None:
+    """Refuse a drive that cannot move off, or can only just hold the load: any motion needs more.
+
+    A hoist below the load's weight is refused by the search, which tells what a plan needs.
+    """
+    for i, drive in enumerate(DRIVES):
+        weight = task.weight if drive == "hoist" else 0.0
+        friction, bound = float(task.sticking[i]), float(task.bounds[Demand.FORCE + i])
+        least = weight + friction
+        if friction == 0.0 and bound < least * (1.0 - WEIGHTLESS):
+            continue
+        if least > 0.0 and bound <= least * (1.0 + WEIGHTLESS):
+            parts = {"the load's weight": weight, "its friction": friction}
+            what = " and ".join(text for text, force in parts.items() if force)
+            remedy = {"lower the load's mass": weight, "lower the friction": friction}
+            others = " or ".join(text for text, force in remedy.items() if force)
+            raise InfeasibleError(
+                f"{drive} force needs more than {least:.9g} N, {what}, for any motion; "
+                f"the bound is {bound:.9g} N; raise the bound or {others}",
+                limit=f"{drive} force", value=least, bound=bound,
+            )
 
 
 def exceeded(where: str, found: BoundUse, what: str) -> InfeasibleError:

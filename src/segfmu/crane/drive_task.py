@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from segfmu.crane.equipment import Friction
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError
@@ -55,6 +56,7 @@ class Task:
     options : dict
         Further arguments of `plan`.
     clearance : Clearance or None
+    friction : Friction
     """
 
     crane: Crane
@@ -66,6 +68,7 @@ class Task:
     higher: dict[str, Any]
     options: dict[str, Any]
     clearance: Clearance | None
+    friction: Friction
 
     def limits(self, table: FloatArray) -> Limits:
         """Limits of a table (3, 4)."""
@@ -109,10 +112,17 @@ class Task:
         return self.crane.payload_mass * self.crane.gravity
 
     @cached_property
+    def sticking(self) -> FloatArray:
+        """Dry friction [N] that axes which move break away from, (3,)."""
+        static = np.maximum(self.friction.static, self.friction.coulomb)
+        return np.asarray(np.where(np.isin(np.arange(3), self.moving), static, 0.0))
+
+    @cached_property
     def rest(self) -> FloatArray:
-        """Demands at rest, (14,): the load's weight on the hoist, which no slower plan reduces."""
+        """Demands that no slower plan reduces, (14,): dry friction, and the weight on the hoist."""
         rest = np.zeros(self.bounds.size)
-        rest[Demand.FORCE + 2] = self.weight
+        rest[Demand.FORCE : Demand.VELOCITY] = self.sticking
+        rest[Demand.FORCE + 2] += self.weight
         return np.asarray(np.where(self.bounds > rest * (1.0 + WEIGHTLESS), rest, 0.0))
 
     @cached_property

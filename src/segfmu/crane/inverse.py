@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.crane.contacts import NONE, Contacts
+from segfmu.crane.equipment import Friction
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory, require_rope
 from segfmu.errors import InputError
@@ -26,29 +28,35 @@ DRIVE_ACCELERATION = slice(Results.ACCELERATION, Results.ACCELERATION + State.AN
 
 
 class FlatInverse:
-    """Setpoints that make the load of an ideal crane follow a trajectory of x, y and z exactly.
+    """Setpoints that make the load of a crane follow a trajectory of x, y and z exactly.
 
     Parameters
     ----------
     crane : Crane
     trajectory : Trajectory
         Three axes, four times continuously differentiable (errata E7: z as well).
+    friction : Friction, optional
+        Of the axes, which is added to the forces; none by default. The damping of the sway is not
+        inverted.
 
     Raises
     ------
     InputError
-        For a trajectory without exactly three axes.
+        For a trajectory without exactly three axes, and for anything but a Friction.
     InfeasibleError
         If the load reaches the trolley's height, or the rope goes slack or leaves its range; the
         error gives the time.
     """
 
-    def __init__(self, crane: Crane, trajectory: LoadTrajectory) -> None:
+    def __init__(
+        self, crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
+    ) -> None:
         if isinstance(trajectory, type) or not hasattr(trajectory, "axes"):
             raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
         require_flat(crane, trajectory.axes, trajectory.smoothness)
         self.crane = crane
         self.trajectory = trajectory
+        self.contacts = Contacts(crane, friction, trajectory)
         require_rope(crane, trajectory)
 
     def __repr__(self) -> str:
@@ -72,13 +80,18 @@ class FlatInverse:
 
     def evaluate(self, t: ArrayLike) -> FloatArray:
         """Forces (3), state (10) and accelerations (5) side by side, shape (..., 18)."""
-        flat = np.stack([self.trajectory(t, d) for d in range(ORDERS)], axis=-2)
+        times = np.asarray(t, dtype=np.float64)
+        flat = np.stack([self.trajectory(times, d) for d in range(ORDERS)], axis=-2)
         results = np.empty((*flat.shape[:-2], Results.SIZE))
         masses = np.array(self.crane.masses)
-        for row, values in zip(
-            results.reshape(-1, Results.SIZE), flat.reshape(-1, ORDERS, 3), strict=True
+        for time, row, values in zip(
+            times.ravel().tolist(), results.reshape(-1, Results.SIZE),
+            flat.reshape(-1, ORDERS, 3), strict=True,
         ):
             backend.crane_flat_inverse(values, masses, row[FORCE], row[STATE], row[ACCELERATION])
+            if self.contacts.acts:
+                for axis, (x, v) in enumerate(zip(row[POSITION], row[VELOCITY], strict=True)):
+                    row[axis] += self.contacts.friction(axis, time, x, v)
         return results
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from segfmu.crane.demand import peaks, rough_peaks
 from segfmu.crane.drive_task import SEARCHED, Task
+from segfmu.crane.equipment import Friction
 from segfmu.crane.evolution import Evolution
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError, InputError
@@ -80,7 +81,7 @@ class Look:
     Attributes
     ----------
     peaks : callable
-        Largest magnitudes of all demands for crane and trajectory, shape (14,).
+        Largest magnitudes of all demands for crane, trajectory and friction, shape (14,).
     full : float
         A plan with a bound used up to this is fast enough.
     most : float
@@ -89,14 +90,14 @@ class Look:
         Paces tried.
     """
 
-    peaks: Callable[[Crane, Trajectory], FloatArray]
+    peaks: Callable[[Crane, Trajectory, Friction], FloatArray]
     full: float
     most: float
     trials: int
 
 
 ROUGH = Look(rough_peaks, 0.98, 1.0, 6)
-EXACT = Look(lambda crane, trajectory: peaks(crane, trajectory)[0], 1.0 - 1e-6, 1.0 + 1e-9, 40)
+EXACT = Look(lambda *motion: peaks(*motion)[0], 1.0 - 1e-6, 1.0 + 1e-9, 40)
 
 
 def paced(task: Task, table: FloatArray, pace: float) -> FloatArray:
@@ -113,7 +114,8 @@ def attempt(task: Task, table: FloatArray, pace: float, look: Look) -> Found | N
         trajectory = moved.plan(chosen)
     except InfeasibleError:
         return None
-    use = float(((look.peaks(task.crane, trajectory) - task.rest) / task.room).max())
+    found = look.peaks(task.crane, trajectory, task.friction)
+    use = float(((found - task.rest) / task.room).max())
     return Found(moved, chosen, trajectory, use)
 
 

@@ -79,7 +79,7 @@ class Crane:
         if lags.size not in (1, 3) or (lags < 0.0).any():
             raise InputError(f"lag must be one or three times >= 0 s, got {lags.tolist()}")
         packed = np.zeros(Plant.SIZE)
-        packed[Plant.BRIDGE_MASS : Plant.MODE] = self.masses
+        packed[Plant.BRIDGE_MASS : Plant.VISCOUS] = self.masses
         packed[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
         packed[Plant.LAG : Plant.FORCE_MAX] = lags
         return packed

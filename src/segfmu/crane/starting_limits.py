@@ -89,14 +89,14 @@ def _rigid(task: Task, bounds: ActuatorBounds, axis: int) -> tuple[float, float,
     """Velocity, acceleration and largest distance of an axis, as if the rope were rigid."""
     crane, power = task.crane, float(bounds.power[axis])
     velocity = min(float(bounds.velocity[axis]), float(task.caps[axis, 0]))
-    weight = crane.payload_mass * crane.gravity if axis == HOIST else 0.0
+    held = float(task.sticking[axis]) + (task.weight if axis == HOIST else 0.0)
     mass = crane.payload_mass
     mass += (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, 0.0)[axis]
     distance = float(np.abs(np.diff([p.position[axis] for p in task.waypoints])).max())
     fastest = float(np.abs(task.states[:, 0, axis]).max())
     accelerations = [float(bounds.acceleration[axis]), float(task.caps[axis, 1])]
     if isfinite(bounds.force[axis]):
-        accelerations.append(max((bounds.force[axis] - weight) / mass, LEAST * crane.gravity))
+        accelerations.append(max((bounds.force[axis] - held) / mass, LEAST * crane.gravity))
     if axis != HOIST and isfinite(bounds.sway_angle[axis]):
         accelerations.append(crane.gravity * tan(min(float(bounds.sway_angle[axis]), STEEPEST)))
     acceleration = min(accelerations)
@@ -113,5 +113,5 @@ def _rigid(task: Task, bounds: ActuatorBounds, axis: int) -> tuple[float, float,
     acceleration = min(acceleration, crane.gravity * (TAUT if axis == HOIST else tan(STEEPEST)))
     distance = distance or fastest**2 / acceleration
     if isfinite(power):
-        velocity = min(velocity, power / (weight + mass * acceleration))
+        velocity = min(velocity, power / (held + mass * acceleration))
     return min(velocity, 2.0 * (acceleration * distance) ** 0.5), acceleration, distance

@@ -1,8 +1,9 @@
-"""Shared by both FMUs of the gantry crane: parameters `crane.*`, and the bus that connects them."""
+"""Shared by both FMUs of the gantry crane: parameters of the crane, and the bus between them."""
 
 from __future__ import annotations
 
 from segfmu.fmu.standard.spec import Terminal, Variable, parameter
+from segfmu.kernels.crane.records import DRIVES
 
 SETPOINTS = Terminal(
     "setpoints", "setpoints of the drives and the reference that belongs to them",
@@ -25,4 +26,38 @@ def crane_parameters(which: str) -> list[Variable]:
         parameter("crane.gravity", 9.81, "m/s2", f"{which}: gravity", minimum=1e-9),
         parameter("crane.rope_min", 0.16, "m", f"{which}: shortest rope; 0: no bound", minimum=0.0),
         parameter("crane.rope_max", 1.5, "m", f"{which}: longest rope; 0: no bound", minimum=0.0),
+    ]
+
+
+def friction_parameters() -> list[Variable]:
+    """`friction.*` of the axes, the same in both FMUs."""
+    rows = []
+    for drive in DRIVES:
+        name = f"friction.{drive}"
+        rows += [
+            parameter(
+                f"{name}.viscous", 0.0, "N.s/m", f"viscous friction of the {drive}", minimum=0.0
+            ),
+            parameter(
+                f"{name}.coulomb", 0.0, "N", f"Coulomb friction of the {drive}", minimum=0.0
+            ),
+            parameter(
+                f"{name}.static", 0.0, "N",
+                f"static friction of the {drive}; 0: as Coulomb friction", minimum=0.0,
+            ),
+            parameter(
+                f"{name}.drag", 0.0, "N", f"friction of the {drive} is drag * v |v|, v in m/s",
+                minimum=0.0,
+            ),
+        ]
+    return [
+        *rows,
+        parameter(
+            "friction.width", 1e-3, "m/s",
+            "velocity over which static friction falls to Coulomb friction", minimum=1e-9,
+        ),
+        parameter(
+            "friction.presliding", 1e-5, "m", "displacement at which a contact begins to slide",
+            minimum=1e-9,
+        ),
     ]

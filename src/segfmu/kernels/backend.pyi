@@ -240,18 +240,91 @@ def flat_derivatives(
     /,
 ) -> None: ...
 
-def compensate_setpoints(
-    velocity: Floats,
-    acceleration: Floats,
-    known: Floats,
-    force: Floats,
-    setpoint: Floats,
+def evaluate(
+    times: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    derivative: int,
+    values: Floats,
     /,
 ) -> None: ...
 
+def evaluate_orders(
+    time: float,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    values: Floats,
+    /,
+) -> None: ...
+
+def same_break(
+    time: float,
+    /,
+) -> float: ...
+
+def next_plan_event(
+    time: float,
+    start: float,
+    timing: Floats,
+    offsets: Integers,
+    ends: Floats,
+    times: Floats,
+    /,
+) -> float: ...
+
+def right_of_break(
+    time: float,
+    start: float,
+    timing: Floats,
+    offsets: Integers,
+    ends: Floats,
+    /,
+) -> float: ...
+
+def resists(
+    resistance: Floats,
+    axis: int,
+    /,
+) -> bool: ...
+
+def planned_friction(
+    resistance: Floats,
+    axis: int,
+    time: float,
+    position: float,
+    velocity: float,
+    contacts: Floats,
+    /,
+) -> float: ...
+
+def contact_history(
+    axis: int,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    resistance: Floats,
+    work: Floats,
+    contacts: Floats,
+    /,
+) -> int: ...
+
+def next_contact_event(
+    time: float,
+    start: float,
+    contacts: Floats,
+    /,
+) -> float: ...
+
 def drive_demands(
     flat: Floats,
-    masses: Floats,
+    times: Floats,
+    resistance: Floats,
+    contacts: Floats,
     work: Floats,
     demands: Floats,
     /,
@@ -265,6 +338,17 @@ def plant_failure(
     fault: Floats,
     /,
 ) -> int: ...
+
+def friction_derivative(
+    resistance: Floats,
+    axis: int,
+    time: float,
+    motion: Floats,
+    order: int,
+    contacts: Floats,
+    work: Floats,
+    /,
+) -> float: ...
 
 def seed_numbers(
     seed: int,
@@ -306,27 +390,6 @@ def plant_advance(
     report: Floats,
     /,
 ) -> int: ...
-
-def evaluate(
-    times: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    ends: Floats,
-    derivative: int,
-    values: Floats,
-    /,
-) -> None: ...
-
-def evaluate_orders(
-    time: float,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    ends: Floats,
-    values: Floats,
-    /,
-) -> None: ...
 
 def state_scale(
     order: int,
@@ -703,30 +766,6 @@ def find_lead(
     coefficients: Floats,
     /,
 ) -> bool: ...
-
-def same_break(
-    time: float,
-    /,
-) -> float: ...
-
-def next_plan_event(
-    time: float,
-    start: float,
-    timing: Floats,
-    offsets: Integers,
-    ends: Floats,
-    times: Floats,
-    /,
-) -> float: ...
-
-def right_of_break(
-    time: float,
-    start: float,
-    timing: Floats,
-    offsets: Integers,
-    ends: Floats,
-    /,
-) -> float: ...
 
 def cut_plan(
     time: float,

@@ -33,13 +33,15 @@ from segfmu.kernels.control.records import (
 )
 from segfmu.kernels.crane.records import (
     Axes,
-    Compensation,
+    Contact,
+    ContactWork,
     Coordinates,
     CranePartials,
     Demand,
     DemandWork,
     FlatInverse,
     FlatSeries,
+    FrictionSeries,
     GeneralisedForce,
     Load,
     LoadPartials,
@@ -48,6 +50,7 @@ from segfmu.kernels.crane.records import (
     PlantFault,
     PlantState,
     Report,
+    Resistance,
     RopeBounds,
     RopeFault,
     RopeWork,
@@ -298,10 +301,6 @@ ENTRY_POINTS = (
         memory=(Tracker.SIZE, Tracker.COLUMNS),
     ),
     entry(
-        "crane.compensation", "compensate_setpoints", velocity=Axes.SIZE, acceleration=Axes.SIZE,
-        known=Compensation.SIZE, force=Axes.SIZE, setpoint=Axes.SIZE,
-    ),
-    entry(
         "crane._crane", "crane_rhs", state=State.SIZE, generalized_force=GeneralisedForce.SIZE,
         load_force=Vector.SIZE, masses=Masses.SIZE, derivative=State.SIZE,
     ),
@@ -315,8 +314,26 @@ ENTRY_POINTS = (
         force=Axes.SIZE, state=State.SIZE, acceleration=Coordinates.SIZE,
     ),
     entry(
-        "crane.demand", "drive_demands", flat=("motions", 5, Vector.SIZE), masses=Masses.SIZE,
+        "crane.demand", "drive_demands", flat=("motions", 5, Vector.SIZE), times=("motions",),
+        resistance=Resistance.SIZE, contacts=(Axes.SIZE, "contacts", Contact.SIZE),
         work=(DemandWork.SIZE, DemandWork.COLUMNS), demands=("motions", Demand.SIZE),
+    ),
+    entry(
+        "crane.contact", "contact_history", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=Vector.SIZE + 1, ends=Vector.SIZE,
+        resistance=Resistance.SIZE, work=(ContactWork.SIZE, ContactWork.COLUMNS),
+        contacts=("contacts", Contact.SIZE),
+    ),
+    entry(
+        "crane.contact", "planned_friction", resistance=Resistance.SIZE,
+        contacts=("contacts", Contact.SIZE),
+    ),
+    entry("crane.contact", "resists", resistance=Resistance.SIZE),
+    entry("crane.contact", "next_contact_event", contacts=("contacts", Contact.SIZE)),
+    entry(
+        "crane.friction_series", "friction_derivative", resistance=Resistance.SIZE,
+        motion="order + 2", contacts=("contacts", Contact.SIZE),
+        work=(FrictionSeries.SIZE, "order + 1"),
     ),
     entry(
         "crane._series", "flat_derivatives", flat=("order + 5", 3), masses=Masses.SIZE,

@@ -195,6 +195,8 @@ SETUP = Messages(
         "sensor.sample_time",
         SetupStatus.LOW_STATIC: "friction.{DRIVE}.static {VALUE:g} N must be 0 or at least "
         "friction.{DRIVE}.coulomb {BOUND:g} N",
+        SetupStatus.MANY_TURNS: "friction.{DRIVE}: the plan turns the {DRIVE} more often than "
+        "there is memory for; drop waypoints, or set the friction to 0",
         SetupStatus.NO_WIND: "wind.turbulence.deviation {VALUE:g} m/s needs a mean speed for its "
         "spectrum: set wind.speed",
         SetupStatus.SLACK_EXCHANGE: "in model exchange rope.slack must be error, got free_fall "

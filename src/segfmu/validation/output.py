@@ -156,7 +156,7 @@ def plan_samples(mission: Mission, trajectory: Trajectory, every: int) -> NDArra
     for order, name in enumerate(("position", "velocity", "acceleration", "jerk", "snap")):
         for axis, values in zip("xyz", trajectory(times, order).T, strict=True):
             columns[f"reference.load.{name}.{axis}"] = values
-    inverse = FlatInverse(mission.build_crane(), trajectory)
+    inverse = FlatInverse(mission.build_crane(), trajectory, mission.build_friction())
     for kind, table in (("force", inverse.force(times)), ("velocity", inverse.velocity(times))):
         for drive, values in zip(("bridge", "trolley", "hoist"), table.T, strict=True):
             columns[f"{kind}.{drive}"] = values

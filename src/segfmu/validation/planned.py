@@ -9,6 +9,7 @@ from segfmu.crane import FlatInverse
 from segfmu.crane.bounds import DRIVES
 from segfmu.crane.inverse import DRIVE_ACCELERATION, POSITION, VELOCITY
 from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels.crane.records import Contact
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.mission import Mission
@@ -21,6 +22,8 @@ STOPPED = ("bridge", "trolley", "rope")
 ROUNDING = 1e-9
 # share of the tracking tolerance from which on it is said that a drive falls behind
 TOLD = 0.1
+# exponent of the growth of a deviation that force setpoints are exact enough for
+GROWN = 8.0
 
 
 def planned(task: Mission, progress: Progress = quiet) -> Trajectory:
@@ -103,6 +106,39 @@ def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
         f"the {DRIVES[worst]} falls behind the plan: its setpoint, velocity + lag * acceleration, "
         f"reaches {needs[row, worst]:.4g} m/s at {times[row]:.3f} s, and its velocity_max is "
         f"{bounds[worst]:.4g} m/s; a lower acceleration in [limits] or [actuators] avoids this"
+    )
+
+
+def sticking(task: Mission, trajectory: Trajectory) -> str:
+    """The force drive that may stick as it moves off, by static friction that falls; else empty.
+
+    Where the velocity passes that of the fall, a deviation grows by the slope of the friction over
+    the mass. An axis that is late there needs more than its force.
+    """
+    friction = task.build_friction()
+    if (task.simulation.drive or task.simulated.drive) == "velocity" or not any(friction.static):
+        return ""
+    inverse = FlatInverse(task.build_crane(), trajectory, friction)
+    crane = inverse.crane
+    moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, crane.payload_mass)
+    found = []
+    for axis, rows in enumerate(inverse.contacts.rows):
+        excess = max(friction.static[axis] - friction.coulomb[axis], 0.0)
+        moving = (rows[:, Contact.TIME] < trajectory.duration) & (rows[:, Contact.RELEASED] == 0.0)
+        for row in rows[moving]:
+            times = np.linspace(row[Contact.TIME], row[Contact.SETTLED], AROUND)
+            share = inverse.velocity(times)[:, axis] / friction.width
+            slope = 2.0 * np.abs(share) * np.exp(-(share**2)) * excess / friction.width
+            growth = float(np.trapezoid(slope, times)) / moved[axis]
+            found.append((growth, axis, float(row[Contact.TIME])))
+    growth, axis, time = max(found)
+    if growth <= GROWN:
+        return ""
+    return (
+        f"the {DRIVES[axis]} may stick where it moves off at {time:.3f} s: it does so slowly, and "
+        f"a deviation grows by the factor e^{growth:.0f} while its friction falls from static to "
+        "Coulomb friction; use feedback, a higher jerk and snap in [limits], or a larger "
+        "friction.width"
     )
 
 

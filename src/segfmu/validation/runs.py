@@ -24,7 +24,13 @@ from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.frames import frame
 from segfmu.validation.output import about, file_path, folder, note, stride, thinned
-from segfmu.validation.planned import beyond_drives, planned, require_memory, unknown_wind
+from segfmu.validation.planned import (
+    beyond_drives,
+    planned,
+    require_memory,
+    sticking,
+    unknown_wind,
+)
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario import ending, run
 from segfmu.validation.units import signal_units
@@ -151,7 +157,7 @@ class Run:
         if what == "path":
             return plot_path(trajectory, name, task.build_clearance())
         if what == "drives":
-            return plot_drives(crane, trajectory, bounds, name)
+            return plot_drives(crane, trajectory, bounds, name, task.build_friction())
         raise InputError(f"plot: must be run, plan, path or drives, got {what!r}")
 
 
@@ -225,5 +231,8 @@ def simulate(
         rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
         task.build_bounds(),
     )
-    notes = (archives.note, beyond_drives(task, trajectory), unknown_wind(task))
+    notes = (
+        archives.note, beyond_drives(task, trajectory), sticking(task, trajectory),
+        unknown_wind(task),
+    )
     return Run(task, trajectory, rows, found, "; ".join(filter(None, notes)))

@@ -20,7 +20,8 @@ EXPECTED = np.array([1e-4, 2e-4, 2.0 * np.pi / 4096, 2.9, 0.5])
 
 def plant(driven: bool) -> np.ndarray:
     parameters = np.zeros(Plant.SIZE)
-    parameters[: Plant.LAG] = *MASSES, driven
+    parameters[: len(MASSES)] = MASSES
+    parameters[Plant.MODE] = driven
     parameters[Plant.LAG : Plant.FORCE_MAX] = LAG
     return parameters
 

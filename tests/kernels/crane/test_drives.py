@@ -26,7 +26,8 @@ def driven(state, demand, force_max, acceleration_max=(0.0, 0.0, 0.0)):
     """Accelerations, drive forces and flags; no lag, no friction, no wind."""
     parameters, derivative = np.zeros(Plant.SIZE), np.zeros(PlantState.SIZE)
     work = np.zeros((Work.SIZE, Work.COLUMNS))
-    parameters[: Plant.LAG] = *MASSES, DriveMode.VELOCITY
+    parameters[: len(MASSES)] = MASSES
+    parameters[Plant.MODE] = DriveMode.VELOCITY
     parameters[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = force_max
     parameters[Plant.ACCELERATION_MAX : Plant.VELOCITY_MAX] = acceleration_max
     work[Work.DEMAND, :3] = demand

@@ -22,7 +22,7 @@ SLIDES = 2e-5
 
 def plant(static: float = 0.0) -> np.ndarray:
     found = np.zeros(Plant.SIZE)
-    found[: Plant.MODE] = 2.0, 1.0, 0.5, 9.81
+    found[: Plant.VISCOUS] = 2.0, 1.0, 0.5, 9.81
     found[Plant.VISCOUS : Plant.VISCOUS + 3] = 2.0, 0.0, 1.0
     found[Plant.COULOMB : Plant.COULOMB + 3] = 5.0, 4.0, 0.0
     found[Plant.STATIC : Plant.STATIC + 3] = static, 0.0, 0.0
@@ -50,6 +50,14 @@ def test_deflection_alone_carries_what_rests() -> None:
 def test_static_friction_falls_to_coulomb_friction(velocity: float) -> None:
     found = friction_force(plant(7.0), 0, velocity, SLIDES) - 2.0 * velocity
     assert found == pytest.approx(5.0 + 2.0 * exp(-((velocity / 1e-3) ** 2)))
+
+
+def test_static_friction_alone_is_gone_at_speed() -> None:
+    """Without Coulomb friction nothing is left of it, and nothing divides by it."""
+    found = plant(7.0)
+    found[Plant.COULOMB] = 0.0
+    assert friction_force(found, 0, 0.5, SLIDES) == 1.0
+    assert friction_slopes(found, 0, 0.5, 0.0) == (2.0, 0.0)
 
 
 def test_a_contact_deflects_until_it_slides_and_back() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from segfmu.crane.checks import LARGEST_SEED
 from segfmu.crane.disturbance import SHAPES
 from segfmu.crane.equipment import SLACK
+from segfmu.fmu.gantry import friction_parameters
 from segfmu.fmu.standard.spec import Enumeration, Variable, beginning, choice, parameter
 from segfmu.kernels.crane.records import AXES, DRIVES
 from segfmu.kernels.rig.records import SIGNALS, Disturbance
@@ -17,7 +18,10 @@ FAR = 1e9
 
 def rig_parameters() -> list[Variable]:
     """All of them; by default everything is ideal."""
-    return [*_drives(), *_friction(), *_travel(), *_sensors(), *_wind(), *_payload()]
+    return [
+        *_drives(), *friction_parameters(), _sway_friction(), *_travel(), *_sensors(), *_wind(),
+        *_payload(),
+    ]
 
 
 def _drives() -> list[Variable]:
@@ -56,40 +60,10 @@ def _drives() -> list[Variable]:
     return rows
 
 
-def _friction() -> list[Variable]:
-    rows = []
-    for drive in DRIVES:
-        name = f"friction.{drive}"
-        rows += [
-            parameter(
-                f"{name}.viscous", 0.0, "N.s/m", f"viscous friction of the {drive}", minimum=0.0
-            ),
-            parameter(
-                f"{name}.coulomb", 0.0, "N", f"Coulomb friction of the {drive}", minimum=0.0
-            ),
-            parameter(
-                f"{name}.static", 0.0, "N",
-                f"static friction of the {drive}; 0: as Coulomb friction", minimum=0.0,
-            ),
-            parameter(
-                f"{name}.drag", 0.0, "N", f"friction of the {drive} is drag * v |v|, v in m/s",
-                minimum=0.0,
-            ),
-        ]
-    return [
-        *rows,
-        parameter(
-            "friction.width", 1e-3, "m/s",
-            "velocity over which static friction falls to Coulomb friction", minimum=1e-9,
-        ),
-        parameter(
-            "friction.presliding", 1e-5, "m", "displacement at which a contact begins to slide",
-            minimum=1e-9,
-        ),
-        parameter(
-            "friction.sway.viscous", 0.0, "N.m.s", "damping of both sway angles", minimum=0.0
-        ),
-    ]
+def _sway_friction() -> Variable:
+    return parameter(
+        "friction.sway.viscous", 0.0, "N.m.s", "damping of both sway angles", minimum=0.0
+    )
 
 
 def _travel() -> list[Variable]:

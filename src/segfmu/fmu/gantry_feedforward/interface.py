@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from segfmu.fmu.gantry import SETPOINTS, crane_parameters
+from segfmu.fmu.gantry import SETPOINTS, crane_parameters, friction_parameters
 from segfmu.fmu.standard.spec import (
     Array,
     Enumeration,
@@ -69,7 +69,8 @@ def _outputs() -> list[Variable]:
         Variable(
             "plan.next_event", "Real", "output", "discrete",
             "time of the next event: arrival at a waypoint, end of the motion, or jump of a "
-            "derivative of the forces (the first at smoothness 4); behind the last, its time",
+            "derivative of the forces (the first at smoothness 4), and while friction changes "
+            "its sign; behind the last, its time",
             unit="s",
         )
     )
@@ -176,6 +177,7 @@ def spec(waypoints: int = WAYPOINTS) -> Spec:
             *_limits(),
             *_planner(),
             *_drives(),
+            *friction_parameters(),
             *_waypoints(waypoints),
         ),
         stop_time=8.0,

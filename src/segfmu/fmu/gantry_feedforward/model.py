@@ -6,7 +6,13 @@ from functools import cache
 
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS, native_spec, spec
 from segfmu.fmu.model import Model
-from segfmu.kernels.crane.records import Compensation, Feedforward, LoadMotion, Masses, RopeBounds
+from segfmu.kernels.crane.records import (
+    Compensation,
+    Feedforward,
+    LoadMotion,
+    Resistance,
+    RopeBounds,
+)
 from segfmu.kernels.planner.records import LoadLimits, PlanOptions
 
 GANTRY_FEEDFORWARD = Model(
@@ -15,6 +21,8 @@ GANTRY_FEEDFORWARD = Model(
     spec=spec,
     native_spec=native_spec,
     largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
-    records=(Masses, RopeBounds, PlanOptions, LoadLimits, LoadMotion, Feedforward, Compensation),
+    records=(
+        Resistance, RopeBounds, PlanOptions, LoadLimits, LoadMotion, Feedforward, Compensation
+    ),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import Crane, FlatInverse
+from segfmu.crane import Crane, FlatInverse, Friction
+from segfmu.crane.equipment import FRICTION
 from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, ORDERS, VELOCITY
+from segfmu.crane.variables import build
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.kernels import backend
@@ -17,6 +19,8 @@ from segfmu.kernels.planner.records import LoadLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 
 AXES = ("x", "y", "z")
+# that of the sway is no matter of the drives
+KNOWN = {name: fed for name, fed in FRICTION.items() if name != "sway"}
 
 
 class FeedforwardSlave(SpecSlave):
@@ -76,7 +80,8 @@ class FeedforwardSlave(SpecSlave):
             duration=float(options[PlanOptions.DURATION]) or None,
             axis_names=AXES,
         )
-        self._inverse = FlatInverse(Crane.of(self.value), trajectory)
+        friction = build(Friction, KNOWN, self.value)
+        self._inverse = FlatInverse(Crane.of(self.value), trajectory, friction)
         self._trajectory = trajectory
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
@@ -102,7 +107,7 @@ class FeedforwardSlave(SpecSlave):
         lead = 0.0 if self._initialising else float(self.value("setpoint.lead"))
         known = self.filled(Compensation)
         lags = known[Compensation.LAG : Compensation.DEAD_TIME]
-        dead = known[Compensation.DEAD_TIME : Compensation.VISCOUS].tolist()
+        dead = known[Compensation.DEAD_TIME :].tolist()
         given = float(self.value("planner.start_time"))
         start = backend.begin_time(given, self.start_time) - lead + max(dead)
         t = time - start
@@ -118,4 +123,5 @@ class FeedforwardSlave(SpecSlave):
             ("plan.interval", "plan.done"), (trajectory.interval(t), t >= trajectory.duration)
         )
         events = [trajectory.next_event(t + d) - d for d in (0.0, *dead)]
+        events += [inverse.contacts.next_event(t + d, i) - d for i, d in enumerate(dead)]
         self.assign(("plan.next_event",), (start + min(*events, trajectory.duration),))

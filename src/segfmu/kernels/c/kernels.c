@@ -105,10 +105,42 @@ static void series_negative(array_double_1d a, int64_t count, array_double_1d fo
 static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
 static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
 static void series_root(array_double_1d a, int64_t count, array_double_1d found);
+static void series_exponential(array_double_1d a, int64_t count, array_double_1d found);
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
 static double compression(array_double_1d plant, int64_t axis, double position);
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity);
 static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array_double_1d plant, int64_t axis, double position, double velocity);
+static double dry_level(array_double_1d resistance, int64_t axis, double velocity);
+static double level_slope(array_double_1d resistance, int64_t axis, double velocity);
+static bool rubs(array_double_1d resistance, int64_t axis);
+static double deflected(array_double_1d resistance, double deflection);
+static double contact_damping(array_double_1d resistance, int64_t axis);
+static double dry_friction(array_double_1d resistance, int64_t axis, double level, double velocity, double deflection);
+static double smooth_friction(array_double_1d resistance, int64_t axis, double velocity);
+static double friction_force(array_double_1d resistance, int64_t axis, double velocity, double deflection);
+static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d resistance, int64_t axis, double velocity, double deflection);
+static double deflection_rate(array_double_1d resistance, int64_t axis, double velocity, double deflection);
+static double first_deflection(array_double_1d resistance, int64_t axis, double velocity);
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
+static double local_time(double time, array_double_2d timing, int64_t row);
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
+static double release_time(array_double_1d resistance, int64_t axis);
+static int64_t axis_motion(double* result_0, double* result_1, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
+static int64_t find_contact(double time, array_double_2d contacts);
+static double planned_deflection(array_double_1d resistance, double time, double position, array_double_2d contacts, int64_t row);
+static double release_rate(double time, array_double_2d contacts, int64_t row);
+static bool stops(double time, array_double_2d contacts, int64_t row);
+static double stillness(array_double_2d work);
+static bool at_rest(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
+static void add_contact(double time, bool rests, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts);
+static double turning_point(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
+static void add_turns(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts);
+static void follow_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts);
+static double sliding_time(int64_t row, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts);
+static double fading_time(double time, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
+static void settle_contact(int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts);
+static double contact_node(double time, double begin, double end);
 static bool may_slacken(array_double_1d plant);
 static bool is_slack(array_double_1d state);
 static double axis_position(array_double_1d state, int64_t axis);
@@ -120,15 +152,9 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
 static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static double dry_level(array_double_1d plant, int64_t axis, double velocity);
-static double level_slope(array_double_1d plant, int64_t axis, double velocity);
-static bool rubs(array_double_1d plant, int64_t axis);
-static double deflected(array_double_1d plant, double deflection);
-static double contact_damping(array_double_1d plant, int64_t axis);
-static double friction_force(array_double_1d plant, int64_t axis, double velocity, double deflection);
-static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d plant, int64_t axis, double velocity, double deflection);
-static double deflection_rate(array_double_1d plant, int64_t axis, double velocity, double deflection);
-static double first_deflection(array_double_1d plant, int64_t axis, double velocity);
+static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
+static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
+static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double gust_factor(double shape, double share);
@@ -154,9 +180,6 @@ static void first_stage(array_double_1d plant, array_double_2d components, doubl
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
-static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
-static double local_time(double time, array_double_2d timing, int64_t row);
 static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull);
 static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
@@ -624,7 +647,6 @@ static bool permits_levels(int64_t order, array_double_2d lead);
 static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
 static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
 static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
@@ -649,11 +671,11 @@ static double force_bound(array_double_1d plant, int64_t axis, double velocity)
     double speed;
     double by_power;
     double bound;
-    bound = (*cspan_at(&plant, INT64_C(8) + axis));
-    if ((*cspan_at(&plant, INT64_C(17) + axis)) > 0.0)
+    bound = (*cspan_at(&plant, INT64_C(22) + axis));
+    if ((*cspan_at(&plant, INT64_C(31) + axis)) > 0.0)
     {
         speed = span_max(fabs(velocity), 1e-99);
-        by_power = (*cspan_at(&plant, INT64_C(17) + axis)) / speed;
+        by_power = (*cspan_at(&plant, INT64_C(31) + axis)) / speed;
         if ((bound == 0.0) || (by_power < bound))
         {
             bound = by_power;
@@ -822,7 +844,7 @@ static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_
 {
     double bound;
     bool result;
-    bound = (*cspan_at(&plant, INT64_C(14) + axis));
+    bound = (*cspan_at(&plant, INT64_C(28) + axis));
     result = (bound > 0.0) && (fabs((*cspan_at(&state, INT64_C(5) + axis))) >= bound);
     return result;
 }
@@ -1045,7 +1067,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     double angle;
     double weight;
     array_double_1d hoist;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
     gravity = (*cspan_at(&plant, INT64_C(3)));
     slope = 2.0 * damping * bandwidth;
     square = bandwidth * bandwidth;
@@ -1091,7 +1113,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            lead_gains(i, (*cspan_at(&plant, INT64_C(5) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
+            lead_gains(i, (*cspan_at(&plant, INT64_C(19) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
         }
     }
 }
@@ -1702,8 +1724,8 @@ static void kalman_model(int64_t axis, array_double_1d plant, double length, arr
     int64_t j;
     mass = carriage_mass(plant, axis);
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    lag = (*cspan_at(&plant, INT64_C(5) + axis));
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
+    lag = (*cspan_at(&plant, INT64_C(19) + axis));
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
     matrix_set(INT64_C(8), 0.0, model);
     (*cspan_at(&model, INT64_C(6), INT64_C(7))) = 1.0;
     (*cspan_at(&model, INT64_C(0), INT64_C(2))) = 1.0;
@@ -2007,10 +2029,10 @@ static double acts_late(array_double_1d plant, array_double_1d design)
     lag = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        dead = span_max(dead, (*cspan_at(&plant, INT64_C(20) + axis)));
-        lag = span_max(lag, (*cspan_at(&plant, INT64_C(5) + axis)));
+        dead = span_max(dead, (*cspan_at(&plant, INT64_C(34) + axis)));
+        lag = span_max(lag, (*cspan_at(&plant, INT64_C(19) + axis)));
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) != INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) != INT64_C(1))
     {
         lag = 0.0;
     }
@@ -2407,8 +2429,8 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis)
     double moved;
     double by_force;
     double bound;
-    bound = (*cspan_at(&plant, INT64_C(8) + axis));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    bound = (*cspan_at(&plant, INT64_C(22) + axis));
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
     {
         moved = carriage_mass(plant, axis) + (*cspan_at(&plant, INT64_C(2)));
         by_force = bound / moved;
@@ -2416,7 +2438,7 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis)
         {
             by_force = span_max(by_force - (*cspan_at(&plant, INT64_C(3))), 0.001 * (*cspan_at(&plant, INT64_C(3))));
         }
-        bound = (*cspan_at(&plant, INT64_C(11) + axis));
+        bound = (*cspan_at(&plant, INT64_C(25) + axis));
         if ((by_force > 0.0) && ((bound <= 0.0) || (by_force < bound)))
         {
             bound = by_force;
@@ -2437,7 +2459,7 @@ static double drive_strength(array_double_1d plant, int64_t axis)
     double weight;
     double result;
     weight = (*cspan_at(&plant, INT64_C(3)));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(0))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(0))
     {
         weight = weight * carriage_mass(plant, axis);
     }
@@ -2455,7 +2477,7 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
     int64_t axis;
     double bound;
     double greatest;
-    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(4)));
+    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(18)));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
@@ -2465,16 +2487,16 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
         bound = segfmu_drive_bound(plant, axis);
         (*cspan_at(&tracking, INT64_C(15) + axis)) = bound;
         (*cspan_at(&tracking, INT64_C(12) + axis)) = -bound;
-        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(14) + axis));
-        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(17) + axis));
+        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(28) + axis));
+        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(31) + axis));
     }
     greatest = 0.0;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
     {
         greatest = 0.9 * (*cspan_at(&plant, INT64_C(3)));
-        if ((*cspan_at(&plant, INT64_C(11) + INT64_C(2))) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(25) + INT64_C(2))) > 0.0)
         {
-            greatest = span_min(greatest, (*cspan_at(&plant, INT64_C(11) + INT64_C(2))));
+            greatest = span_min(greatest, (*cspan_at(&plant, INT64_C(25) + INT64_C(2))));
         }
     }
     (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))) = greatest;
@@ -2506,7 +2528,7 @@ void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double l
     (*cspan_at(&tracking, INT64_C(2))) = age / period;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(20) + axis))) / period;
+        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(34) + axis))) / period;
     }
     (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
@@ -2582,7 +2604,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     double velocity;
     sign = 1.0 - 2.0 * axis;
     scale = 1.0;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
     if ((axis == INT64_C(2)) && (!driven))
     {
         scale = 1.0 / (*cspan_at(&plant, INT64_C(2)));
@@ -2597,7 +2619,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     velocity = scheduled_gain(length, axis, INT64_C(5) + axis, table);
     (*cspan_at(&gains, INT64_C(0))) = scale * place;
     (*cspan_at(&gains, INT64_C(2))) = scale * velocity;
-    if (driven && ((*cspan_at(&plant, INT64_C(5) + axis)) <= 0.0))
+    if (driven && ((*cspan_at(&plant, INT64_C(19) + axis)) <= 0.0))
     {
         (*cspan_at(&gains, INT64_C(2))) = scale * velocity + command;
     }
@@ -2700,9 +2722,9 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     (*cspan_at(&fault, INT64_C(3))) = 1.0 + 1e-06;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        driven = (int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1);
-        lagging = driven && ((*cspan_at(&plant, INT64_C(5) + axis)) > 0.0);
-        delay = (*cspan_at(&plant, INT64_C(20) + axis)) / period;
+        driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
+        lagging = driven && ((*cspan_at(&plant, INT64_C(19) + axis)) > 0.0);
+        delay = (*cspan_at(&plant, INT64_C(34) + axis)) / period;
         if (predicted == INT64_C(1))
         {
             delay = 0.0;
@@ -4798,6 +4820,22 @@ static void series_root(array_double_1d a, int64_t count, array_double_1d found)
         (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
     }
 }
+static void series_exponential(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = exp((*cspan_at(&a, INT64_C(0))));
+    for (k = INT64_C(1); k < count; k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(1); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + i * (*cspan_at(&a, i)) * (*cspan_at(&found, k - i));
+        }
+        (*cspan_at(&found, k)) = total / k;
+    }
+}
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
 {
     int64_t k;
@@ -4947,34 +4985,822 @@ static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array
     (*result_1_0001) = (*cspan_at(&plant, INT64_C(47) + axis));
     return 0;
 }
-void segfmu_compensate_setpoints(array_double_1d velocity, array_double_1d acceleration, array_double_1d known, array_double_1d force, array_double_1d setpoint)
+static double dry_level(array_double_1d resistance, int64_t axis, double velocity)
 {
-    double width;
-    int64_t i;
-    double viscous;
+    double ratio;
     double coulomb;
-    width = (*cspan_at(&known, INT64_C(12)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    coulomb = (*cspan_at(&resistance, INT64_C(7) + axis));
+    if ((*cspan_at(&resistance, INT64_C(10) + axis)) <= coulomb)
     {
-        (*cspan_at(&setpoint, i)) = (*cspan_at(&velocity, i)) + (*cspan_at(&known, INT64_C(0) + i)) * (*cspan_at(&acceleration, i));
-        viscous = (*cspan_at(&known, INT64_C(6) + i)) * (*cspan_at(&velocity, i));
-        coulomb = (*cspan_at(&known, INT64_C(9) + i)) * tanh((*cspan_at(&velocity, i)) / width);
-        (*cspan_at(&force, i)) = (*cspan_at(&force, i)) + viscous + coulomb;
+        return coulomb;
+    }
+    ratio = velocity / (*cspan_at(&resistance, INT64_C(16)));
+    coulomb = coulomb + ((*cspan_at(&resistance, INT64_C(10) + axis)) - coulomb) * exp((-ratio) * ratio);
+    return coulomb;
+}
+static double level_slope(array_double_1d resistance, int64_t axis, double velocity)
+{
+    double coulomb;
+    double width;
+    double result;
+    coulomb = (*cspan_at(&resistance, INT64_C(7) + axis));
+    if ((*cspan_at(&resistance, INT64_C(10) + axis)) <= coulomb)
+    {
+        return 0.0;
+    }
+    width = (*cspan_at(&resistance, INT64_C(16)));
+    result = (-2.0) * velocity / (width * width) * (dry_level(resistance, axis, velocity) - coulomb);
+    return result;
+}
+static bool rubs(array_double_1d resistance, int64_t axis)
+{
+    bool result;
+    result = ((*cspan_at(&resistance, INT64_C(7) + axis)) > 0.0) || ((*cspan_at(&resistance, INT64_C(10) + axis)) > 0.0);
+    return result;
+}
+static double deflected(array_double_1d resistance, double deflection)
+{
+    double result;
+    result = span_min(span_max(deflection / (*cspan_at(&resistance, INT64_C(17))), -1.0), 1.0);
+    return result;
+}
+static double contact_damping(array_double_1d resistance, int64_t axis)
+{
+    double mass;
+    double static_0001;
+    double result;
+    mass = carriage_mass(resistance, axis);
+    if (axis == INT64_C(2))
+    {
+        mass = (*cspan_at(&resistance, INT64_C(2)));
+    }
+    static_0001 = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
+    result = 2.0 * sqrt(1.5 * static_0001 * mass / (*cspan_at(&resistance, INT64_C(17))));
+    return result;
+}
+static double dry_friction(array_double_1d resistance, int64_t axis, double level, double velocity, double deflection)
+{
+    double share;
+    double friction;
+    double damped;
+    if (level <= 0.0)
+    {
+        return 0.0;
+    }
+    share = deflected(resistance, deflection);
+    friction = level * 0.5 * share * (3.0 - share * share);
+    damped = contact_damping(resistance, axis) * velocity / level;
+    damped = damped / sqrt(1.0 + damped * damped);
+    return friction + level * damped * (1.0 - share * share);
+}
+static double smooth_friction(array_double_1d resistance, int64_t axis, double velocity)
+{
+    double drag;
+    double result;
+    drag = (*cspan_at(&resistance, INT64_C(13) + axis));
+    result = (*cspan_at(&resistance, INT64_C(4) + axis)) * velocity + drag * velocity * fabs(velocity);
+    return result;
+}
+static double friction_force(array_double_1d resistance, int64_t axis, double velocity, double deflection)
+{
+    double level;
+    double friction;
+    friction = smooth_friction(resistance, axis, velocity);
+    if (rubs(resistance, axis))
+    {
+        level = dry_level(resistance, axis, velocity);
+        friction = friction + dry_friction(resistance, axis, level, velocity, deflection);
+    }
+    return friction;
+}
+static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d resistance, int64_t axis, double velocity, double deflection)
+{
+    double drag;
+    double by_velocity;
+    double level;
+    double slope;
+    double share;
+    double rest;
+    double damping;
+    double damped;
+    double root;
+    double changed;
+    double by_share;
+    drag = (*cspan_at(&resistance, INT64_C(13) + axis));
+    by_velocity = (*cspan_at(&resistance, INT64_C(4) + axis)) + 2.0 * drag * fabs(velocity);
+    if (!rubs(resistance, axis))
+    {
+        (*result_0) = by_velocity;
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    level = dry_level(resistance, axis, velocity);
+    if (level <= 0.0)
+    {
+        (*result_0) = by_velocity;
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    slope = level_slope(resistance, axis, velocity);
+    share = deflected(resistance, deflection);
+    rest = 1.0 - share * share;
+    damping = contact_damping(resistance, axis);
+    damped = damping * velocity / level;
+    root = sqrt(1.0 + damped * damped);
+    by_velocity = by_velocity + slope * 0.5 * share * (3.0 - share * share);
+    changed = (damping - damped * slope) / (root * root * root);
+    by_velocity = by_velocity + rest * (slope * damped / root + changed);
+    if (fabs(share) >= 1.0)
+    {
+        (*result_0) = by_velocity;
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    by_share = level * (1.5 * rest - 2.0 * share * damped / root);
+    (*result_0) = by_velocity;
+    (*result_1_0001) = by_share / (*cspan_at(&resistance, INT64_C(17)));
+    return 0;
+}
+static double deflection_rate(array_double_1d resistance, int64_t axis, double velocity, double deflection)
+{
+    if (!rubs(resistance, axis))
+    {
+        return 0.0;
+    }
+    if ((fabs(deflection) >= (*cspan_at(&resistance, INT64_C(17)))) && (deflection * velocity >= 0.0))
+    {
+        return 0.0;
+    }
+    return velocity;
+}
+static double first_deflection(array_double_1d resistance, int64_t axis, double velocity)
+{
+    double share;
+    double result;
+    if (!rubs(resistance, axis))
+    {
+        return 0.0;
+    }
+    share = velocity / (*cspan_at(&resistance, INT64_C(16)));
+    result = (*cspan_at(&resistance, INT64_C(17))) * span_min(span_max(share, -1.0), 1.0);
+    return result;
+}
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
+{
+    int64_t upper;
+    int64_t middle;
+    int64_t lower;
+    lower = first;
+    upper = last;
+    while(upper - lower > INT64_C(1))
+    {
+        middle = span_floor_div((lower + upper), INT64_C(2));
+        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return lower;
+}
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * t + factor * (*cspan_at(&coefficients, row, i));
+    }
+    return value;
+}
+static double local_time(double time, array_double_2d timing, int64_t row)
+{
+    double result;
+    result = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+    return result;
+}
+void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double t;
+    bool behind;
+    double local;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = first;
+        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
+            behind = (row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))));
+            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || behind)
+            {
+                row = find_piece(t, timing, first, last);
+            }
+            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
+            {
+                (*cspan_at(&values, i, axis)) = 0.0;
+            }
+            else
+            {
+                local = local_time(t, timing, row);
+                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
     }
 }
-void segfmu_drive_demands(array_double_3d flat, array_double_1d masses, array_double_2d work, array_double_2d demands)
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    double t;
+    int64_t row;
+    double local;
+    int64_t derivative;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
+        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
+        local = local_time(t, timing, row);
+        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
+        {
+            if ((derivative > INT64_C(0)) && (t != time))
+            {
+                (*cspan_at(&values, derivative, axis)) = 0.0;
+            }
+            else
+            {
+                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    double following;
+    following = 1e+300;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (time < (*cspan_at(&timing, first, INT64_C(0))))
+        {
+            following = span_min(following, (*cspan_at(&timing, first, INT64_C(0))));
+        }
+        else
+        {
+            row = find_piece(time, timing, first, last) + INT64_C(1);
+            if (row < last)
+            {
+                following = span_min(following, (*cspan_at(&timing, row, INT64_C(0))));
+            }
+            else if (time < (*cspan_at(&ends, axis)))
+            {
+                following = span_min(following, (*cspan_at(&ends, axis)));
+            }
+        }
+    }
+    return following;
+}
+double segfmu_same_break(double time)
+{
+    return 1e-08 + 1e-14 * fabs(time);
+}
+double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
+{
+    double event;
+    int64_t waypoint;
+    double arrival;
+    int64_t axis;
+    double piece_end;
+    event = 1e+300;
+    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
+    {
+        arrival = 0.0;
+        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            if (waypoint < times.shape[INT64_C(0)])
+            {
+                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
+            }
+            else
+            {
+                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
+            }
+        }
+        if (start + arrival > time + segfmu_same_break(time))
+        {
+            event = span_min(event, start + arrival);
+        }
+    }
+    piece_end = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
+    if (piece_end < 1e+300)
+    {
+        piece_end = start + piece_end;
+    }
+    if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
+    {
+        return event;
+    }
+    return piece_end;
+}
+double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
+{
+    double local;
+    double behind;
+    local = time - start;
+    behind = local + segfmu_same_break(time);
+    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
+    {
+        return behind;
+    }
+    return local;
+}
+bool segfmu_resists(array_double_1d resistance, int64_t axis)
+{
+    double smooth;
+    bool result;
+    smooth = (*cspan_at(&resistance, INT64_C(4) + axis)) + (*cspan_at(&resistance, INT64_C(13) + axis));
+    result = (smooth > 0.0) || rubs(resistance, axis);
+    return result;
+}
+static double release_time(array_double_1d resistance, int64_t axis)
+{
+    double mass;
+    double static_0001;
+    double result;
+    mass = carriage_mass(resistance, axis);
+    if (axis == INT64_C(2))
+    {
+        mass = (*cspan_at(&resistance, INT64_C(2)));
+    }
+    static_0001 = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
+    result = 20.0 * sqrt((*cspan_at(&resistance, INT64_C(17))) * mass / (1.5 * static_0001));
+    return result;
+}
+static int64_t axis_motion(double* result_0, double* result_1, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work)
+{
+    array_double_2d load;
+    int64_t axis;
+    double position;
+    double velocity;
+    load = span_rows(&work, INT64_C(5), INT64_C(10));
+    axis = (int64_t)((*cspan_at(&work, INT64_C(3), INT64_C(0))));
+    segfmu_evaluate_orders(time, timing, coefficients, offsets, ends, load);
+    segfmu_crane_flat_inverse(load, span_row(&work, INT64_C(4)), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
+    position = (*cspan_at(&work, INT64_C(1), INT64_C(0) + axis));
+    velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + axis));
+    (*result_0) = position;
+    (*result_1) = velocity;
+    return 0;
+}
+static int64_t find_contact(double time, array_double_2d contacts)
+{
+    int64_t upper;
+    int64_t middle;
+    int64_t lower;
+    lower = INT64_C(0);
+    upper = contacts.shape[INT64_C(0)];
+    while(upper - lower > INT64_C(1))
+    {
+        middle = span_floor_div((lower + upper), INT64_C(2));
+        if (time >= (*cspan_at(&contacts, middle, INT64_C(0))))
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return lower;
+}
+static double planned_deflection(array_double_1d resistance, double time, double position, array_double_2d contacts, int64_t row)
+{
+    double deflection;
+    double released;
+    double share;
+    double most;
+    deflection = (*cspan_at(&contacts, row, INT64_C(2)));
+    released = (*cspan_at(&contacts, row, INT64_C(3)));
+    if (released > 0.0)
+    {
+        share = span_min((time - (*cspan_at(&contacts, row, INT64_C(0)))) / released, 1.0);
+        return deflection * (1.0 - share * share * (3.0 - 2.0 * share));
+    }
+    deflection = deflection + position - (*cspan_at(&contacts, row, INT64_C(1)));
+    most = (*cspan_at(&resistance, INT64_C(17)));
+    return span_min(span_max(deflection, -most), most);
+}
+static double release_rate(double time, array_double_2d contacts, int64_t row)
+{
+    double released;
+    double share;
+    double result;
+    released = (*cspan_at(&contacts, row, INT64_C(3)));
+    share = span_min((time - (*cspan_at(&contacts, row, INT64_C(0)))) / released, 1.0);
+    result = (-6.0) * (*cspan_at(&contacts, row, INT64_C(2))) * share * (1.0 - share) / released;
+    return result;
+}
+static bool stops(double time, array_double_2d contacts, int64_t row)
+{
+    bool result;
+    if ((*cspan_at(&contacts, row, INT64_C(3))) > 0.0)
+    {
+        return 1;
+    }
+    if (row + INT64_C(1) >= contacts.shape[INT64_C(0)])
+    {
+        return 0;
+    }
+    result = ((*cspan_at(&contacts, row + INT64_C(1), INT64_C(3))) > 0.0) && (time >= (*cspan_at(&contacts, row + INT64_C(1), INT64_C(4))));
+    return result;
+}
+double segfmu_planned_friction(array_double_1d resistance, int64_t axis, double time, double position, double velocity, array_double_2d contacts)
+{
+    int64_t row;
+    double deflection;
+    double rate;
+    double level;
+    double friction;
+    double result;
+    if ((time < 0.0) || (!segfmu_resists(resistance, axis)))
+    {
+        return 0.0;
+    }
+    row = find_contact(time, contacts);
+    deflection = planned_deflection(resistance, time, position, contacts, row);
+    rate = velocity;
+    if ((*cspan_at(&contacts, row, INT64_C(3))) > 0.0)
+    {
+        rate = release_rate(time, contacts, row);
+    }
+    level = dry_level(resistance, axis, rate);
+    if (stops(time, contacts, row))
+    {
+        level = (*cspan_at(&resistance, INT64_C(7) + axis));
+    }
+    friction = smooth_friction(resistance, axis, rate);
+    result = friction + dry_friction(resistance, axis, level, rate, deflection);
+    return result;
+}
+static double stillness(array_double_2d work)
+{
+    double result;
+    result = 1e-06 * (*cspan_at(&work, INT64_C(4), INT64_C(16)));
+    return result;
+}
+static bool at_rest(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work)
+{
+    int64_t k;
+    double time;
+    double position;
+    double velocity;
+    for (k = INT64_C(1); k < INT64_C(12); k += INT64_C(1))
+    {
+        time = begin + k * (end - begin) / 12.0;
+        axis_motion(&position, &velocity, time, timing, coefficients, offsets, ends, work);
+        if (fabs(velocity) > stillness(work))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void add_contact(double time, bool rests, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts)
+{
+    array_double_1d history;
+    array_double_1d resistance;
+    int64_t count;
+    int64_t before;
+    double position;
+    double velocity;
+    history = span_row(&work, INT64_C(3));
+    resistance = span_row(&work, INT64_C(4));
+    count = (int64_t)((*cspan_at(&history, INT64_C(1))));
+    if ((count == INT64_C(0)) || (count >= contacts.shape[INT64_C(0)]))
+    {
+        (*cspan_at(&history, INT64_C(1))) = 0.0;
+        return;
+    }
+    before = count - INT64_C(1);
+    if ((*cspan_at(&contacts, before, INT64_C(3))) > time - (*cspan_at(&contacts, before, INT64_C(0))))
+    {
+        (*cspan_at(&contacts, before, INT64_C(3))) = 0.0;
+    }
+    axis_motion(&position, &velocity, time, timing, coefficients, offsets, ends, work);
+    (*cspan_at(&contacts, count, INT64_C(2))) = planned_deflection(resistance, time, position, contacts, before);
+    (*cspan_at(&contacts, count, INT64_C(0))) = time;
+    (*cspan_at(&contacts, count, INT64_C(1))) = position;
+    if (rests)
+    {
+        (*cspan_at(&contacts, count, INT64_C(3))) = release_time(resistance, (int64_t)((*cspan_at(&history, INT64_C(0)))));
+    }
+    (*cspan_at(&history, INT64_C(1))) = count + 1.0;
+}
+static double turning_point(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work)
+{
+    double lower;
+    double upper;
+    int64_t Dummy_0000;
+    double middle;
+    double position;
+    double velocity;
+    lower = begin;
+    upper = end;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(50); Dummy_0000 += INT64_C(1))
+    {
+        middle = 0.5 * (lower + upper);
+        axis_motion(&position, &velocity, middle, timing, coefficients, offsets, ends, work);
+        if (velocity * (*cspan_at(&work, INT64_C(3), INT64_C(2))) > 0.0)
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return 0.5 * (lower + upper);
+}
+static void add_turns(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts)
+{
+    array_double_1d history;
+    double before;
+    int64_t k;
+    double time;
+    double position;
+    double velocity;
+    double turn;
+    history = span_row(&work, INT64_C(3));
+    before = begin;
+    for (k = INT64_C(1); k < INT64_C(13); k += INT64_C(1))
+    {
+        time = begin + k * (end - begin) / 12.0;
+        axis_motion(&position, &velocity, time, timing, coefficients, offsets, ends, work);
+        if (fabs(velocity) > stillness(work))
+        {
+            if ((*cspan_at(&history, INT64_C(2))) * velocity < 0.0)
+            {
+                turn = turning_point(before, time, timing, coefficients, offsets, ends, work);
+                add_contact(turn, 0, timing, coefficients, offsets, ends, work, contacts);
+            }
+            (*cspan_at(&history, INT64_C(2))) = velocity / fabs(velocity);
+            before = time;
+        }
+    }
+}
+static void follow_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts)
+{
+    array_double_1d history;
+    bool rested;
+    double time;
+    double following;
+    bool rests;
+    history = span_row(&work, INT64_C(3));
+    rested = 0;
+    time = 0.0;
+    following = next_break(time, timing, offsets, ends);
+    while((following < 1e+300) && ((*cspan_at(&history, INT64_C(1))) > 0.0))
+    {
+        rests = at_rest(time, following, timing, coefficients, offsets, ends, work);
+        if (rests != rested)
+        {
+            add_contact(time, rests, timing, coefficients, offsets, ends, work, contacts);
+            (*cspan_at(&history, INT64_C(2))) = 0.0;
+            rested = rests;
+        }
+        if (!rests)
+        {
+            add_turns(time, following, timing, coefficients, offsets, ends, work, contacts);
+        }
+        time = following;
+        following = next_break(time, timing, offsets, ends);
+    }
+    if (!rested)
+    {
+        add_contact(time, 1, timing, coefficients, offsets, ends, work, contacts);
+    }
+}
+static double sliding_time(int64_t row, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts)
+{
+    array_double_1d resistance;
+    double lower;
+    double most;
+    int64_t Dummy_0000;
+    double middle;
+    double position;
+    double velocity;
+    double deflection;
+    double upper;
+    resistance = span_row(&work, INT64_C(4));
+    lower = (*cspan_at(&contacts, row, INT64_C(0)));
+    if ((*cspan_at(&contacts, row, INT64_C(3))) > 0.0)
+    {
+        upper = lower + (*cspan_at(&contacts, row, INT64_C(3)));
+        return upper;
+    }
+    most = (*cspan_at(&resistance, INT64_C(17)));
+    upper = end;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(50); Dummy_0000 += INT64_C(1))
+    {
+        middle = 0.5 * (lower + upper);
+        axis_motion(&position, &velocity, middle, timing, coefficients, offsets, ends, work);
+        deflection = planned_deflection(resistance, middle, position, contacts, row);
+        if ((deflection * velocity >= 0.0) && (fabs(deflection) >= most))
+        {
+            upper = middle;
+        }
+        else
+        {
+            lower = middle;
+        }
+    }
+    return upper;
+}
+static double fading_time(double time, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work)
+{
+    double faded;
+    double share;
+    bool fast;
+    int64_t Dummy_0000;
+    double position;
+    double velocity;
+    faded = 3.0 * (*cspan_at(&work, INT64_C(4), INT64_C(16)));
+    share = 0.5;
+    fast = 1;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(40); Dummy_0000 += INT64_C(1))
+    {
+        if (fast)
+        {
+            axis_motion(&position, &velocity, time + share * (end - time), timing, coefficients, offsets, ends, work);
+            fast = fabs(velocity) > faded;
+        }
+        if (fast)
+        {
+            share = 0.5 * share;
+        }
+    }
+    return time + span_min(2.0 * share, 0.5) * (end - time);
+}
+static void settle_contact(int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts)
+{
+    array_double_1d resistance;
+    int64_t axis;
+    double time;
+    double end;
+    double slides;
+    double begun;
+    double settled;
+    resistance = span_row(&work, INT64_C(4));
+    axis = (int64_t)((*cspan_at(&work, INT64_C(3), INT64_C(0))));
+    time = (*cspan_at(&contacts, row, INT64_C(0)));
+    end = time;
+    if (row + INT64_C(1) < (int64_t)((*cspan_at(&work, INT64_C(3), INT64_C(1)))))
+    {
+        end = (*cspan_at(&contacts, row + INT64_C(1), INT64_C(0)));
+    }
+    slides = sliding_time(row, end, timing, coefficients, offsets, ends, work, contacts);
+    begun = time;
+    settled = slides;
+    if ((*cspan_at(&resistance, INT64_C(10) + axis)) > (*cspan_at(&resistance, INT64_C(7) + axis)))
+    {
+        if ((*cspan_at(&contacts, row, INT64_C(3))) == 0.0)
+        {
+            settled = span_max(settled, fading_time(time, end, timing, coefficients, offsets, ends, work));
+        }
+        if (row > INT64_C(0))
+        {
+            begun = fading_time(time, (*cspan_at(&contacts, row - INT64_C(1), INT64_C(0))), timing, coefficients, offsets, ends, work);
+        }
+    }
+    (*cspan_at(&contacts, row, INT64_C(4))) = begun;
+    (*cspan_at(&contacts, row, INT64_C(5))) = slides;
+    (*cspan_at(&contacts, row, INT64_C(6))) = settled;
+}
+int64_t segfmu_contact_history(int64_t axis, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_2d work, array_double_2d contacts)
+{
+    int64_t i;
+    array_double_1d history;
+    int64_t place;
+    double position;
+    double velocity;
+    int64_t row;
+    int64_t count;
+    for (i = INT64_C(0); i < INT64_C(18); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(4), i)) = (*cspan_at(&resistance, i));
+    }
+    history = span_row(&work, INT64_C(3));
+    (*cspan_at(&history, INT64_C(0))) = axis;
+    (*cspan_at(&history, INT64_C(1))) = 1.0;
+    (*cspan_at(&history, INT64_C(2))) = 0.0;
+    for (i = INT64_C(0); i < contacts.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (place = INT64_C(0); place < INT64_C(7); place += INT64_C(1))
+        {
+            (*cspan_at(&contacts, i, place)) = 0.0;
+        }
+        (*cspan_at(&contacts, i, INT64_C(0))) = 1e+300;
+    }
+    axis_motion(&position, &velocity, 0.0, timing, coefficients, offsets, ends, work);
+    (*cspan_at(&contacts, INT64_C(0), INT64_C(0))) = 0.0;
+    (*cspan_at(&contacts, INT64_C(0), INT64_C(1))) = position;
+    if (!rubs(resistance, axis))
+    {
+        return INT64_C(1);
+    }
+    (*cspan_at(&contacts, INT64_C(0), INT64_C(2))) = first_deflection(resistance, axis, velocity);
+    follow_contact(timing, coefficients, offsets, ends, work, contacts);
+    count = (int64_t)((*cspan_at(&history, INT64_C(1))));
+    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    {
+        settle_contact(row, timing, coefficients, offsets, ends, work, contacts);
+    }
+    return count;
+}
+static double contact_node(double time, double begin, double end)
+{
+    int64_t k;
+    double node;
+    if (end > begin)
+    {
+        for (k = INT64_C(0); k < INT64_C(17); k += INT64_C(1))
+        {
+            node = begin + k * (end - begin) / 16.0;
+            if (node > time)
+            {
+                return node;
+            }
+        }
+    }
+    return 1e+300;
+}
+double segfmu_next_contact_event(double time, double start, array_double_2d contacts)
+{
+    double after;
+    int64_t row;
+    double event;
+    after = time + segfmu_same_break(time) - start;
+    row = find_contact(after, contacts);
+    event = contact_node(after, (*cspan_at(&contacts, row, INT64_C(0))), (*cspan_at(&contacts, row, INT64_C(6))));
+    if (after < (*cspan_at(&contacts, row, INT64_C(0))))
+    {
+        event = (*cspan_at(&contacts, row, INT64_C(0)));
+    }
+    if ((row + INT64_C(1) < contacts.shape[INT64_C(0)]) && ((*cspan_at(&contacts, row + INT64_C(1), INT64_C(0))) < 1e+300))
+    {
+        event = span_min(event, (*cspan_at(&contacts, row + INT64_C(1), INT64_C(0))));
+        event = span_min(event, contact_node(after, (*cspan_at(&contacts, row + INT64_C(1), INT64_C(4))), (*cspan_at(&contacts, row + INT64_C(1), INT64_C(0)))));
+    }
+    if (event < 1e+300)
+    {
+        event = start + event;
+        if (event <= time)
+        {
+            event = 1e+300;
+        }
+    }
+    return event;
+}
+void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d demands)
 {
     int64_t i;
     int64_t k;
-    double force;
     double velocity;
+    double force;
     for (i = INT64_C(0); i < flat.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        segfmu_crane_flat_inverse(span_matrix(&flat, i), masses, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
+        segfmu_crane_flat_inverse(span_matrix(&flat, i), resistance, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
         for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
         {
-            force = (*cspan_at(&work, INT64_C(0), k));
             velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + k));
+            force = (*cspan_at(&work, INT64_C(0), k)) + segfmu_planned_friction(resistance, k, (*cspan_at(&times, i)), (*cspan_at(&work, INT64_C(1), INT64_C(0) + k)), velocity, span_matrix(&contacts, k));
             (*cspan_at(&demands, i, INT64_C(0) + k)) = force;
             (*cspan_at(&demands, i, INT64_C(3) + k)) = velocity;
             (*cspan_at(&demands, i, INT64_C(6) + k)) = (*cspan_at(&work, INT64_C(2), k));
@@ -5175,18 +6001,18 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         demand = (*cspan_at(&work, INT64_C(18), i));
-        if ((*cspan_at(&plant, INT64_C(5) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(19) + i)) > 0.0)
         {
-            if (exceeds(demand, (*cspan_at(&plant, INT64_C(14) + i))))
+            if (exceeds(demand, (*cspan_at(&plant, INT64_C(28) + i))))
             {
-                demand = limited(demand, (*cspan_at(&plant, INT64_C(14) + i)));
+                demand = limited(demand, (*cspan_at(&plant, INT64_C(28) + i)));
                 (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
             }
-            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(5) + i));
+            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(19) + i));
         }
-        if (exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i))))
+        if (exceeds(demand, (*cspan_at(&plant, INT64_C(25) + i))))
         {
-            demand = limited(demand, (*cspan_at(&plant, INT64_C(11) + i)));
+            demand = limited(demand, (*cspan_at(&plant, INT64_C(25) + i)));
             (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
         (*cspan_at(&work, INT64_C(18), i)) = demand;
@@ -5227,140 +6053,188 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(38) + axis));
     return INT64_C(6);
 }
-static double dry_level(array_double_1d plant, int64_t axis, double velocity)
+static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work)
 {
-    double ratio;
-    double coulomb;
-    coulomb = (*cspan_at(&plant, INT64_C(26) + axis));
-    if ((*cspan_at(&plant, INT64_C(29) + axis)) <= coulomb)
+    array_double_1d share;
+    array_double_1d velocity;
+    double later;
+    int64_t row;
+    double most;
+    int64_t i;
+    double released;
+    double first;
+    double at;
+    share = span_row(&work, INT64_C(1));
+    velocity = span_row(&work, INT64_C(0));
+    later = time + segfmu_same_break(time);
+    row = find_contact(later, contacts);
+    most = (*cspan_at(&resistance, INT64_C(17)));
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
     {
-        return coulomb;
+        (*cspan_at(&velocity, i)) = (*cspan_at(&motion, i + INT64_C(1))) / series_factorial(i);
     }
-    ratio = velocity / (*cspan_at(&plant, INT64_C(35)));
-    coulomb = coulomb + ((*cspan_at(&plant, INT64_C(29) + axis)) - coulomb) * exp((-ratio) * ratio);
-    return coulomb;
+    released = (*cspan_at(&contacts, row, INT64_C(3)));
+    if (released > 0.0)
+    {
+        first = (*cspan_at(&contacts, row, INT64_C(2)));
+        for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&velocity, i)) = 0.0;
+        }
+        if (later < (*cspan_at(&contacts, row, INT64_C(5))))
+        {
+            at = (later - (*cspan_at(&contacts, row, INT64_C(0)))) / released;
+            (*cspan_at(&velocity, INT64_C(0))) = release_rate(later, contacts, row);
+            if (order > INT64_C(0))
+            {
+                (*cspan_at(&velocity, INT64_C(1))) = (-6.0) * first * (1.0 - 2.0 * at) / (released * released);
+            }
+            if (order > INT64_C(1))
+            {
+                (*cspan_at(&velocity, INT64_C(2))) = 6.0 * first / (released * released * released);
+            }
+        }
+    }
+    (*cspan_at(&share, INT64_C(0))) = planned_deflection(resistance, later, (*cspan_at(&motion, INT64_C(0))), contacts, row) / most;
+    for (i = INT64_C(0); i < order; i += INT64_C(1))
+    {
+        (*cspan_at(&share, i + INT64_C(1))) = (*cspan_at(&velocity, i)) / ((i + INT64_C(1)) * most);
+        if ((released == 0.0) && (later >= (*cspan_at(&contacts, row, INT64_C(5)))))
+        {
+            (*cspan_at(&share, i + INT64_C(1))) = 0.0;
+        }
+    }
 }
-static double level_slope(array_double_1d plant, int64_t axis, double velocity)
+static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work)
 {
+    array_double_1d velocity;
+    array_double_1d level;
+    array_double_1d first;
     double coulomb;
     double width;
-    double result;
-    coulomb = (*cspan_at(&plant, INT64_C(26) + axis));
-    if ((*cspan_at(&plant, INT64_C(29) + axis)) <= coulomb)
+    int64_t i;
+    double rise;
+    velocity = span_row(&work, INT64_C(0));
+    level = span_row(&work, INT64_C(2));
+    first = span_row(&work, INT64_C(5));
+    coulomb = (*cspan_at(&resistance, INT64_C(7) + axis));
+    width = (*cspan_at(&resistance, INT64_C(16)));
+    series_product(velocity, velocity, count, first);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        return 0.0;
+        (*cspan_at(&first, i)) = (-(*cspan_at(&first, i))) / (width * width);
     }
-    width = (*cspan_at(&plant, INT64_C(35)));
-    result = (-2.0) * velocity / (width * width) * (dry_level(plant, axis, velocity) - coulomb);
-    return result;
-}
-static bool rubs(array_double_1d plant, int64_t axis)
-{
-    bool result;
-    result = ((*cspan_at(&plant, INT64_C(26) + axis)) > 0.0) || ((*cspan_at(&plant, INT64_C(29) + axis)) > 0.0);
-    return result;
-}
-static double deflected(array_double_1d plant, double deflection)
-{
-    double result;
-    result = span_min(span_max(deflection / (*cspan_at(&plant, INT64_C(36))), -1.0), 1.0);
-    return result;
-}
-static double contact_damping(array_double_1d plant, int64_t axis)
-{
-    double mass;
-    double static_0001;
-    double result;
-    mass = carriage_mass(plant, axis);
-    if (axis == INT64_C(2))
+    series_exponential(first, count, level);
+    rise = span_max((*cspan_at(&resistance, INT64_C(10) + axis)) - coulomb, 0.0);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        mass = (*cspan_at(&plant, INT64_C(2)));
+        (*cspan_at(&level, i)) = rise * (*cspan_at(&level, i));
     }
-    static_0001 = span_max((*cspan_at(&plant, INT64_C(29) + axis)), (*cspan_at(&plant, INT64_C(26) + axis)));
-    result = 2.0 * sqrt(1.5 * static_0001 * mass / (*cspan_at(&plant, INT64_C(36))));
-    return result;
+    (*cspan_at(&level, INT64_C(0))) = (*cspan_at(&level, INT64_C(0))) + coulomb;
 }
-static double friction_force(array_double_1d plant, int64_t axis, double velocity, double deflection)
+static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work)
 {
-    double level;
-    double share;
-    double damped;
-    double friction;
-    friction = (*cspan_at(&plant, INT64_C(23) + axis)) * velocity;
-    friction = friction + (*cspan_at(&plant, INT64_C(32) + axis)) * velocity * fabs(velocity);
-    if (rubs(plant, axis))
-    {
-        level = dry_level(plant, axis, velocity);
-        share = deflected(plant, deflection);
-        friction = friction + level * 0.5 * share * (3.0 - share * share);
-        damped = contact_damping(plant, axis) * velocity / level;
-        damped = damped / sqrt(1.0 + damped * damped);
-        friction = friction + level * damped * (1.0 - share * share);
-    }
-    return friction;
-}
-static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d plant, int64_t axis, double velocity, double deflection)
-{
-    double by_velocity;
-    double level;
-    double slope;
-    double share;
-    double rest;
+    array_double_1d velocity;
+    array_double_1d share;
+    array_double_1d level;
+    array_double_1d rest;
+    array_double_1d damped;
+    array_double_1d first;
+    array_double_1d second;
+    array_double_1d third;
+    array_double_1d friction;
     double damping;
-    double damped;
-    double root;
-    double changed;
-    double by_share;
-    by_velocity = (*cspan_at(&plant, INT64_C(23) + axis)) + 2.0 * (*cspan_at(&plant, INT64_C(32) + axis)) * fabs(velocity);
-    if (!rubs(plant, axis))
+    int64_t i;
+    velocity = span_row(&work, INT64_C(0));
+    share = span_row(&work, INT64_C(1));
+    level = span_row(&work, INT64_C(2));
+    rest = span_row(&work, INT64_C(4));
+    damped = span_row(&work, INT64_C(3));
+    first = span_row(&work, INT64_C(5));
+    second = span_row(&work, INT64_C(5) + INT64_C(1));
+    third = span_row(&work, INT64_C(5) + INT64_C(2));
+    friction = span_row(&work, INT64_C(8));
+    damping = contact_damping(resistance, axis);
+    series_product(velocity, velocity, count, first);
+    series_product(level, level, count, second);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*result_0) = by_velocity;
-        (*result_1_0001) = 0.0;
-        return 0;
+        (*cspan_at(&first, i)) = (*cspan_at(&second, i)) + damping * damping * (*cspan_at(&first, i));
+        (*cspan_at(&second, i)) = damping * (*cspan_at(&velocity, i));
     }
-    level = dry_level(plant, axis, velocity);
-    slope = level_slope(plant, axis, velocity);
-    share = deflected(plant, deflection);
-    rest = 1.0 - share * share;
-    damping = contact_damping(plant, axis);
-    damped = damping * velocity / level;
-    root = sqrt(1.0 + damped * damped);
-    by_velocity = by_velocity + slope * 0.5 * share * (3.0 - share * share);
-    changed = (damping - damped * slope) / (root * root * root);
-    by_velocity = by_velocity + rest * (slope * damped / root + changed);
-    if (fabs(share) >= 1.0)
+    series_root(first, count, third);
+    series_quotient(second, third, count, damped);
+    series_product(share, share, count, first);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*result_0) = by_velocity;
-        (*result_1_0001) = 0.0;
-        return 0;
+        (*cspan_at(&rest, i)) = -(*cspan_at(&first, i));
+        (*cspan_at(&second, i)) = (-0.5) * (*cspan_at(&first, i));
     }
-    by_share = level * (1.5 * rest - 2.0 * share * damped / root);
-    (*result_0) = by_velocity;
-    (*result_1_0001) = by_share / (*cspan_at(&plant, INT64_C(36)));
-    return 0;
+    (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&rest, INT64_C(0))) + 1.0;
+    (*cspan_at(&second, INT64_C(0))) = (*cspan_at(&second, INT64_C(0))) + 1.5;
+    series_product(share, second, count, first);
+    series_product(damped, rest, count, second);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&third, i)) = (*cspan_at(&first, i)) + (*cspan_at(&second, i));
+    }
+    series_product(level, third, count, first);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&friction, i)) = (*cspan_at(&friction, i)) + (*cspan_at(&first, i));
+    }
 }
-static double deflection_rate(array_double_1d plant, int64_t axis, double velocity, double deflection)
+double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work)
 {
-    if (!rubs(plant, axis))
-    {
-        return 0.0;
-    }
-    if ((fabs(deflection) >= (*cspan_at(&plant, INT64_C(36)))) && (deflection * velocity >= 0.0))
-    {
-        return 0.0;
-    }
-    return velocity;
-}
-static double first_deflection(array_double_1d plant, int64_t axis, double velocity)
-{
-    double share;
+    int64_t count;
+    array_double_1d friction;
+    array_double_1d velocity;
+    double side;
+    int64_t i;
+    array_double_1d square;
+    double later;
     double result;
-    if (!rubs(plant, axis))
+    if ((time < 0.0) || (!segfmu_resists(resistance, axis)))
     {
         return 0.0;
     }
-    share = velocity / (*cspan_at(&plant, INT64_C(35)));
-    result = (*cspan_at(&plant, INT64_C(36))) * span_min(span_max(share, -1.0), 1.0);
+    count = order + INT64_C(1);
+    friction = span_row(&work, INT64_C(8));
+    velocity = span_row(&work, INT64_C(0));
+    share_series(resistance, time, motion, order, contacts, work);
+    side = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if ((side == 0.0) && ((*cspan_at(&velocity, i)) != 0.0))
+        {
+            side = (*cspan_at(&velocity, i)) / fabs((*cspan_at(&velocity, i)));
+        }
+    }
+    square = span_row(&work, INT64_C(5));
+    series_product(velocity, velocity, count, square);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&friction, i)) = (*cspan_at(&resistance, INT64_C(4) + axis)) * (*cspan_at(&velocity, i));
+        (*cspan_at(&friction, i)) = (*cspan_at(&friction, i)) + side * (*cspan_at(&resistance, INT64_C(13) + axis)) * (*cspan_at(&square, i));
+    }
+    if (rubs(resistance, axis))
+    {
+        later = time + segfmu_same_break(time);
+        level_series(resistance, axis, count, work);
+        if (stops(later, contacts, find_contact(later, contacts)))
+        {
+            for (i = INT64_C(0); i < count; i += INT64_C(1))
+            {
+                (*cspan_at(&work, INT64_C(2), i)) = 0.0;
+            }
+            (*cspan_at(&work, INT64_C(2), INT64_C(0))) = (*cspan_at(&resistance, INT64_C(7) + axis));
+        }
+        if ((*cspan_at(&work, INT64_C(2), INT64_C(0))) > 0.0)
+        {
+            add_dry_series(resistance, axis, count, work);
+        }
+    }
+    result = series_derivative(friction, order);
     return result;
 }
 static double full_circle(void)
@@ -5880,7 +6754,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
         torque = (-(*cspan_at(&plant, INT64_C(37)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = torque;
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
     {
         driven_derivative(plant, state, work, derivative);
     }
@@ -6069,117 +6943,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         reuse_last_stage(work);
     }
     return INT64_C(3);
-}
-static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
-{
-    int64_t upper;
-    int64_t middle;
-    int64_t lower;
-    lower = first;
-    upper = last;
-    while(upper - lower > INT64_C(1))
-    {
-        middle = span_floor_div((lower + upper), INT64_C(2));
-        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
-        {
-            lower = middle;
-        }
-        else
-        {
-            upper = middle;
-        }
-    }
-    return lower;
-}
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
-    {
-        i = width - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * t + factor * (*cspan_at(&coefficients, row, i));
-    }
-    return value;
-}
-static double local_time(double time, array_double_2d timing, int64_t row)
-{
-    double result;
-    result = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-    return result;
-}
-void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
-{
-    int64_t width;
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    int64_t row;
-    int64_t i;
-    double t;
-    bool behind;
-    double local;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = first;
-        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
-        {
-            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
-            behind = (row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))));
-            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || behind)
-            {
-                row = find_piece(t, timing, first, last);
-            }
-            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
-            {
-                (*cspan_at(&values, i, axis)) = 0.0;
-            }
-            else
-            {
-                local = local_time(t, timing, row);
-                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
-            }
-        }
-    }
-}
-void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
-{
-    int64_t width;
-    int64_t axis;
-    double t;
-    int64_t row;
-    double local;
-    int64_t derivative;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
-        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
-        local = local_time(t, timing, row);
-        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
-        {
-            if ((derivative > INT64_C(0)) && (t != time))
-            {
-                (*cspan_at(&values, derivative, axis)) = 0.0;
-            }
-            else
-            {
-                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
-            }
-        }
-    }
 }
 static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull)
 {
@@ -17449,7 +18212,7 @@ static void update_signals(array_double_2d settings, double time, array_double_2
 static bool is_driven(array_double_2d memory)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(4)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(18)))) == INT64_C(1);
     return result;
 }
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
@@ -17481,7 +18244,7 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
 static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory)
 {
     double bound;
-    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + axis));
+    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(28) + axis));
     if (exceeds(velocity, bound))
     {
         (*cspan_at(&memory, INT64_C(8), INT64_C(10) + axis)) = 1.0;
@@ -17521,7 +18284,7 @@ static double longest_delay(array_double_1d plant)
     longest = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        longest = span_max(longest, (*cspan_at(&plant, INT64_C(20) + i)));
+        longest = span_max(longest, (*cspan_at(&plant, INT64_C(34) + i)));
     }
     return longest;
 }
@@ -17744,7 +18507,7 @@ static double next_command(array_double_2d settings, double until, array_double_
     newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(20) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(34) + i));
         latest = present_time(memory) - late + time_tolerance(settings);
         number = command_number(latest, delayed);
         if ((late > 0.0) && (number < newest))
@@ -17774,7 +18537,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
     double end;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(20) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(34) + i));
         if (late > 0.0)
         {
             time = present_time(memory) - late;
@@ -17782,7 +18545,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
             command_place(&row, &column, number, delayed);
             after = time - (*cspan_at(&delayed, row, column + INT64_C(0)));
             shifted_command(&value, &slope, &square, &cube, i, after, column, span_row(&delayed, row));
-            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0))
+            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(19) + i)) == 0.0))
             {
                 end = value + length * (slope + length * (square + length * cube));
                 end = bounded_velocity(i, end, memory);
@@ -17806,7 +18569,7 @@ static void start_planned(array_double_1d setpoints, array_double_2d memory)
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         value = (*cspan_at(&setpoints, INT64_C(3) + i));
-        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + i));
+        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(19) + i));
         (*cspan_at(&planned, INT64_C(0) + i)) = value;
         if (lag > 0.0)
         {
@@ -17828,13 +18591,13 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
     double most;
     double gained;
     planned = span_row(&memory, INT64_C(10));
-    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(5) + axis));
+    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(19) + axis));
     if (lag <= 0.0)
     {
         (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
         return;
     }
-    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(14) + axis));
+    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(28) + axis));
     reached = setpoint;
     if (exceeds(setpoint, bound))
     {
@@ -17847,7 +18610,7 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
         before = (*cspan_at(&planned, INT64_C(3) + axis));
         mean = risen / period;
         after = mean + (before - mean) * exp((-period) / lag);
-        most = period * (*cspan_at(&memory, INT64_C(5), INT64_C(11) + axis));
+        most = period * (*cspan_at(&memory, INT64_C(5), INT64_C(25) + axis));
         gained = risen - lag * (after - before);
         if (exceeds(gained, most))
         {
@@ -18034,7 +18797,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         setpoint_rates(&slope, &square, &cube, setpoints, velocity, done / duration, duration, memory);
         (*cspan_at(&memory, INT64_C(9), i)) = added + correction * length;
         set_command(i, command, slope + correction, square, cube, memory);
-        if ((*cspan_at(&memory, INT64_C(5), INT64_C(5) + i)) == 0.0)
+        if ((*cspan_at(&memory, INT64_C(5), INT64_C(19) + i)) == 0.0)
         {
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             end = end + (*cspan_at(&memory, INT64_C(9), i));
@@ -18212,13 +18975,13 @@ static double first_command(int64_t axis, array_double_1d setpoints, array_doubl
         return velocity;
     }
     velocity = (*cspan_at(&setpoints, INT64_C(3) + axis));
-    if ((*cspan_at(&plant, INT64_C(5) + axis)) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(19) + axis)) > 0.0)
     {
         return velocity;
     }
     velocity = bounded_velocity(axis, velocity, memory);
     present = axis_velocity(span_row(&memory, INT64_C(4)), axis);
-    if (span_max((*cspan_at(&plant, INT64_C(11) + axis)), force_bound(plant, axis, present)) == 0.0)
+    if (span_max((*cspan_at(&plant, INT64_C(25) + axis)), force_bound(plant, axis, present)) == 0.0)
     {
         return 0.0;
     }
@@ -18504,7 +19267,7 @@ static double power_slope(array_double_1d plant, int64_t axis, array_double_1d s
     double result;
     velocity = (*cspan_at(&state, INT64_C(5) + axis));
     bound = force_bound(plant, axis, velocity);
-    if (((*cspan_at(&action, INT64_C(3) + axis)) < 0.5) || (bound == (*cspan_at(&plant, INT64_C(8) + axis))))
+    if (((*cspan_at(&action, INT64_C(3) + axis)) < 0.5) || (bound == (*cspan_at(&plant, INT64_C(22) + axis))))
     {
         return 0.0;
     }
@@ -18593,16 +19356,16 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     action = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        lag = (*cspan_at(&plant, INT64_C(5) + i));
+        lag = (*cspan_at(&plant, INT64_C(19) + i));
         largest = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
         demand = (*cspan_at(&command, i));
-        clipped = exceeds(demand, (*cspan_at(&plant, INT64_C(14) + i)));
+        clipped = exceeds(demand, (*cspan_at(&plant, INT64_C(28) + i)));
         if (clipped)
         {
-            demand = limited(demand, (*cspan_at(&plant, INT64_C(14) + i)));
+            demand = limited(demand, (*cspan_at(&plant, INT64_C(28) + i)));
         }
         demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / lag;
-        bounded = exceeds(demand, (*cspan_at(&plant, INT64_C(11) + i)));
+        bounded = exceeds(demand, (*cspan_at(&plant, INT64_C(25) + i)));
         if (((*cspan_at(&action, INT64_C(3) + i)) > 0.5) && (!(bounded || clipped)))
         {
             return 0;
@@ -18852,11 +19615,11 @@ int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, array_double_
     int64_t axis;
     double lag;
     (*cspan_at(&fault, INT64_C(3))) = 1e-05;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(4)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            lag = (*cspan_at(&plant, INT64_C(5) + axis));
+            lag = (*cspan_at(&plant, INT64_C(19) + axis));
             (*cspan_at(&fault, INT64_C(1))) = axis;
             (*cspan_at(&fault, INT64_C(2))) = lag;
             if ((lag == 0.0) && (exchange == INT64_C(1)))
@@ -18925,7 +19688,7 @@ int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchan
     double late;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        late = (*cspan_at(&plant, INT64_C(20) + axis));
+        late = (*cspan_at(&plant, INT64_C(34) + axis));
         (*cspan_at(&fault, INT64_C(1))) = axis;
         (*cspan_at(&fault, INT64_C(2))) = late;
         (*cspan_at(&fault, INT64_C(3))) = period;
@@ -20304,91 +21067,6 @@ bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int
     }
     result = (*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0;
     return result;
-}
-static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
-{
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    int64_t row;
-    double following;
-    following = 1e+300;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (time < (*cspan_at(&timing, first, INT64_C(0))))
-        {
-            following = span_min(following, (*cspan_at(&timing, first, INT64_C(0))));
-        }
-        else
-        {
-            row = find_piece(time, timing, first, last) + INT64_C(1);
-            if (row < last)
-            {
-                following = span_min(following, (*cspan_at(&timing, row, INT64_C(0))));
-            }
-            else if (time < (*cspan_at(&ends, axis)))
-            {
-                following = span_min(following, (*cspan_at(&ends, axis)));
-            }
-        }
-    }
-    return following;
-}
-double segfmu_same_break(double time)
-{
-    return 1e-08 + 1e-14 * fabs(time);
-}
-double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times)
-{
-    double event;
-    int64_t waypoint;
-    double arrival;
-    int64_t axis;
-    double piece_end;
-    event = 1e+300;
-    for (waypoint = INT64_C(1); waypoint < times.shape[INT64_C(0)] + INT64_C(1); waypoint += INT64_C(1))
-    {
-        arrival = 0.0;
-        for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-        {
-            if (waypoint < times.shape[INT64_C(0)])
-            {
-                arrival = span_max(arrival, (*cspan_at(&times, waypoint, axis)));
-            }
-            else
-            {
-                arrival = span_max(arrival, (*cspan_at(&ends, axis)));
-            }
-        }
-        if (start + arrival > time + segfmu_same_break(time))
-        {
-            event = span_min(event, start + arrival);
-        }
-    }
-    piece_end = next_break(time + segfmu_same_break(time) - start, timing, offsets, ends);
-    if (piece_end < 1e+300)
-    {
-        piece_end = start + piece_end;
-    }
-    if ((event <= piece_end + segfmu_same_break(time)) || (piece_end <= time))
-    {
-        return event;
-    }
-    return piece_end;
-}
-double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
-{
-    double local;
-    double behind;
-    local = time - start;
-    behind = local + segfmu_same_break(time);
-    if (next_break(local - segfmu_same_break(time), timing, offsets, ends) <= behind)
-    {
-        return behind;
-    }
-    return local;
 }
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
 {

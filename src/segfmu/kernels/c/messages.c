@@ -280,6 +280,13 @@ bool segfmu_setup_message(
             drive[(int)report[SETUP_FAULT_DRIVE]],
             report[SETUP_FAULT_BOUND]);
         return true;
+    case 17:
+        snprintf(text, size,
+            "friction.%s: the plan turns the %s more often than there is memory for; "
+            "drop waypoints, or set the friction to 0",
+            drive[(int)report[SETUP_FAULT_DRIVE]],
+            drive[(int)report[SETUP_FAULT_DRIVE]]);
+        return true;
     case 13:
         snprintf(text, size,
             "wind.turbulence.deviation %g m/s needs a mean speed for its spectrum: set "

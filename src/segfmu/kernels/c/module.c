@@ -86,7 +86,7 @@ static PyObject *call_feedback_gains(
         && take_float(&call, 4, &in_hoist_bandwidth)
         && take_float(&call, 5, &in_damping)
         && (in_gains = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 8)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 22)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 11)) {
         segfmu_feedback_gains(
@@ -198,7 +198,7 @@ static PyObject *call_observer_design(
         && (in_expected = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 8)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 22)
         && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
         && has_at_least(&call, "work", 0, in_work->shape[0], 72)
         && has_at_least(&call, "work", 1, in_work->shape[1], 16)
@@ -353,7 +353,7 @@ static PyObject *call_observer_table(
         && (in_expected = take_array(&call, 5, 1, 'd', true)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_table = take_array(&call, 7, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 8)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 22)
         && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
@@ -428,7 +428,7 @@ static PyObject *call_drive_bound(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 23)) {
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 4)) {
         answer = PyFloat_FromDouble(segfmu_drive_bound(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_axis));
@@ -496,7 +496,7 @@ static PyObject *call_set_tracking(
         && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 23)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 4)
         && has_at_least(&call, "design", 0, in_design->shape[0], 10)
         && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
         segfmu_set_tracking(
@@ -855,35 +855,300 @@ static PyObject *call_flat_derivatives(
     return answer;
 }
 
-static PyObject *call_compensate_setpoints(
+static PyObject *call_evaluate(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "compensate_setpoints", .values = values};
+    arguments call = {.function = "evaluate", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_velocity;
-    Py_buffer *in_acceleration;
-    Py_buffer *in_known;
-    Py_buffer *in_force;
-    Py_buffer *in_setpoint;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    int64_t in_derivative;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_int(&call, 5, &in_derivative)
+        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 0, in_values->shape[0], in_times->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_evaluate(
+            (array_double_1d){in_times->buf, {in_times->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            in_derivative,
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_evaluate_orders(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate_orders", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "values", 0, in_values->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_evaluate_orders(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_same_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "same_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && take_float(&call, 0, &in_time)) {
+        answer = PyFloat_FromDouble(segfmu_same_break(
+            in_time));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_plan_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_plan_event", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        answer = PyFloat_FromDouble(segfmu_next_plan_event(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_right_of_break(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "right_of_break", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
     (void)self;
     if (take_count(&call, count, 5)
-        && (in_velocity = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_acceleration = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_known = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_force = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_setpoint = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "velocity", 0, in_velocity->shape[0], 3)
-        && has_at_least(&call, "acceleration", 0, in_acceleration->shape[0], 3)
-        && has_at_least(&call, "known", 0, in_known->shape[0], 13)
-        && has_at_least(&call, "force", 0, in_force->shape[0], 3)
-        && has_at_least(&call, "setpoint", 0, in_setpoint->shape[0], 3)) {
-        segfmu_compensate_setpoints(
-            (array_double_1d){in_velocity->buf, {in_velocity->shape[0]}},
-            (array_double_1d){in_acceleration->buf, {in_acceleration->shape[0]}},
-            (array_double_1d){in_known->buf, {in_known->shape[0]}},
-            (array_double_1d){in_force->buf, {in_force->shape[0]}},
-            (array_double_1d){in_setpoint->buf, {in_setpoint->shape[0]}});
-        answer = Py_NewRef(Py_None);
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        answer = PyFloat_FromDouble(segfmu_right_of_break(
+            in_time,
+            in_start,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_resists(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "resists", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_resistance;
+    int64_t in_axis;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_int(&call, 1, &in_axis)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)) {
+        answer = PyBool_FromLong(segfmu_resists(
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            in_axis));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_planned_friction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "planned_friction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_resistance;
+    int64_t in_axis;
+    double in_time;
+    double in_position;
+    double in_velocity;
+    Py_buffer *in_contacts;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_int(&call, 1, &in_axis)
+        && take_float(&call, 2, &in_time)
+        && take_float(&call, 3, &in_position)
+        && take_float(&call, 4, &in_velocity)
+        && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)) {
+        answer = PyFloat_FromDouble(segfmu_planned_friction(
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            in_axis,
+            in_time,
+            in_position,
+            in_velocity,
+            (array_double_2d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_contact_history(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "contact_history", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_axis;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_resistance;
+    Py_buffer *in_work;
+    Py_buffer *in_contacts;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && take_int(&call, 0, &in_axis)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_contacts = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 10)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 18)
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_contact_history(
+            in_axis,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_contact_event(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_contact_event", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    double in_start;
+    Py_buffer *in_contacts;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_time)
+        && take_float(&call, 1, &in_start)
+        && (in_contacts = take_array(&call, 2, 2, 'd', false)) != NULL
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)) {
+        answer = PyFloat_FromDouble(segfmu_next_contact_event(
+            in_time,
+            in_start,
+            (array_double_2d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -895,26 +1160,36 @@ static PyObject *call_drive_demands(
     arguments call = {.function = "drive_demands", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_flat;
-    Py_buffer *in_masses;
+    Py_buffer *in_times;
+    Py_buffer *in_resistance;
+    Py_buffer *in_contacts;
     Py_buffer *in_work;
     Py_buffer *in_demands;
     (void)self;
-    if (take_count(&call, count, 4)
+    if (take_count(&call, count, 6)
         && (in_flat = take_array(&call, 0, 3, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
-        && (in_demands = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_times = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_contacts = take_array(&call, 3, 3, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_demands = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "flat", 0, in_flat->shape[0], 1)
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 1)
+        && has_extent(&call, "times", 0, in_times->shape[0], in_flat->shape[0])
         && has_extent(&call, "demands", 0, in_demands->shape[0], in_flat->shape[0])
         && has_at_least(&call, "flat", 1, in_flat->shape[1], 5)
         && has_at_least(&call, "flat", 2, in_flat->shape[2], 3)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
+        && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 3)
         && has_at_least(&call, "work", 1, in_work->shape[1], 10)
         && has_at_least(&call, "demands", 1, in_demands->shape[1], 14)) {
         segfmu_drive_demands(
             (array_double_3d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1], in_flat->shape[2]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_1d){in_times->buf, {in_times->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_3d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1], in_contacts->shape[2]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_2d){in_demands->buf, {in_demands->shape[0], in_demands->shape[1]}});
         answer = Py_NewRef(Py_None);
@@ -949,6 +1224,46 @@ static PyObject *call_plant_failure(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_friction_derivative(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "friction_derivative", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_resistance;
+    int64_t in_axis;
+    double in_time;
+    Py_buffer *in_motion;
+    int64_t in_order;
+    Py_buffer *in_contacts;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_int(&call, 1, &in_axis)
+        && take_float(&call, 2, &in_time)
+        && (in_motion = take_array(&call, 3, 1, 'd', false)) != NULL
+        && take_int(&call, 4, &in_order)
+        && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "motion", 0, in_motion->shape[0], (in_order + 2))
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 9)
+        && has_at_least(&call, "work", 1, in_work->shape[1], (in_order + 1))) {
+        answer = PyFloat_FromDouble(segfmu_friction_derivative(
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            in_axis,
+            in_time,
+            (array_double_1d){in_motion->buf, {in_motion->shape[0]}},
+            in_order,
+            (array_double_2d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1094,91 +1409,6 @@ static PyObject *call_plant_advance(
             in_tolerance,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_1d){in_report->buf, {in_report->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_evaluate(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "evaluate", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    int64_t in_derivative;
-    Py_buffer *in_values;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && take_int(&call, 5, &in_derivative)
-        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "values", 0, in_values->shape[0], in_times->shape[0])
-        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        segfmu_evaluate(
-            (array_double_1d){in_times->buf, {in_times->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            in_derivative,
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_evaluate_orders(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "evaluate_orders", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_values;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_time)
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "values", 0, in_values->shape[0], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        segfmu_evaluate_orders(
-            in_time,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
-        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -2601,93 +2831,6 @@ static PyObject *call_find_lead(
     return answer;
 }
 
-static PyObject *call_same_break(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "same_break", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && take_float(&call, 0, &in_time)) {
-        answer = PyFloat_FromDouble(segfmu_same_break(
-            in_time));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_next_plan_event(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "next_plan_event", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    double in_start;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_times;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_time)
-        && take_float(&call, 1, &in_start)
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_times = take_array(&call, 5, 2, 'd', false)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
-        && has_extent(&call, "times", 1, in_times->shape[1], in_ends->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        answer = PyFloat_FromDouble(segfmu_next_plan_event(
-            in_time,
-            in_start,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_right_of_break(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "right_of_break", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    double in_start;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_time)
-        && take_float(&call, 1, &in_start)
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        answer = PyFloat_FromDouble(segfmu_right_of_break(
-            in_time,
-            in_start,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_cut_plan(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3096,16 +3239,23 @@ static PyMethodDef methods[] = {
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
-    {"compensate_setpoints", (PyCFunction)(void (*)(void))call_compensate_setpoints, METH_FASTCALL, NULL},
+    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
+    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
+    {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
+    {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
+    {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
+    {"resists", (PyCFunction)(void (*)(void))call_resists, METH_FASTCALL, NULL},
+    {"planned_friction", (PyCFunction)(void (*)(void))call_planned_friction, METH_FASTCALL, NULL},
+    {"contact_history", (PyCFunction)(void (*)(void))call_contact_history, METH_FASTCALL, NULL},
+    {"next_contact_event", (PyCFunction)(void (*)(void))call_next_contact_event, METH_FASTCALL, NULL},
     {"drive_demands", (PyCFunction)(void (*)(void))call_drive_demands, METH_FASTCALL, NULL},
     {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
+    {"friction_derivative", (PyCFunction)(void (*)(void))call_friction_derivative, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
-    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
-    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
@@ -3154,9 +3304,6 @@ static PyMethodDef methods[] = {
     {"is_elsewhere", (PyCFunction)(void (*)(void))call_is_elsewhere, METH_FASTCALL, NULL},
     {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
     {"find_lead", (PyCFunction)(void (*)(void))call_find_lead, METH_FASTCALL, NULL},
-    {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
-    {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
-    {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
     {"cut_plan", (PyCFunction)(void (*)(void))call_cut_plan, METH_FASTCALL, NULL},
     {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},

@@ -1,25 +1,35 @@
 """What a motion of the load asks of the drives."""
 
 from segfmu.kernels.crane._crane import crane_flat_inverse
+from segfmu.kernels.crane.contact import planned_friction
 from segfmu.kernels.crane.records import Demand, DemandWork, State
 
 
 def drive_demands(
-    flat: 'float[:,:,:]', masses: 'float[:]', work: 'float[:,:]', demands: 'float[:,:]'
+    flat: 'float[:,:,:]',
+    times: 'float[:]',
+    resistance: 'float[:]',
+    contacts: 'float[:,:,:]',
+    work: 'float[:,:]',
+    demands: 'float[:,:]',
 ) -> None:
-    """Demands of many motions, a `Demand` per row.
+    """Demands of a plan at times, a `Demand` per row.
 
-    flat[row, d, i] is the d-th derivative of the load's position in axis i; masses: `Masses`; work:
-    `DemandWork`. The power is force times velocity: positive where the drive does work.
+    flat[row, d, i] is the d-th derivative of the load's position in axis i; resistance:
+    `Resistance`; contacts: the plan's `Contact` rows of each axis; work: `DemandWork`. The power is
+    force times velocity: positive where the drive does work.
     """
     for i in range(flat.shape[0]):
         crane_flat_inverse(
-            flat[i], masses, work[DemandWork.FORCE], work[DemandWork.STATE],
+            flat[i], resistance, work[DemandWork.FORCE], work[DemandWork.STATE],
             work[DemandWork.ACCELERATION],
         )
         for k in range(3):
-            force = work[DemandWork.FORCE, k]
             velocity = work[DemandWork.STATE, State.VELOCITY + k]
+            force = work[DemandWork.FORCE, k] + planned_friction(
+                resistance, k, times[i], work[DemandWork.STATE, State.POSITION + k], velocity,
+                contacts[k],
+            )
             demands[i, Demand.FORCE + k] = force
             demands[i, Demand.VELOCITY + k] = velocity
             demands[i, Demand.ACCELERATION + k] = work[DemandWork.ACCELERATION, k]

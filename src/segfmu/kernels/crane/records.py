@@ -128,7 +128,33 @@ class Masses(Record):
     GRAVITY = field("gravity", "m/s2", variables=("crane.gravity",))
 
 
-class Plant(Masses):
+class Resistance(Masses):
+    """Masses, and the friction of the axes; 0 where an effect is absent."""
+
+    VISCOUS = field(
+        "viscous friction", "N.s/m", size=3, variables=[f"friction.{d}.viscous" for d in DRIVES]
+    )
+    COULOMB = field(
+        "Coulomb friction", "N", size=3, variables=[f"friction.{d}.coulomb" for d in DRIVES]
+    )
+    STATIC = field(
+        "static friction; 0: as Coulomb friction", "N", size=3,
+        variables=[f"friction.{d}.static" for d in DRIVES],
+    )
+    DRAG = field(
+        "friction at 1 m/s that grows with the square of the velocity", "N", size=3,
+        variables=[f"friction.{d}.drag" for d in DRIVES],
+    )
+    FRICTION_WIDTH = field(
+        "velocity at which static friction has fallen to Coulomb friction but for 1/e", "m/s",
+        variables=("friction.width",),
+    )
+    PRESLIDING = field(
+        "displacement at which a contact slides", "m", variables=("friction.presliding",)
+    )
+
+
+class Plant(Resistance):
     """Parameters of the crane with its drives; 0 where a bound or an effect is absent."""
 
     MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",), base=1)
@@ -155,27 +181,6 @@ class Plant(Masses):
     DEAD_TIME = field(
         "from the command to the drive", "s", size=3,
         variables=[f"drive.{d}.dead_time" for d in DRIVES],
-    )
-    VISCOUS = field(
-        "viscous friction", "N.s/m", size=3, variables=[f"friction.{d}.viscous" for d in DRIVES]
-    )
-    COULOMB = field(
-        "Coulomb friction", "N", size=3, variables=[f"friction.{d}.coulomb" for d in DRIVES]
-    )
-    STATIC = field(
-        "static friction; 0: as Coulomb friction", "N", size=3,
-        variables=[f"friction.{d}.static" for d in DRIVES],
-    )
-    DRAG = field(
-        "friction at 1 m/s that grows with the square of the velocity", "N", size=3,
-        variables=[f"friction.{d}.drag" for d in DRIVES],
-    )
-    FRICTION_WIDTH = field(
-        "velocity at which static friction has fallen to Coulomb friction but for 1/e", "m/s",
-        variables=("friction.width",),
-    )
-    PRESLIDING = field(
-        "displacement at which a contact slides", "m", variables=("friction.presliding",)
     )
     SWAY_DAMPING = field(
         "viscous damping of both sway angles", "N.m.s", variables=("friction.sway.viscous",)
@@ -232,9 +237,6 @@ class Compensation(Record):
         "from setpoint to drive", "s", size=3,
         variables=[f"drive.{d}.dead_time" for d in DRIVES],
     )
-    VISCOUS = field("viscous friction", "N.s/m", size=3)
-    COULOMB = field("Coulomb friction", "N", size=3)
-    FRICTION_WIDTH = field("velocity at which Coulomb friction comes to tanh(1)", "m/s")
 
 
 class FlatInverse(Record):
@@ -277,6 +279,46 @@ class DemandWork(Record):
     FORCE = field("forces of the drives", "N", of=Axes)
     STATE = field("state of the crane", of=State)
     ACCELERATION = field("second derivatives of the coordinates", of=Coordinates)
+
+
+class Contact(Record):
+    """A row of a contact's history along a plan: it turns, comes to rest or leaves it."""
+
+    TIME = field("from when on, since the start of the plan", "s")
+    POSITION = field("position of bridge or trolley, or length of the rope, then", "m")
+    DEFLECTION = field("deflection of the contact then", "m")
+    RELEASED = field("at rest: time in which the contact is released; 0: it moves", "s")
+    BEGUN = field("from when on friction changes with the velocity, before", "s")
+    SLIDES = field("when the contact begins to slide, or is released", "s")
+    SETTLED = field("until when friction changes much", "s")
+
+
+class History(Record):
+    """How far the history of a contact is known."""
+
+    AXIS = field("the axis, see Axes")
+    COUNT = field("rows so far, 0: there is no room for more")
+    DIRECTION = field("-1, 1: direction of the motion, 0: at rest so far")
+
+
+class ContactWork(DemandWork):
+    """Rows: the work space of `contact_history`."""
+
+    HISTORY = field("how far it is known", of=History)
+    RESISTANCE = field("the crane", of=Resistance)
+    LOAD = field("position of the load and four derivatives", size=5, of=Vector)
+
+
+class FrictionSeries(Record):
+    """Rows: the work space of `friction_derivative`, a Taylor series each."""
+
+    VELOCITY = field("velocity of the axis", "m/s")
+    SHARE = field("deflection of the contact over that at which it slides")
+    LEVEL = field("dry friction at the velocity", "N")
+    DAMPED = field("damping of the contact over the dry friction")
+    REST = field("share of the contact that does not slide")
+    PRODUCT = field("intermediate results", size=3)
+    FRICTION = field("friction", "N")
 
 
 class LoadMotion(Record):

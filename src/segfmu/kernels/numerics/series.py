@@ -4,7 +4,7 @@ A series is an array of coefficients: derivative over factorial. Every function 
 `count` coefficients of its result; `found` may be an operand of sum, difference and negative only.
 """
 
-from math import atan2, sqrt
+from math import atan2, exp, sqrt
 
 
 def series_factorial(order: int) -> float:
@@ -75,6 +75,16 @@ def series_root(a: 'float[:]', count: int, found: 'float[:]') -> None:
         for i in range(1, k):
             total = total - found[i] * found[k - i]
         found[k] = total / (2.0 * found[0])
+
+
+def series_exponential(a: 'float[:]', count: int, found: 'float[:]') -> None:
+    """found = exp(a): its rate is exp(a) a'."""
+    found[0] = exp(a[0])
+    for k in range(1, count):
+        total = 0.0
+        for i in range(1, k + 1):
+            total = total + i * a[i] * found[k - i]
+        found[k] = total / k
 
 
 def series_angle(

@@ -48,6 +48,7 @@ class SetupStatus(Codes):
     exchange. LOW_STATIC: static friction below Coulomb friction. NO_WIND: turbulence
     without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange. UNSTABLE: the
     gains of the feedback. SHORT_LAG: a lag of a velocity drive so short that runs take hours.
+    MANY_TURNS: a plan in which an axis with friction turns too often.
     """
 
     FITS = 0
@@ -67,6 +68,7 @@ class SetupStatus(Codes):
     SLACK_EXCHANGE = 14
     UNSTABLE = 15
     SHORT_LAG = 16
+    MANY_TURNS = 17
 
 
 class SetupFault(Record):

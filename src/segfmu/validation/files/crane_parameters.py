@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import ActuatorBounds, Crane, Rig
+from segfmu.crane import ActuatorBounds, Crane, Friction, Rig
 from segfmu.crane.linear import usual_sample_time
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -105,6 +105,20 @@ def bounds(crane: CraneFile) -> ActuatorBounds:
     }
     sway = None if crane.sway_max is None else np.deg2rad(crane.sway_max)
     return ActuatorBounds(**given, sway_angle=sway)
+
+
+def friction(crane: CraneFile) -> Friction:
+    """Friction of the axes; that of the sway is no matter of the drives."""
+    table = crane.friction
+    axes = [getattr(table, name) for name in DRIVES]
+    given: dict[str, Any] = {
+        name: tuple(getattr(axis, name) or 0.0 for axis in axes)
+        for name in ("viscous", "coulomb", "static", "drag")
+    }
+    for name in ("width", "presliding"):
+        if getattr(table, name) is not None:
+            given[name] = getattr(table, name)
+    return Friction(**given)
 
 
 def tighter(own: ActuatorBounds, more: Mapping[str, Any]) -> ActuatorBounds | None:

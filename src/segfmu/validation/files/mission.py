@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
-from segfmu.crane import ActuatorBounds, Crane, plan_actuated
+from segfmu.crane import ActuatorBounds, Crane, Friction, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import Clearance, Limits, Obstacle, Trajectory, Waypoint, plan
 from segfmu.validation.files import crane_parameters
@@ -157,6 +157,10 @@ class Mission(Table):
         own = crane_parameters.bounds(self.crane)
         return crane_parameters.tighter(own, self.actuators.model_dump())
 
+    def build_friction(self) -> Friction:
+        """Friction of the axes of the crane that is planned for."""
+        return crane_parameters.friction(self.crane)
+
     def build_clearance(self) -> Clearance:
         """Workspace and obstacles."""
         ranges = [getattr(self.workspace, axis) or (None, None) for axis in AXES]
@@ -180,7 +184,7 @@ class Mission(Table):
         if bounds is not None:
             return plan_actuated(
                 self.build_crane(), points, limits, bounds, clearance=clearance,
-                progress=progress, **options,
+                friction=self.build_friction(), progress=progress, **options,
             ).trajectory
         if limits is None:
             raise InputError(

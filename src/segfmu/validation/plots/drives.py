@@ -8,8 +8,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from segfmu.crane import ActuatorBounds, Crane
+from segfmu.crane import ActuatorBounds, Crane, Friction
 from segfmu.crane.bounds import DRIVES, UNITS
+from segfmu.crane.contacts import NONE
 from segfmu.crane.demand import demands
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
@@ -27,12 +28,13 @@ FARTHEST = 1.5
 
 
 def plot_drives(
-    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, title: str
+    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, title: str,
+    friction: Friction = NONE,
 ) -> Figure:
     """Velocity, acceleration, force and power of the drives, and the sway; bounds dashed."""
     figure, panels = stack(len(PANELS))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
-    draw_demands(panels, times, demands(crane, trajectory, times), bounds, crane)
+    draw_demands(panels, times, demands(crane, trajectory, times, friction), bounds, crane)
     return finish(figure, panels, trajectory.waypoint_times, title)
 
 

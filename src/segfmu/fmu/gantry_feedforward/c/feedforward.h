@@ -30,7 +30,8 @@ typedef struct {
     /* the same of the load's motion, with which they are found */
     int64_t moved[1 + AXES_SIZE];
     double motion[1 + AXES_SIZE][(ORDERS + MODEL_ORDERS) * AXES];
-    double space[];                  /* timing, coefficients, offsets, times, ends */
+    int64_t turns[AXES_SIZE];        /* rows of the history of each drive's contact; 0: no friction */
+    double space[];                  /* timing, coefficients, offsets, times, ends, contacts */
 } feedforward;
 
 /* Pieces of each axis, as the kernels take them. */
@@ -59,6 +60,12 @@ static void begin_lead(feedforward *m, char message[MESSAGE]);
 
 /* Plan by the parameters; false with a message where that cannot be done. */
 static bool feedforward_plan(feedforward *m, char message[MESSAGE]);
+
+/* Numbers of the plan in the block, without contacts. */
+static size_t planned_size(const feedforward *m);
+
+/* The history of a drive's contact. */
+static array_double_2d contacts_of(const feedforward *m, int axis);
 
 /* The trajectory in the block. */
 static segfmu_trajectory feedforward_trajectory(const feedforward *m);

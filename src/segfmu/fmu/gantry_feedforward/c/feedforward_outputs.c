@@ -22,12 +22,24 @@ static double setpoint(const double results[RESULTS], int i, double lag)
 /* The flat inverse's results at a time since the start. */
 static void invert(feedforward *m, double load[LOAD_MOTION_SIZE], double results[RESULTS])
 {
-    double masses[MASSES_SIZE];
-    feed_record(&feeds_masses, &m->base, masses);
+    double known[RESISTANCE_SIZE];
+    feed_record(&feeds_resistance, &m->base, known);
     segfmu_crane_flat_inverse(
-        matrix(load, ORDERS, AXES), vector(masses, MASSES_SIZE),
+        matrix(load, ORDERS, AXES), vector(known, RESISTANCE_SIZE),
         vector(results, AXES_SIZE), vector(results + FLAT_INVERSE_STATE, STATE_SIZE),
         vector(results + FLAT_INVERSE_ACCELERATION, COORDINATES_SIZE));
+}
+
+/* Add the friction of a drive to its force, at a time since the start of the plan. */
+static void add_friction(feedforward *m, int i, double time, const double of[RESULTS], double *force)
+{
+    if (m->turns[i] > 0) {
+        double known[RESISTANCE_SIZE];
+        feed_record(&feeds_resistance, &m->base, known);
+        *force += segfmu_planned_friction(
+            vector(known, RESISTANCE_SIZE), i, time, of[FLAT_INVERSE_STATE + i],
+            of[FLAT_INVERSE_STATE + STATE_VELOCITY + i], contacts_of(m, i));
+    }
 }
 
 bool model_evaluate(model *base, char message[MESSAGE])
@@ -51,6 +63,8 @@ bool model_evaluate(model *base, char message[MESSAGE])
             of = other;
         }
         results[FEEDFORWARD_FORCE + i] = of[FEEDFORWARD_FORCE + i];
+        add_friction(
+            m, i, time + known[COMPENSATION_DEAD_TIME + i], of, &results[FEEDFORWARD_FORCE + i]);
         results[FEEDFORWARD_VELOCITY + i] = setpoint(of, i, known[COMPENSATION_LAG + i]);
     }
     show_record(&feeds_load_motion, load, base);
@@ -79,17 +93,35 @@ static double *motion(feedforward *m, int of, double dead)
 static const double *derivatives(feedforward *m, int of, double dead, int64_t order)
 {
     enum { COLUMNS = MODEL_ORDERS + 3 };
-    double masses[MASSES_SIZE];
+    double known[RESISTANCE_SIZE];
     double work[FLAT_SERIES_SIZE * COLUMNS];
     double *found = m->derivatives[order - 1][of];
     if (!m->derived[order - 1][of]) {
-        feed_record(&feeds_masses, &m->base, masses);
+        feed_record(&feeds_resistance, &m->base, known);
         segfmu_flat_derivatives(
-            matrix(motion(m, of, dead), ORDERS + order, AXES), order, vector(masses, MASSES_SIZE),
+            matrix(motion(m, of, dead), ORDERS + order, AXES), order, vector(known, RESISTANCE_SIZE),
             matrix(work, FLAT_SERIES_SIZE, COLUMNS), vector(found, RESULTS));
         m->derived[order - 1][of] = 1;
     }
     return found;
+}
+
+/* A derivative of the friction of a drive, whose setpoints are those of a dead time later. */
+static double friction_of(feedforward *m, int i, int of, double dead, int64_t order)
+{
+    double known[RESISTANCE_SIZE], results[RESULTS], path[MODEL_ORDERS + 2];
+    double work[FRICTION_SERIES_SIZE * (MODEL_ORDERS + 1)];
+    invert(m, motion(m, of, dead), results);
+    path[0] = results[FLAT_INVERSE_STATE + i];
+    path[1] = results[FLAT_INVERSE_STATE + STATE_VELOCITY + i];
+    for (int64_t k = 1; k <= order; k++) {
+        path[k + 1] = derivatives(m, of, dead, k)[FLAT_INVERSE_STATE + STATE_VELOCITY + i];
+    }
+    feed_record(&feeds_resistance, &m->base, known);
+    return segfmu_friction_derivative(
+        vector(known, RESISTANCE_SIZE), i, m->base.real[V_TIME] - beginning(m) + dead,
+        vector(path, MODEL_ORDERS + 2), order, contacts_of(m, i),
+        matrix(work, FRICTION_SERIES_SIZE, MODEL_ORDERS + 1));
 }
 
 /* A derivative of an entry of `Feedforward`. */
@@ -103,9 +135,12 @@ static double derivative_of(feedforward *m, int place, int64_t order)
         return derivatives(m, 0, 0.0, order)[place];
     }
     double dead = known[COMPENSATION_DEAD_TIME + i];
-    const double *found = derivatives(m, dead > 0.0 ? i + 1 : 0, dead, order);
-    return first == FEEDFORWARD_VELOCITY ? setpoint(found, i, known[COMPENSATION_LAG + i])
-                                         : found[place];
+    int of = dead > 0.0 ? i + 1 : 0;
+    const double *found = derivatives(m, of, dead, order);
+    if (first == FEEDFORWARD_VELOCITY) {
+        return setpoint(found, i, known[COMPENSATION_LAG + i]);
+    }
+    return m->turns[i] > 0 ? found[place] + friction_of(m, i, of, dead, order) : found[place];
 }
 
 bool model_output_derivative(model *base, const variable *output, int64_t order, double *value)

@@ -46,6 +46,48 @@ double feedforward_start(const feedforward *m)
     return segfmu_begin_time(m->base.real[V_PLANNER_START_TIME], m->base.start);
 }
 
+static size_t planned_size(const feedforward *m)
+{
+    return (size_t)(m->pieces * (2 + 2 * m->smoothness) + AXES + 1 + m->points * AXES + AXES);
+}
+
+static array_double_2d contacts_of(const feedforward *m, int axis)
+{
+    const double *first = m->space + planned_size(m);
+    for (int i = 0; i < axis; i++) {
+        first += m->turns[i] * CONTACT_SIZE;
+    }
+    return matrix((double *)first, m->turns[axis], CONTACT_SIZE);
+}
+
+/* The contacts that rub, in what the planner has left of the block. */
+static bool note_contacts(feedforward *m, char message[MESSAGE])
+{
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    double known[RESISTANCE_SIZE], work[CONTACT_WORK_SIZE * CONTACT_WORK_COLUMNS];
+    double fault[SETUP_FAULT_SIZE] = {0.0};
+    feed_record(&feeds_resistance, &m->base, known);
+    memset(m->turns, 0, sizeof m->turns);
+    int64_t status = segfmu_check_friction(
+        vector(known + RESISTANCE_STATIC, AXES_SIZE), vector(known + RESISTANCE_COULOMB, AXES_SIZE),
+        vector(fault, SETUP_FAULT_SIZE));
+    size_t left = segfmu_plan_size(m->points, AXES, m->smoothness) - planned_size(m);
+    for (int i = 0; i < AXES_SIZE && status == SETUP_STATUS_FITS; i++) {
+        if (segfmu_resists(vector(known, RESISTANCE_SIZE), i)) {
+            array_double_2d rows = contacts_of(m, i);
+            rows.shape[0] = (int64_t)(left / CONTACT_SIZE);
+            m->turns[i] = segfmu_contact_history(
+                i, timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
+                offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
+                matrix(work, CONTACT_WORK_SIZE, CONTACT_WORK_COLUMNS), rows);
+            left -= (size_t)(m->turns[i] * CONTACT_SIZE);
+            fault[SETUP_FAULT_DRIVE] = i;
+            status = m->turns[i] > 0 ? SETUP_STATUS_FITS : SETUP_STATUS_MANY_TURNS;
+        }
+    }
+    return !segfmu_setup_message(status, fault, message, MESSAGE);
+}
+
 static void note_events(feedforward *m, const segfmu_trajectory *found)
 {
     const double start = feedforward_start(m);
@@ -109,5 +151,5 @@ bool feedforward_plan(feedforward *m, char message[MESSAGE])
     compact(m, &found);
     const segfmu_trajectory plan = feedforward_trajectory(m);
     note_events(m, &plan);
-    return true;
+    return note_contacts(m, message);
 }

@@ -22,7 +22,7 @@ static size_t kept(const feedforward *m)
     if (m->pieces == 0) {
         return 0;
     }
-    return (size_t)(m->pieces * (2 + 2 * m->smoothness) + AXES + 1 + m->points * AXES + AXES);
+    return planned_size(m) + (size_t)((m->turns[0] + m->turns[1] + m->turns[2]) * CONTACT_SIZE);
 }
 
 size_t model_used(const model *base)
@@ -48,6 +48,11 @@ bool model_sound(const model *base, size_t size)
     const int64_t most = (int64_t)(size / sizeof(double));
     if (m->pieces == 0) {
         return !base->initialised && size == sizeof(feedforward);
+    }
+    for (int i = 0; i < AXES_SIZE; i++) {
+        if (m->turns[i] < 0 || m->turns[i] > most) {
+            return false;
+        }
     }
     return m->points >= 2 && m->points <= MOST_POINTS && m->smoothness >= 2 && m->smoothness <= 6
         && m->pieces >= AXES && m->pieces <= most && size == model_used(base) && ordered(m);
@@ -106,6 +111,11 @@ static double upcoming(const feedforward *m)
     /* of the reference, then of the setpoints, which are earlier by their dead times */
     for (int i = -1; i < AXES_SIZE; i++) {
         double dead = i < 0 ? 0.0 : known[COMPENSATION_DEAD_TIME + i];
+        if (i >= 0 && m->turns[i] > 0) {
+            double turn = segfmu_next_contact_event(
+                m->base.real[V_TIME], beginning(m) - dead, contacts_of(m, i));
+            first = turn < 1e300 ? fmin(first, turn) : first;
+        }
         if (i >= 0 && dead == 0.0) {
             continue;
         }

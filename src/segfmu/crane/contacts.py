@@ -1,0 +1,117 @@
+"""Friction that a crane is known to have, along a plan.
+
+The friction of the plant depends on what was before: a contact is deflected before it slides. The
+history of a plan's contacts, kernels/crane/contact.py, gives the friction at any time of it.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from segfmu.crane.equipment import FRICTION, Friction
+from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import LoadTrajectory
+from segfmu.crane.variables import filled, values
+from segfmu.errors import InputError
+from segfmu.kernels import backend
+from segfmu.kernels.crane.records import Axes, Contact, ContactWork, Resistance
+from segfmu.planning.arrays import FloatArray
+
+NONE = Friction()
+# rows for a first try, and at most: a plan with more turning points is none
+ROWS, MOST_ROWS = 64, 65536
+
+
+def resistance(crane: Crane, friction: Friction) -> FloatArray:
+    """The kernels' `Resistance`.
+
+    Raises
+    ------
+    InputError
+        For anything but a Friction.
+    """
+    if not isinstance(friction, Friction):
+        raise InputError(f"friction must be a segfmu.crane.Friction, got {type(friction).__name__}")
+    return filled(Resistance, (crane.values() | values(friction, FRICTION)).__getitem__)
+
+
+class Contacts:
+    """Friction of bridge, trolley and hoist along a plan.
+
+    Parameters
+    ----------
+    crane : Crane
+    friction : Friction
+    trajectory : LoadTrajectory
+
+    Raises
+    ------
+    InputError
+        For anything but a Friction.
+    """
+
+    def __init__(self, crane: Crane, friction: Friction, trajectory: LoadTrajectory) -> None:
+        self.resistance = resistance(crane, friction)
+        self._trajectory = trajectory
+        self._rubs = any(friction.coulomb) or any(friction.static)
+        self.acts = self._rubs or any(friction.viscous) or any(friction.drag)
+
+    @cached_property
+    def rows(self) -> FloatArray:
+        """A `Contact` per row for each axis, shape (3, rows, 7)."""
+        if not self._rubs:
+            return np.zeros((Axes.SIZE, 1, Contact.SIZE))
+        pieces = [self._trajectory.pieces(axis) for axis in range(3)]
+        timing = np.concatenate([np.column_stack(p[:2]) for p in pieces])
+        width = max(p[2].shape[1] for p in pieces)
+        coefficients = np.concatenate(
+            [np.pad(p[2], ((0, 0), (0, width - p[2].shape[1]))) for p in pieces]
+        )
+        offsets = np.cumsum([0, *(p[0].size for p in pieces)])
+        ends = np.array([p[0][-1] + p[1][-1] for p in pieces])
+        work = np.zeros((ContactWork.SIZE, ContactWork.COLUMNS))
+        room = ROWS
+        while room <= MOST_ROWS:
+            rows = np.zeros((Axes.SIZE, room, Contact.SIZE))
+            counts = [
+                backend.contact_history(
+                    axis, timing, coefficients, offsets, ends, self.resistance, work, rows[axis]
+                )
+                for axis in range(Axes.SIZE)
+            ]
+            if all(counts):
+                return rows[:, : max(counts)].copy()
+            room *= 8
+        raise AssertionError("a plan with endless turning points")
+
+    @property
+    def times(self) -> FloatArray:
+        """Times [s] at which friction changes its law, ascending, shape (times,)."""
+        if not self._rubs:
+            return np.zeros(0)
+        places = [Contact.TIME, Contact.BEGUN, Contact.SLIDES, Contact.SETTLED]
+        known = self.rows[self.rows[..., Contact.TIME] < 1e300]
+        return np.unique(known[:, places])
+
+    def friction(self, axis: int, time: float, position: float, velocity: float) -> float:
+        """Friction [N] of an axis at a time [s] of the plan, where it has a position and velocity.
+
+        0 before the plan.
+        """
+        return float(
+            backend.planned_friction(
+                self.resistance, axis, time, position, velocity, self.rows[axis]
+            )
+        )
+
+    def next_event(self, time: float, axis: int) -> float:
+        """First time after another one [s] at which a step should end for the friction of an axis.
+
+        Infinite after the last one.
+        """
+        if not self._rubs:
+            return np.inf
+        found = float(backend.next_contact_event(time, 0.0, self.rows[axis]))
+        return found if found < 1e300 else np.inf
