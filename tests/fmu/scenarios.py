@@ -153,9 +153,14 @@ for _i in range(1, 17):
     )}
     ZIGZAG |= {f"waypoint[{_i}].{n}.{a}": 0.0 for n in ("velocity", "acceleration") for a in "xyz"}
 
+# close enough to see a contact deflect
+RUBBING: Values = {f"friction.{d}.coulomb": 0.3 for d in DRIVES}
+RUBBING |= {f"friction.{d}.static": 0.4 for d in DRIVES} | {"friction.presliding": 1e-4}
+
 FEEDFORWARD: dict[str, Scenario] = {
     "paper": Scenario({}, np.linspace(0.0, 5.0, 26), motion=still),
     "zigzag": Scenario(ZIGZAG, np.linspace(0.0, 60.0, 31), motion=still),
+    "friction": Scenario(RUBBING, np.linspace(0.0, 0.2, 41), motion=still),
 }
 
 
