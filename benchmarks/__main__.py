@@ -28,6 +28,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "j": ("drive_bounds", ()),
     "q": ("drive_friction", ()),
     "l": ("braking", ()),
+    "o": ("directions", ()),
     "r": ("replanning", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),

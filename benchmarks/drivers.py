@@ -53,7 +53,7 @@ class Problem(ctypes.Structure):
         *((name, ctypes.c_double) for name in ("sample_time", "duration")),
         *(
             (name, ctypes.c_void_p)
-            for name in ("positions", "velocities", "accelerations", "dwells", "limits")
+            for name in ("positions", "velocities", "accelerations", "dwells", "limits", "lower")
         ),
     ]
 

@@ -28,12 +28,16 @@ class Transition:
         Position, velocity, acceleration.
     limits : tuple of float
         Velocity, acceleration, jerk, snap; for linear programs also those above.
+    lower : tuple of float, optional
+        For linear programs: magnitudes of the limits of velocity and acceleration in the negative
+        direction, where these differ.
     """
 
     name: str
     start: tuple[float, float, float]
     end: tuple[float, float, float]
     limits: tuple[float, ...]
+    lower: tuple[float, float] | None = None
 
     @property
     def slow(self) -> float:
@@ -190,9 +194,10 @@ def _conditions(
     inner = (effect[1:-1, 1:] / limits[:-1, None]).reshape(-1, intervals)
     offset = (free[1:-1, 1:] / limits[:-1]).ravel()
     scale = np.array([limits[0] * duration, *limits[:-1]])
+    lower = np.array([*(transition.lower or limits[:2]), *limits[2:-1]])[: order - 1] / limits[:-1]
     return (
         np.vstack([inner, -inner]),
-        np.concatenate([1.0 - offset, 1.0 + offset]),
+        np.concatenate([1.0 - offset, np.tile(lower, intervals - 1) + offset]),
         effect[-1] / scale[:, None],
         (np.array([*transition.end, *(order - 3) * (0.0,)]) - free[-1]) / scale,
     )

@@ -40,7 +40,7 @@ def shortest_duration(trajectory: Trajectory) -> float:
     smoothness = trajectory.smoothness
     problem = PlanProblem(
         np.array([point.planned for point in trajectory.waypoints]), np.zeros(2),
-        trajectory.limits.table(1, smoothness),
+        trajectory.limits.table(1, smoothness), trajectory.limits.lower(1),
         options(smoothness, trajectory.shape, trajectory.synchronize, 0.0, 0.0),
     )
     phases = plan_phases(problem)

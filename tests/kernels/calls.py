@@ -50,6 +50,7 @@ from segfmu.kernels.numerics.records import RangeFault, Sinusoid
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    Lower,
     Phase,
     PlanOptions,
     PlanWork,
@@ -106,7 +107,8 @@ def planner_calls() -> dict[str, Call]:
     rows, width = 7 * count, 2 * SMOOTHNESS
     expansion = zeros(Expansion.SIZE, Expansion.COLUMNS)
     planned = axes.copy(), cells.copy()
-    backend.plan_phases(states, dwells, limits, options, *planned, work)
+    lower = 0.8 * limits[:, : Lower.SIZE]
+    backend.plan_phases(states, dwells, limits, lower, options, *planned, work)
     pieces = backend.count_pieces(*planned)
     motion = zeros(MotionWork.SIZE, MotionWork.COLUMNS)
     motion[MotionWork.OPTIONS, : PlanOptions.SIZE] = options
@@ -116,8 +118,8 @@ def planner_calls() -> dict[str, Call]:
         zeros(4, 2), motion,
     )
     return {
-        "plan_motion": (states, dwells, limits, axes.copy(), cells.copy(), *written),
-        "expand_motion": (states, dwells, limits, *planned, *written),
+        "plan_motion": (states, dwells, limits, lower, axes.copy(), cells.copy(), *written),
+        "expand_motion": (states, dwells, limits, lower, *planned, *written),
         "axis_limits": (SMOOTHNESS, 1, np.array(bounds), zeros(Axis.SIZE)),
         "ramp_parameters": (0.1, axis.copy(), zeros(2, 12)),
         "ramp_duration": (0.3, axis),
@@ -127,8 +129,8 @@ def planner_calls() -> dict[str, Call]:
         "timed_profile": (2.0 * duration, axis, cell, work.copy()),
         "check_problem": (states, limits, refusal),
         "motion_scale": (0, states.copy(), limits),
-        "settle_states": (0, states.copy(), limits),
-        "plan_phases": (states, dwells, limits, options, axes, cells, work.copy()),
+        "settle_states": (0, states.copy(), limits, lower),
+        "plan_phases": (states, dwells, limits, lower, options, axes, cells, work.copy()),
         "count_pieces": planned,
         "expand_phases": (
             phases, count, axis, zeros(rows, Timing.SIZE), zeros(rows, width), 0, expansion,
@@ -191,7 +193,7 @@ def trajectory_calls() -> dict[str, Call]:
         ),
         "state_scale": (1, 4.0, np.array([1e9, 2.0, 5.0, 20.0, 0.0])),
         "check_plan": (
-            states, np.vstack([times, ends]), *pieces, bounds, 1e-9, 5e-10,
+            states, np.vstack([times, ends]), *pieces, bounds, zeros(len(bounds), 2), 1e-9, 5e-10,
             zeros(Check.SIZE, Check.COLUMNS),
         ),
         "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),

@@ -18,7 +18,8 @@ EVERYWHERE = np.broadcast_to([-np.inf, np.inf], (3, 2, 2))
 def mission(box: np.ndarray = EVERYWHERE) -> CentralPath:
     free = np.ones((4, 2, 2), dtype=np.bool_)
     free[[0, -1]] = False
-    return CentralPath(PLACES, np.zeros((4, 2, 2)), free, LIMITS, np.ones((3, 4)), box)
+    centre = np.zeros((2, 2))
+    return CentralPath(PLACES, np.zeros((4, 2, 2)), free, LIMITS, centre, np.ones((3, 4)), box)
 
 
 def followed(path: CentralPath, gap: float) -> Point:

@@ -49,7 +49,7 @@ def earlier(trajectory: Trajectory) -> str | None:
     states = np.stack(
         [np.column_stack([p.position, p.velocity, p.acceleration]) for p in trajectory.waypoints]
     )
-    phases = plan_phases(Problem(states, dwells, table, options))
+    phases = plan_phases(Problem(states, dwells, table, trajectory.limits.lower(axes), options))
     alone = plan(
         trajectory.waypoints, trajectory.limits, smoothness=n, shape=trajectory.shape,
         synchronize="none",

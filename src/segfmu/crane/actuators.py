@@ -113,7 +113,9 @@ def plan_actuated(
     waypoints : sequence of Waypoint
         Of the axes x, y, z.
     limits : Limits or None
-        Limits of the load that hold as well; None for those that follow from the bounds alone.
+        Limits of the load that hold as well; None for those that follow from the bounds alone. Of
+        a velocity or acceleration that differs by direction the search keeps the smaller one in
+        both.
     bounds : ActuatorBounds
         Of the drives and, by `ActuatorBounds.tightened`, those that the mission sets itself.
     smoothness, shape, synchronize, sample_time, duration, position_min, position_max, axis_names
@@ -225,6 +227,8 @@ def _task(
                 caps[:, i] = values
             elif limited(values):
                 higher[name] = values
+        # the search knows one limit for both directions
+        caps[:, :2] = np.minimum(caps[:, :2], limits.lower(3))
     first, states = united(np.array([p.planned for p in waypoints]))
     rest = np.nan_to_num(np.swapaxes(states, 1, 2))
     resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))

@@ -66,6 +66,7 @@ from segfmu.kernels.numerics.records import (
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    Lower,
     Phase,
     PlanOptions,
     PlanWork,
@@ -125,7 +126,8 @@ RIG_ROWS = "rig_rows(settings)"
 
 MOTION: dict[str, Extent | tuple[Extent, ...]] = {
     "states": ("points", "axes", WaypointState.SIZE), "dwells": "points",
-    "limits": ("axes", f"{MOTION_SMOOTHNESS} + 1"), "axes": ("axes", Axis.SIZE),
+    "limits": ("axes", f"{MOTION_SMOOTHNESS} + 1"), "lower": ("axes", Lower.SIZE),
+    "axes": ("axes", Axis.SIZE),
     "cells": ("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
     "timing": ("rows", Timing.SIZE), "coefficients": ("rows", f"2 * {MOTION_SMOOTHNESS}"),
     "offsets": "axes + 1", "times": ("points + 1", "axes"),
@@ -157,11 +159,13 @@ ENTRY_POINTS = (
     entry(
         "planner.problem", "settle_states", states=("points", "axes", WaypointState.SIZE),
         limits=("axes", 2),
+        lower=("axes", Lower.SIZE),
     ),
     entry("planner.problem", "settle_dwells", dwells="points"),
     entry(
         "planner.plan", "plan_phases", states=("points", "axes", WaypointState.SIZE),
-        dwells="points", limits=("axes", PLAN_LIMITS), options=PlanOptions.SIZE,
+        dwells="points", limits=("axes", PLAN_LIMITS), lower=("axes", Lower.SIZE),
+        options=PlanOptions.SIZE,
         axes=("axes", Axis.SIZE),
         cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
         work=(PlanWork.SIZE, PlanWork.COLUMNS),
@@ -189,6 +193,7 @@ ENTRY_POINTS = (
         "trajectory.check", "check_plan", states=("points", "axes", WaypointState.SIZE),
         times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
         coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
+        lower=("axes", Lower.SIZE),
         work=(Check.SIZE, Check.COLUMNS),
     ),
     entry("trajectory.motion", "plan_motion", **MOTION),

@@ -5,7 +5,8 @@ total time within the limits at all nodes, Newton's method follows the central p
 
     theta * (sum of durations) - sum of log(1 - share^2)
 
-for rising theta, a share being a derivative over its limit (Boyd and Vandenberghe, Convex
+for rising theta, a share being a derivative over its limit, counted from the middle of its range
+where that differs by direction (Boyd and Vandenberghe, Convex
 Optimization, ch. 11). The conditions at the waypoints hold by construction, so every point is a
 motion. Axes that have time to spare stay in the middle of what they can do.
 """
@@ -56,7 +57,7 @@ class CentralPath:
 
     def __init__(
         self, positions: FloatArray, states: FloatArray, free: NDArray[np.bool_],
-        limits: FloatArray, used: FloatArray, box: FloatArray,
+        limits: FloatArray, centre: FloatArray, used: FloatArray, box: FloatArray,
     ) -> None:
         """Take a mission.
 
@@ -67,7 +68,10 @@ class CentralPath:
             Velocity and acceleration where they are given.
         free : ndarray of bool, shape (waypoints, axes, 2)
         limits : ndarray, shape (axes, order)
-            Of the derivatives 1 .. order, the control's included; infinite where absent.
+            Of the derivatives 1 .. order, the control's included; infinite where absent. Of
+            velocity and acceleration half of their range.
+        centre : ndarray, shape (axes, 2)
+            The middle of that range.
         used : ndarray, shape (intervals, order)
             Share of each limit that may be used in each interval.
         box : ndarray, shape (intervals, axes, 2)
@@ -78,6 +82,7 @@ class CentralPath:
         self.chords = np.diff(positions, axis=0)
         self._grid = grid(order)
         self._given = np.where(free, 0.0, states / limits[None, :, :2])
+        self._middle = np.broadcast_to(centre / limits[:, :2], states.shape)
         self._scales = float((limits[:, 0] / limits[:, 1]).max()), float(
             (np.abs(self.chords) / limits[:, 0]).max()
         )
@@ -94,7 +99,10 @@ class CentralPath:
         maps = self._grid.rows[None] * units[:, None, :]
         self._maps = maps[None] / bounds[:, :, self._grid.orders, None]
         offset = (np.where(bounded, positions[:-1], 0.0) - middle) / half
-        self._offsets = np.where(self._grid.orders == 0, offset[..., None], 0.0)
+        orders = self._grid.orders
+        self._offsets = np.where(orders == 0, offset[..., None], 0.0)
+        for field in range(2):
+            self._offsets[:, :, orders == 1 + field] = -self._middle[0, :, field, None]
         # more than 1 while given states exceed what the limits' shares admit
         self.room = 1.0
 
@@ -181,7 +189,8 @@ class CentralPath:
 
     def _value(self, point: Point, theta: float) -> float:
         """The barrier function; infinite outside the limits."""
-        shares, states = self._shares(point), point.states[self.free]
+        shares = self._shares(point)
+        states = (point.states - self._middle)[self.free]
         if not (np.abs(shares).max() < 1.0 and np.abs(states).max(initial=0.0) < 1.0):
             return np.inf
         barrier = np.log1p(-shares * shares).sum() + np.log1p(-states * states).sum()
@@ -261,7 +270,7 @@ class CentralPath:
 
     def _state_barrier(self, point: Point) -> tuple[FloatArray, FloatArray]:
         """Gradient and curvature of the barrier of the free states themselves."""
-        x = np.where(self.free, point.states, 0.0)
+        x = np.where(self.free, point.states - self._middle, 0.0)
         inner = 1.0 - x * x
         return 2.0 * x / inner, 2.0 * (1.0 + x * x) / (inner * inner)
 

@@ -26,8 +26,10 @@ def require(trajectory: Trajectory) -> None:
     order, axis = (int(i) for i in over[0])
     name, unit = NAMES[order], UNITS[order]
     value, bound = float(found.peaks[order, axis]), float(found.limits[order, axis])
-    low, high = trajectory.extrema(order + 1)
-    time = _reached(trajectory, axis, order + 1, 1.0 if high[axis] >= -low[axis] else -1.0)
+    # the peak is that of the direction that uses more
+    sign = 1.0 if trajectory.extrema(order + 1)[1][axis] == value else -1.0
+    time = _reached(trajectory, axis, order + 1, sign)
+    name = trajectory.limits.named(name, axis, sign)
     digits = told_apart(value, bound, 9)
     text = (
         f"the plan reaches {name} {value:.{digits}g} {unit} at {time:.3f} s, limit "

@@ -72,7 +72,8 @@ def choose_states(
         states=np.where(free, 0.0, states[kept]),
         dwells=np.add.reduceat(request.problem.dwells, kept),
     )
-    chosen = chosen._replace(limits=reachable(chosen))
+    limits, lower = reachable(chosen)
+    chosen = chosen._replace(limits=limits, lower=lower)
     free[[0, -1]] = False
     free[chosen.dwells > 0.0] = False
     states = chosen.states
@@ -92,17 +93,20 @@ def choose_states(
     return _with_states(request, states[place])
 
 
-def reachable(problem: Problem) -> FloatArray:
-    """The limits, those of velocity and acceleration a few times what is reached at most.
+def reachable(problem: Problem) -> tuple[FloatArray, FloatArray]:
+    """Both limits, those of velocity and acceleration a few times what is reached at most.
 
     A limit that is meant as none would be a useless unit of the central path.
     """
-    limits = problem.limits.copy()
+    limits, lower = problem.limits.copy(), problem.lower.copy()
+    either = limits.copy()
+    either[:, :2] = np.maximum(limits[:, :2], lower)
     for order in range(2):
-        reached = backend.motion_scale(order, problem.states, problem.limits)
+        reached = backend.motion_scale(order, problem.states, either)
         if reached > 0.0:
-            limits[:, order] = np.minimum(limits[:, order], REACH * reached)
-    return limits
+            for table in (limits, lower):
+                table[:, order] = np.minimum(table[:, order], REACH * reached)
+    return limits, lower
 
 
 def at_rest(request: Request) -> Request:
@@ -176,7 +180,7 @@ class _Best:
                 near = self.part.around(int(point))
                 window = self.states[point - 1:point + 2].copy()
                 least = float(near.durations(window).sum())
-                bound = float(near.problem.limits[axis, field])
+                bound = float(_half_range(near.problem)[axis, field])
                 for move in (step * bound, -step * bound):
                     while True:
                         trial = window.copy()
@@ -235,8 +239,8 @@ class _Search:
             used = used * SMOOTHSTEP[:self.limits.shape[1]]
         path = CentralPath(
             problem.states[:, :, WaypointState.POSITION],
-            problem.states[:, :, WaypointState.VELOCITY:], self.part.free, self.limits, used,
-            self.part.box,
+            problem.states[:, :, WaypointState.VELOCITY:], self.part.free, self.limits,
+            problem.limits[:, :2] - self.limits[:, :2], used, self.part.box,
         )
         point = path.start(self.start)
         if point is None:
@@ -256,8 +260,14 @@ class _Search:
     def _rounded(self, shares: FloatArray) -> FloatArray:
         """States without the last digits, which depend on the processor: all plan the same."""
         problem = self.part.problem
-        digits = np.round(shares * 2.0**24) / 2.0**24 * problem.limits[None, :, :2]
+        digits = np.round(shares * 2.0**24) / 2.0**24 * self.limits[None, :, :2]
         return np.where(self.part.free, digits, problem.states[:, :, WaypointState.VELOCITY:])
+
+
+def _half_range(problem: Problem) -> FloatArray:
+    """Half of the range of velocity and acceleration, shape (axes, 2)."""
+    half: FloatArray = 0.5 * (problem.limits[:, :2] + problem.lower)
+    return half
 
 
 def _control_limits(problem: Problem) -> FloatArray:
@@ -266,7 +276,8 @@ def _control_limits(problem: Problem) -> FloatArray:
     If a limit above the snap alone bounds it, the snap is about what the ramp to the acceleration
     limit needs.
     """
-    known = problem.limits[:, :6]
+    known = problem.limits[:, :6].copy()
+    known[:, :2] = _half_range(problem)
     table = np.zeros((len(known), 6))
     table[:, :known.shape[1]] = known
     table[table == 0.0] = np.inf

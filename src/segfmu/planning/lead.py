@@ -8,7 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.kernels import backend
-from segfmu.kernels.planner.records import Axis, DelayedState, Problem, WaypointState
+from segfmu.kernels.planner.records import (
+    Axis,
+    DelayedState,
+    Lower,
+    Problem,
+    WaypointState,
+)
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Timing
 from segfmu.planning.arrays import FloatArray
@@ -176,10 +182,12 @@ class _Search:
     """Leads of single axes, as `find_leads` takes them."""
 
     def __init__(
-        self, order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, shape: str,
+        self, order: int, now: FloatArray, targets: FloatArray, limits: FloatArray,
+        lower: FloatArray, shape: str,
         follow: Pieces,
     ) -> None:
-        self.order, self.now, self.targets, self.limits = order, now, targets, limits
+        self.order, self.now, self.targets = order, now, targets
+        self.limits, self.lower = limits, lower
         self.shape, self.follow = SHAPES.index(shape), follow
         width = 2 * (now.shape[1] - 1)
         self.work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
@@ -190,6 +198,7 @@ class _Search:
         """The shortest lead of an axis, over levels where others take longer than `within` [s]."""
         work, target, limits = self.work, self.targets[axis], self.limits[axis]
         work[LeadWork.AXIS, Axis.SHAPE] = self.shape
+        work[LeadWork.LOWER, : Lower.SIZE] = self.lower[axis]
         work[LeadWork.NOW] = 0.0
         work[LeadWork.NOW, : self.now.shape[1]] = self.now[axis]
         work[LeadWork.TARGET, Problem.W] = target[WaypointState.VELOCITY]
@@ -214,8 +223,8 @@ class _Search:
 
 
 def find_leads(
-    order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, shape: str,
-    follow: Pieces, meeting: float | None = None,
+    order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, lower: FloatArray,
+    shape: str, follow: Pieces, meeting: float | None = None,
 ) -> Leads:
     """The shortest lead of every axis.
 
@@ -227,6 +236,8 @@ def find_leads(
     targets : ndarray, shape (axes, 3)
         WaypointState; of a lead to a velocity only this counts.
     limits : ndarray, shape (axes, n + 1)
+    lower : ndarray, shape (axes, 2)
+        As from `Limits.lower`.
     follow : Pieces
         Plan that can be followed.
     meeting : float, optional
@@ -234,7 +245,7 @@ def find_leads(
         haste, so that the planner can slow the others down.
     """
     axes = len(now)
-    search = _Search(order, now, targets, limits, shape, follow)
+    search = _Search(order, now, targets, limits, lower, shape, follow)
     haste = meeting is None or axes == 1
     found = []
     for axis in range(axes):

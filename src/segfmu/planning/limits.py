@@ -1,4 +1,4 @@
-"""The output constraints (8): one limit per derivative, the same in both directions."""
+"""The output constraints (8): one limit per derivative, of the first two one per direction."""
 
 from __future__ import annotations
 
@@ -9,9 +9,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
-from segfmu.planning.arrays import ABSENT, FloatArray, Frozen, as_index, limit_values
+from segfmu.planning.arrays import (
+    ABSENT,
+    FloatArray,
+    Frozen,
+    as_index,
+    limit_values,
+    numbers,
+)
 
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
+# in the negative direction
+LOWER = ("velocity_min", "acceleration_min")
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
 
 
@@ -25,6 +34,10 @@ class Limits(Frozen):
         Required, finite and positive.
     jerk, snap, crackle, pop : array_like, scalar or shape (axes,), optional
         Positive; None or infinity if a derivative is not limited, which is infinity afterwards.
+    velocity_min, acceleration_min : array_like, scalar or shape (axes,), optional
+        Limits in the negative direction, below zero: a hoist that lowers slower than it lifts, an
+        axis that drives and brakes differently. None for `-velocity`, `-acceleration`, which they
+        are afterwards.
 
     Raises
     ------
@@ -38,6 +51,8 @@ class Limits(Frozen):
     snap: FloatArray
     crackle: FloatArray
     pop: FloatArray
+    velocity_min: FloatArray
+    acceleration_min: FloatArray
 
     def __init__(
         self,
@@ -47,21 +62,58 @@ class Limits(Frozen):
         snap: ArrayLike | None = None,
         crackle: ArrayLike | None = None,
         pop: ArrayLike | None = None,
+        *,
+        velocity_min: ArrayLike | None = None,
+        acceleration_min: ArrayLike | None = None,
     ) -> None:
         given = (velocity, acceleration, jerk, snap, crackle, pop)
         for i, (name, value) in enumerate(zip(NAMES, given, strict=True)):
             values = limit_values(f"limits.{name}", value, required=i < 2)
             object.__setattr__(self, name, values)
-        sizes = {v.size for v in self._all() if v.ndim == 1}
+        for name, value in zip(LOWER, (velocity_min, acceleration_min), strict=True):
+            object.__setattr__(self, name, _lower(name, value, getattr(self, name[:-4])))
+        sizes = {v.size for v in (*self._all(), *self._lower()) if v.ndim == 1}
         if len(sizes) > 1:
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
 
     def __repr__(self) -> str:
         given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if limited(v))
-        return f"Limits({', '.join(f'{n}={_given(v)}' for n, v in given)})"
+        shown = [f"{n}={_given(v)}" for n, v in given]
+        for name, value in zip(LOWER, self._lower(), strict=True):
+            if not np.array_equal(-value, getattr(self, name[:-4])):
+                shown.append(f"{name}={value.tolist()}")
+        return f"Limits({', '.join(shown)})"
 
     def _all(self) -> tuple[FloatArray, ...]:
         return tuple(getattr(self, name) for name in NAMES)
+
+    def _lower(self) -> tuple[FloatArray, FloatArray]:
+        return self.velocity_min, self.acceleration_min
+
+    def bound(self, name: str, axis: int, value: float) -> float:
+        """Magnitude of the limit of a derivative in the direction of a value."""
+        values = getattr(self, self.named(name, axis, value))
+        return abs(float(values[axis] if values.size > 1 else values.item()))
+
+    def named(self, name: str, axis: int, value: float) -> str:
+        """The name of that limit: `velocity_min` where it differs from `velocity`."""
+        lower = f"{name}_min"
+        if value >= 0.0 or lower not in LOWER:
+            return name
+        both = np.broadcast_arrays(getattr(self, name), getattr(self, lower))
+        upper, below = (float(v[axis] if v.size > 1 else v.item()) for v in both)
+        return name if below == -upper else lower
+
+    def lower(self, axes: int) -> FloatArray:
+        """Magnitudes of the limits of velocity and acceleration in the negative direction.
+
+        Returns
+        -------
+        ndarray, shape (axes, 2)
+        """
+        for name, values in zip(LOWER, self._lower(), strict=True):
+            _require_axes(name, values, axes)
+        return np.stack([np.broadcast_to(-values, (axes,)) for values in self._lower()], axis=1)
 
     def table(self, axes: int, smoothness: int) -> FloatArray:
         """Limits c_1 .. c_{smoothness + 1} of every axis, 0 where absent.
@@ -87,11 +139,7 @@ class Limits(Frozen):
     def _table(self, axes: int, smoothness: int) -> FloatArray:
         table = np.zeros((axes, smoothness + 1))
         for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
-            if values.ndim == 1 and values.size not in (1, axes):
-                raise InputError(
-                    f"limits.{name} has {values.size} values for {axes} axes; "
-                    "give one value, or one per axis"
-                )
+            _require_axes(name, values, axes)
             if i <= smoothness:
                 table[:, i] = values
             elif limited(values):
@@ -102,6 +150,32 @@ class Limits(Frozen):
         table[np.isinf(table)] = 0.0
         table.setflags(write=False)
         return table
+
+
+def _require_axes(name: str, values: FloatArray, axes: int) -> None:
+    if values.ndim == 1 and values.size not in (1, axes):
+        raise InputError(
+            f"limits.{name} has {values.size} values for {axes} axes; "
+            "give one value, or one per axis"
+        )
+
+
+def _lower(name: str, given: ArrayLike | None, upper: FloatArray) -> FloatArray:
+    """A limit in the negative direction, checked; that of the positive one if it is None."""
+    if given is None:
+        values: FloatArray = -upper
+    else:
+        values = numbers(f"limits.{name}", given)
+        if values.ndim > 1 or values.size == 0:
+            raise InputError(
+                f"limits.{name} must be a number or one per axis, got shape {values.shape}"
+            )
+        if not (np.isfinite(values) & (values < 0.0)).all():
+            raise InputError(
+                f"limits.{name} must be finite and less than 0, got {values.tolist()}"
+            )
+    values.setflags(write=False)
+    return values
 
 
 def limited(values: FloatArray) -> bool:

@@ -84,7 +84,7 @@ def plan_motion(problem: Problem) -> Motion:
         space.chosen = problem.options
         space.options[:] = problem.options.vector
     offsets, times = np.zeros(axes + 1, dtype=np.int64), np.zeros((points + 1, axes))
-    call = problem.states, problem.dwells, problem.limits, space.axes, space.cells
+    call = problem.states, problem.dwells, problem.limits, problem.lower, space.axes, space.cells
     found = offsets, times, space.work
     status = backend.plan_motion(*call, space.timing, space.coefficients, *found)
     if status == PlanStatus.MORE_PIECES:

@@ -133,7 +133,9 @@ def passages(
                 continue
             rows = slice(int(first), int(last) + 1)
             states = problem.states[rows, axes].copy()
-            part = Problem(states, np.zeros(len(states)), problem.limits[axes], options)
+            part = Problem(
+                states, np.zeros(len(states)), problem.limits[axes], problem.lower[axes], options
+            )
             inside = box[first:last]
             yield Passage(rows, axes, part, _admitted(chosen[rows], inside, positions[rows]),
                           _widened(inside, part), plan_phases(part).axes)

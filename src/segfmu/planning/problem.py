@@ -66,12 +66,15 @@ class Problem(NamedTuple):
         Times to stay [s].
     limits : ndarray, shape (axes, smoothness + 1)
         As from `Limits.table`.
+    lower : ndarray, shape (axes, 2)
+        As from `Limits.lower`.
     options : Options
     """
 
     states: FloatArray
     dwells: FloatArray
     limits: FloatArray
+    lower: FloatArray
     options: Options
 
 
@@ -117,7 +120,8 @@ def plan_phases(problem: Problem) -> Phases:
     cells = np.zeros(((points - 1) * axes, Cell.SIZE, Cell.COLUMNS))
     work = np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
     status = backend.plan_phases(
-        problem.states, problem.dwells, problem.limits, problem.options.vector, table, cells, work
+        problem.states, problem.dwells, problem.limits, problem.lower, problem.options.vector,
+        table, cells, work,
     )
     return Phases(status, table, cells, work)
 

@@ -164,7 +164,7 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
         # with rounding errors in its velocity an axis at rest would count as moving
         size = WaypointState.SIZE
         path = np.stack([rest.starts()[:, :size], states[:, :size], *request.problem.states[1:]])
-        backend.settle_states(1, path, request.problem.limits)
+        backend.settle_states(1, path, request.problem.limits, request.problem.lower)
         states[:, :size] = settled = path[1]
         # rounding errors of a whole motion may be large against what is left of it
         for pieces in (rest, rest.anchored(settled, request.problem.limits)):

@@ -78,10 +78,11 @@ def checked_request(
             dwells[i] = point.dwell
     table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
-    changed = backend.settle_states(0 if points[0].settled else 1, states, table)
+    lower = limits.lower(axes)
+    changed = backend.settle_states(0 if points[0].settled else 1, states, table, lower)
     if changed + backend.settle_dwells(chosen.sample_time, dwells) > 0:
         points = with_states(points, states, dwells)
-    return Request(points, limits, names, Problem(states, dwells, table, chosen))
+    return Request(points, limits, names, Problem(states, dwells, table, lower, chosen))
 
 
 def with_states(

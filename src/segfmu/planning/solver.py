@@ -33,7 +33,7 @@ def solve(request: Request, follow: Pieces | None = None) -> tuple[Trajectory, b
     if follow is None and request.waypoints[0].settled:
         status, report, timing, coefficients, offsets, times = plan_motion(request.problem)
         if report is not None:
-            raise refusal(status, report, request.axis_names)
+            raise refusal(status, report, request.axis_names, request.limits)
         found = _trajectory(request, timing, coefficients, offsets, times)
         return found, status == PlanStatus.PLANNED
     return solve_after(request, _leads(request, follow))
@@ -58,7 +58,7 @@ def _leads(request: Request, follow: Pieces | None) -> Leads:
     axes = problem.states.shape[1]
     apart = options.synchronize == "none" and not options.duration
     leads = find_leads(
-        TO_PLAN, request.start, problem.states[1], problem.limits, options.shape,
+        TO_PLAN, request.start, problem.states[1], problem.limits, problem.lower, options.shape,
         follow or Pieces.none(axes, options.smoothness),
         None if apart else options.duration or 0.0,
     )
@@ -75,15 +75,16 @@ def no_lead(request: Request, axis: int) -> InfeasibleError:
     """The error for an axis that cannot settle within its limits; what its state exceeds, if so."""
     start, where = request.waypoints[0], f"axis {request.axis_names[axis]}, waypoint 1: "
     for name, unit in zip(NAMES, UNITS, strict=True):
-        value = abs(float(getattr(start, name)[axis]))
-        bound = float(np.broadcast_to(getattr(request.limits, name), start.axes)[axis])
+        given = float(getattr(start, name)[axis])
+        value, bound = abs(given), request.limits.bound(name, axis, given)
+        limit = request.limits.named(name, axis, given)
         # not by rounding alone, as states of other plans can have it
         if bound * (1.0 + TOLERANCE) < value:
             digits = told_apart(value, bound, 6)
             return InfeasibleError(
                 f"{where}{name} {value:.{digits}g} {unit} exceeds the limit {bound:.{digits}g} "
-                f"{unit}; raise limits.{name}, or begin where it is lower",
-                axis=axis, interval=1, limit=name, value=value, bound=bound,
+                f"{unit}; raise limits.{limit}, or begin where it is lower",
+                axis=axis, interval=1, limit=limit, value=value, bound=bound,
             )
     return InfeasibleError(
         f"{where}no motion from its velocity, acceleration and higher derivatives keeps the "
@@ -95,7 +96,7 @@ def no_lead(request: Request, axis: int) -> InfeasibleError:
 def _phases(request: Request, problem: Problem) -> Phases:
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise refusal(phases.status, phases.refusal, request.axis_names)
+        raise refusal(phases.status, phases.refusal, request.axis_names, request.limits)
     return phases
 
 
@@ -114,7 +115,7 @@ def judged(
     """
     wrong = backend.check_plan(
         states, times, pieces.timing, pieces.coefficients, pieces.offsets, request.problem.limits,
-        TOLERANCE, 0.5 * TOLERANCE, np.empty((Check.SIZE, Check.COLUMNS)),
+        request.problem.lower, TOLERANCE, 0.5 * TOLERANCE, np.empty((Check.SIZE, Check.COLUMNS)),
     )
     timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
     return _trajectory(request, timing, coefficients, pieces.offsets, times), wrong == 0

@@ -120,7 +120,8 @@ def reach_velocity(
 def _reached(request: Request, shape: str, rest: Pieces) -> Trajectory:
     """To the velocity of the last waypoint, perhaps by way of what is left of the old plan."""
     leads = find_leads(
-        TO_VELOCITY, request.start, request.problem.states[1], request.problem.limits, shape, rest
+        TO_VELOCITY, request.start, request.problem.states[1], request.problem.limits,
+        request.problem.lower, shape, rest,
     )
     if leads.failed >= 0:
         raise no_lead(request, leads.failed)
@@ -141,16 +142,18 @@ def _require_state(start: Waypoint, time: float) -> None:
 
 
 def _require_velocity(request: Request, wanted: FloatArray) -> None:
-    bounds = request.problem.limits[:, 0]
-    over = np.flatnonzero(np.abs(request.problem.states[1, :, 1]) > bounds)
+    velocity = request.problem.states[1, :, 1]
+    bounds = np.where(velocity < 0.0, request.problem.lower[:, 0], request.problem.limits[:, 0])
+    over = np.flatnonzero(np.abs(velocity) > bounds)
     if over.size:
         axis = int(over[0])
         value, bound = float(wanted[axis]), float(bounds[axis])
         digits = told_apart(value, bound, 6)
+        limit = request.limits.named("velocity", axis, value)
         raise InfeasibleError(
             f"axis {request.axis_names[axis]}: velocity {value:.{digits}g} m/s exceeds the limit "
-            f"{bound:.{digits}g} m/s; raise limits.velocity or ask for less",
-            axis=axis, limit="velocity", value=value, bound=bound,
+            f"{bound:.{digits}g} m/s; raise limits.{limit} or ask for less",
+            axis=axis, limit=limit, value=value, bound=bound,
         )
 
 

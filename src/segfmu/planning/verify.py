@@ -28,9 +28,10 @@ class Verification:
     Attributes
     ----------
     peaks : ndarray, shape (smoothness + 1, axes)
-        Largest magnitude of the derivatives 1 .. smoothness + 1.
+        Largest magnitude of the derivatives 1 .. smoothness + 1, in the direction that uses more of
+        its limit.
     limits : ndarray, shape (smoothness + 1, axes)
-        Their limits, infinite where absent.
+        Magnitudes of their limits in that direction, infinite where absent.
     waypoint_errors : ndarray, shape (waypoints, axes)
         Largest deviation from a waypoint's state on arrival and during its dwell, in units of the
         distance covered (position), of the limits or, where there is none or it cannot be reached
@@ -105,8 +106,15 @@ def verify(trajectory: Trajectory) -> Verification:
 def _measured(trajectory: Trajectory) -> Verification:
     order = trajectory.smoothness
     table = trajectory.limits.table(trajectory.axes, order).T
-    limits = np.where(table > 0.0, table, np.inf)
-    peaks = np.array([_magnitude(trajectory, d) for d in range(1, order + 2)])
+    upper = np.where(table > 0.0, table, np.inf)
+    lower = upper.copy()
+    lower[:2] = trajectory.limits.lower(trajectory.axes).T
+    extremes = [trajectory.extrema(d) for d in range(1, order + 2)]
+    lows, highs = (np.array([pair[end] for pair in extremes]) for end in (0, 1))
+    absent = ~np.isfinite(upper)
+    below = -lows * np.where(absent, 1.0, upper) > highs * np.where(absent, 1.0, lower)
+    peaks = np.where(np.isnan(lows), lows, np.where(below, -lows, highs))
+    limits = np.where(below, lower, upper)
     low, high = trajectory.extrema(0)
     # where the position is large, its rounding is a part of the distance that counts
     rounding = ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high))
@@ -151,12 +159,6 @@ def _reached(limits: FloatArray, durations: FloatArray) -> FloatArray:
     for i in range(len(limits) - 1, 0, -1):
         reached[i - 1] = np.fmin(limits[i - 1], reached[i] * durations)
     return reached
-
-
-def _magnitude(trajectory: Trajectory, derivative: int) -> FloatArray:
-    low, high = trajectory.extrema(derivative)
-    magnitude: FloatArray = np.maximum(-low, high)
-    return magnitude
 
 
 def piece_ends(trajectory: Trajectory, axis: int, count: int) -> tuple[FloatArray, FloatArray]:

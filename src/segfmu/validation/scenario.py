@@ -15,6 +15,7 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.planning import Trajectory
+from segfmu.planning.limits import LOWER
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
@@ -73,6 +74,10 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     table = trajectory.limits.table(len(AXES), len(LIMITS))
     for axis, row in zip(AXES, table.tolist(), strict=True):
         values |= {f"limits.{axis}.{name}": row[i] for i, name in enumerate(LIMITS)}
+    differing = np.where(trajectory.limits.lower(len(AXES)) == table[:, :2], 0.0, 1.0)
+    least = -differing * trajectory.limits.lower(len(AXES))
+    for axis, numbers in zip(AXES, least.tolist(), strict=True):
+        values |= dict(zip((f"limits.{axis}.{name}" for name in LOWER), numbers, strict=True))
     values["waypoint.count"] = len(trajectory.waypoints)
     for i, point in enumerate(trajectory.waypoints, 1):
         for quantity in QUANTITIES:

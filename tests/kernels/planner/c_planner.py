@@ -31,7 +31,7 @@ class Problem(ctypes.Structure):
           for name in ("points", "axes", "smoothness", "shape", "synchronization")),
         *((name, ctypes.c_double) for name in ("sample_time", "duration")),
         *((name, ctypes.c_void_p)
-          for name in ("positions", "velocities", "accelerations", "dwells", "limits")),
+          for name in ("positions", "velocities", "accelerations", "dwells", "limits", "lower")),
     ]
 
 
@@ -108,7 +108,7 @@ class Asked:
             "synchronization": 1, "sample_time": 0.0, "duration": 0.0,
             "positions": [p.position for p in points], "velocities": [p.velocity for p in points],
             "accelerations": [p.acceleration for p in points], "dwells": [p.dwell for p in points],
-            "limits": limits.table(axes, smoothness), **changes,
+            "limits": limits.table(axes, smoothness), "lower": limits.lower(axes), **changes,
         }
         self.arrays = {
             name: np.array(fields[name], dtype=float)

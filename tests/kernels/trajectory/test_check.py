@@ -39,6 +39,7 @@ def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
         "coefficients": trajectory.coefficients.copy(),
         "offsets": trajectory.offsets.copy(),
         "limits": limits.table(2, 4).copy(),
+        "lower": limits.lower(2),
     }
     change(arrays)
     with np.errstate(all="ignore"):
@@ -93,7 +94,7 @@ def late_arrival(shift: float) -> int:
     times[1:] += shift * trajectory.duration
     return check_plan(
         states, times, trajectory.timing, trajectory.coefficients, trajectory.offsets,
-        limits.table(1, 6), 1e-9, 5e-10, np.zeros((Check.SIZE, Check.COLUMNS)),
+        limits.table(1, 6), limits.lower(1), 1e-9, 5e-10, np.zeros((Check.SIZE, Check.COLUMNS)),
     )
 
 
@@ -144,7 +145,10 @@ def test_verdict_is_that_of_the_roots(values, length: float, derivative: int, ma
     assert hull[0, count - 1] == pytest.approx(polynomial(length), abs=1e-9 * peak)
     if abs(margin) > 1e-6:
         bound = peak * (1.0 + margin)
-        assert within(hull, count, bound) == (largest <= bound)
+        assert within(hull.copy(), count, -bound, bound) == (largest <= bound)
+        # on one side alone
+        lowest, highest = (-bound, 2.0 * peak) if -low >= high else (-2.0 * peak, bound)
+        assert within(hull, count, lowest, highest) == (largest <= bound)
 
 
 def test_the_end_after_a_dwell_is_checked() -> None:
@@ -161,4 +165,4 @@ def test_what_is_no_number_keeps_no_limit(count: int) -> None:
     for place in range(count):
         hull = np.zeros((40, Hull.SIZE))
         hull[0, place] = np.nan
-        assert not within(hull, count, 1.0)
+        assert not within(hull, count, -1.0, 1.0)

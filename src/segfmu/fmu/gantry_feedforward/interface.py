@@ -91,6 +91,14 @@ def _limits() -> list[Variable]:
                     f"limit of the load's {name} in {axis}{free}", minimum=0.0,
                 )
             )
+        for name, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
+            rows.append(
+                parameter(
+                    f"limits.{axis}.{name}_min", 0.0, unit,
+                    f"limit of the load's {name} in the negative direction of {axis}, below 0; "
+                    "0: as in the positive one", maximum=0.0,
+                )
+            )
     return rows
 
 

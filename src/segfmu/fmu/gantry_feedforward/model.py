@@ -13,7 +13,7 @@ from segfmu.kernels.crane.records import (
     Resistance,
     RopeBounds,
 )
-from segfmu.kernels.planner.records import LoadLimits, PlanOptions
+from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 
 GANTRY_FEEDFORWARD = Model(
     name="GantryFeedforward",
@@ -22,7 +22,8 @@ GANTRY_FEEDFORWARD = Model(
     native_spec=native_spec,
     largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
     records=(
-        Resistance, RopeBounds, PlanOptions, LoadLimits, LoadMotion, Feedforward, Compensation
+        Resistance, RopeBounds, PlanOptions, LoadLimits, LowerLimits, LoadMotion, Feedforward,
+        Compensation,
     ),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

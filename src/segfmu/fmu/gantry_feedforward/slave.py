@@ -15,7 +15,7 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Compensation, Feedforward, LoadMotion
-from segfmu.kernels.planner.records import LoadLimits, PlanOptions
+from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 
 AXES = ("x", "y", "z")
@@ -89,7 +89,12 @@ class FeedforwardSlave(SpecSlave):
 
     def _limits(self) -> Limits:
         velocity, acceleration, *others = self.filled(LoadLimits).reshape(len(AXES), -1).T
-        return Limits(velocity, acceleration, *(np.where(c > 0.0, c, inf) for c in others))
+        least = self.filled(LowerLimits).reshape(len(AXES), -1).T
+        velocity_min, acceleration_min = np.where(least < 0.0, least, [-velocity, -acceleration])
+        return Limits(
+            velocity, acceleration, *(np.where(c > 0.0, c, inf) for c in others),
+            velocity_min=velocity_min, acceleration_min=acceleration_min,
+        )
 
     def _waypoints(self) -> list[Waypoint]:
         count = int(self.value("waypoint.count"))

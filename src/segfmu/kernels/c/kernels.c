@@ -183,14 +183,14 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull);
 static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
-static bool within(array_double_2d hull, int64_t count, double limit);
+static bool within(array_double_2d hull, int64_t count, double lowest, double highest);
 static double least_peak(int64_t order, array_double_1d limits);
 static double least_distance(array_double_1d limits);
 static double reached_limit(int64_t order, double duration, array_double_1d limits);
 static double rounding_error(int64_t order, array_double_1d limits);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
-static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work);
-static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, double joints, array_double_2d work);
+static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work);
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
@@ -215,6 +215,15 @@ static int64_t rise_pieces(int64_t boxes);
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
 static int64_t held_peak(double* result_0_0001, double* result_1_0001, double* result_2, int64_t level, int64_t first, double rise, double peak, double stretch, array_double_1d axis);
 static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
+static double side_limit(int64_t order, double sign, array_double_1d axis);
+static void set_lower(array_double_1d lower, array_double_1d axis);
+static double fastest_velocity(array_double_1d axis);
+static double slowest_velocity(array_double_1d axis);
+static double top_acceleration(array_double_1d axis);
+static bool is_beyond(double low, double high, double share, array_double_1d axis);
+static void exchange_sides(int64_t order, array_double_1d axis);
+static void reverse_axis(array_double_1d axis);
+static void mirror_axis(array_double_1d axis);
 static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state);
 static double zero_time(int64_t order, int64_t top, double length, array_double_1d state);
 static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end);
@@ -313,12 +322,12 @@ static int64_t second_level(double* result_0, double* result_1, double* result_2
 static bool has_member(double p, array_double_1d family, array_double_1d axis);
 static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
-static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis);
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis);
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
 static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
 static double flush_tiny(double value, double scale);
-static double boundary_value(double value, double limit);
+static double boundary_value(double value, double lower, double upper);
 static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above);
 static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
 static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis);
@@ -331,7 +340,7 @@ static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t c
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
 static void reverse_problem(array_double_1d problem);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
-static double speed_bound(double duration, array_double_1d problem, array_double_1d axis);
+static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis);
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
@@ -359,11 +368,11 @@ static void set_member(int64_t member, double time, bool by_time, array_double_1
 static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family);
 static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, double bottom, array_double_1d axis);
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis);
@@ -398,8 +407,8 @@ static void find_deepest(array_double_1d axis, array_double_1d dips, array_doubl
 static int64_t write_levels(array_double_2d phases, array_double_2d work);
 static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
 static double peak_past_zero(double v, double a, double level, array_double_1d axis);
-static double deep_level(double v, double a, array_double_1d axis);
-static double level_past_zero(double v, double a, array_double_1d axis);
+static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool nearly_brakes(double v, double a, array_double_1d axis);
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -436,12 +445,14 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static bool may_detour(array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
 static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int64_t variant, double longest, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool crosses_zero(int64_t row, array_double_2d phases);
 static int64_t shorter_braked(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t shorter_than_detour(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static bool set_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
@@ -461,8 +472,8 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double cruise_sample(int64_t sample, double fastest);
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static double cruise_sample(int64_t sample, double fastest, double backwards);
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
@@ -486,7 +497,7 @@ static void set_touching(int64_t variant, double duration, array_double_1d probl
 static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt);
 static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t count, double longest, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static double least_lever(double c, double gain, array_double_1d axis);
+static double least_lever(double c, double gain, double top, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
 static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -535,7 +546,7 @@ static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
 static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis, array_double_3d states, array_double_1d limits);
-static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits);
+static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits, array_double_2d lower);
 static bool differ(double before, double value);
 static bool is_same(array_double_2d before, array_double_2d state);
 static int64_t sensing_rows(double sample_time, double dead_time);
@@ -613,6 +624,7 @@ static void clear_piece(array_double_2d coefficients, int64_t row);
 static void set_held(int64_t above, double level, array_double_1d state);
 static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis);
+static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain);
 static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -7005,35 +7017,35 @@ static void split_hull(array_double_2d hull, int64_t row, int64_t count)
         (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
     }
 }
-static bool within(array_double_2d hull, int64_t count, double limit)
+static bool within(array_double_2d hull, int64_t count, double lowest, double highest)
 {
     int64_t rows;
     int64_t row;
-    double largest;
-    double total;
+    bool inside;
     int64_t i;
-    double ends;
     double depth;
+    double last;
+    bool ends;
     rows = INT64_C(1);
     (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
     while(rows > INT64_C(0))
     {
         row = rows - INT64_C(1);
-        largest = 0.0;
-        total = 0.0;
+        inside = 1;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            largest = span_max(largest, fabs((*cspan_at(&hull, row, i))));
-            total = total + fabs((*cspan_at(&hull, row, i)));
+            inside = inside && (lowest <= (*cspan_at(&hull, row, i))) && ((*cspan_at(&hull, row, i)) <= highest);
         }
-        if ((largest <= limit) && (total <= count * limit))
+        if (inside)
         {
             rows = rows - INT64_C(1);
             continue;
         }
-        ends = span_max(fabs((*cspan_at(&hull, row, INT64_C(0)))), fabs((*cspan_at(&hull, row, count - INT64_C(1)))));
         depth = (*cspan_at(&hull, row, INT64_C(13)));
-        if ((!(ends <= limit)) || (depth > 34.0))
+        last = (*cspan_at(&hull, row, count - INT64_C(1)));
+        ends = (lowest <= (*cspan_at(&hull, row, INT64_C(0)))) && ((*cspan_at(&hull, row, INT64_C(0))) <= highest);
+        ends = ends && (lowest <= last) && (last <= highest);
+        if ((!ends) || (depth > 34.0))
         {
             return 0;
         }
@@ -7135,7 +7147,7 @@ static void note_ends(int64_t d, bool joined, double start, double end, double l
     }
     (*cspan_at(&work, INT64_C(40), d)) = end;
 }
-static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, double tolerance, array_double_2d work)
+static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work)
 {
     int64_t order;
     array_double_1d values;
@@ -7146,8 +7158,11 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     int64_t count;
     double start;
     double largest;
+    double highest;
+    double lowest;
     array_double_2d hull;
     int64_t i;
+    double share;
     order = limits.shape[INT64_C(0)];
     values = span_row(&work, INT64_C(43));
     degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
@@ -7181,23 +7196,33 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
         if (d <= order)
         {
             note_ends(d, joined, start, (*cspan_at(&values, count)), largest, work);
-            if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0) && (largest > (*cspan_at(&limits, d - INT64_C(1))) * (1.0 + tolerance)))
+            if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0))
             {
-                hull = span_rows(&work, INT64_C(0), INT64_C(40));
-                for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
+                highest = (*cspan_at(&limits, d - INT64_C(1)));
+                lowest = -highest;
+                if ((d <= INT64_C(2)) && ((*cspan_at(&lower, d - INT64_C(1))) > 0.0))
                 {
-                    (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&values, i));
+                    lowest = -(*cspan_at(&lower, d - INT64_C(1)));
                 }
-                if (!within(hull, count + INT64_C(1), (*cspan_at(&limits, d - INT64_C(1))) * (1.0 + tolerance)))
+                if (largest > span_min(-lowest, highest) * (1.0 + tolerance))
                 {
-                    return 0;
+                    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+                    for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
+                    {
+                        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&values, i));
+                    }
+                    share = 1.0 + tolerance;
+                    if (!within(hull, count + INT64_C(1), lowest * share, highest * share))
+                    {
+                        return 0;
+                    }
                 }
             }
         }
     }
     return 1;
 }
-static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, double tolerance, double joints, array_double_2d work)
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work)
 {
     int64_t order;
     int64_t i;
@@ -7221,7 +7246,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
         low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
         high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
         length = (*cspan_at(&timing, row, INT64_C(1)));
-        if (!check_piece(row, row > first, length, coefficients, limits, tolerance, work))
+        if (!check_piece(row, row > first, length, coefficients, limits, lower, tolerance, work))
         {
             return 0;
         }
@@ -7265,7 +7290,7 @@ static double switching_time(double time, double duration, array_double_2d timin
     }
     return local;
 }
-int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, double joints, array_double_2d work)
+int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
 {
     int64_t width;
     int64_t points;
@@ -7286,7 +7311,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     {
         first = (*cspan_at(&offsets, axis));
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), tolerance, joints, work))
+        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), span_row(&lower, axis), tolerance, joints, work))
         {
             return INT64_C(1) + axis;
         }
@@ -7636,7 +7661,7 @@ double segfmu_begin_time(double given, double start)
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
-    result = span_min(span_max((*cspan_at(&axis, INT64_C(19) + level)), (*cspan_at(&axis, INT64_C(24) + level)) * rise), 0.5 * rise);
+    result = span_min(span_max((*cspan_at(&axis, INT64_C(21) + level)), (*cspan_at(&axis, INT64_C(26) + level)) * rise), 0.5 * rise);
     return result;
 }
 static double shifted_root(double value, int64_t power, double shift)
@@ -7694,8 +7719,8 @@ static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, do
     for (level = first; level < boxes; level += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + level));
-        least = (*cspan_at(&axis, INT64_C(19) + level));
-        share = (*cspan_at(&axis, INT64_C(24) + level));
+        least = (*cspan_at(&axis, INT64_C(21) + level));
+        share = (*cspan_at(&axis, INT64_C(26) + level));
         power = level - first;
         x_power = 1.0;
         for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -7767,10 +7792,10 @@ static int64_t plateau_change(double* result_0, double* result_1_0001, double du
     doubled = 1.0;
     for (level = first; level < boxes; level += INT64_C(1))
     {
-        least = (*cspan_at(&axis, INT64_C(19) + level));
+        least = (*cspan_at(&axis, INT64_C(21) + level));
         if (x >= 2.0 * least)
         {
-            share = (*cspan_at(&axis, INT64_C(24) + level));
+            share = (*cspan_at(&axis, INT64_C(26) + level));
             power = level - first;
             steepest = factor * (*cspan_at(&axis, INT64_C(4) + level));
             for (j = INT64_C(0); j < power; j += INT64_C(1))
@@ -7803,11 +7828,11 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     int64_t exponent;
     double root;
     int64_t e;
-    slowest = (*cspan_at(&axis, INT64_C(29))) * change;
+    slowest = (*cspan_at(&axis, INT64_C(31))) * change;
     exponent = INT64_C(1);
-    if ((*cspan_at(&axis, INT64_C(29) + INT64_C(1))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(31) + INT64_C(1))) > 0.0)
     {
-        root = sqrt((*cspan_at(&axis, INT64_C(29) + INT64_C(1))) * change);
+        root = sqrt((*cspan_at(&axis, INT64_C(31) + INT64_C(1))) * change);
         if (root > slowest)
         {
             slowest = root;
@@ -7816,9 +7841,9 @@ static int64_t slowest_root(double* result_0, double* result_1_0001, double chan
     }
     for (e = INT64_C(3); e < INT64_C(6); e += INT64_C(1))
     {
-        if ((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(31) + e - INT64_C(1))) > 0.0)
         {
-            root = pow(((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) * change), (1.0 / e));
+            root = pow(((*cspan_at(&axis, INT64_C(31) + e - INT64_C(1))) * change), (1.0 / e));
             if (root > slowest)
             {
                 slowest = root;
@@ -7843,9 +7868,9 @@ static int64_t fastest_power(double* result_0, double* result_1_0001, double dur
     for (e = INT64_C(1); e < INT64_C(6); e += INT64_C(1))
     {
         power = power * duration;
-        if ((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) > 0.0)
+        if ((*cspan_at(&axis, INT64_C(31) + e - INT64_C(1))) > 0.0)
         {
-            change = power / (*cspan_at(&axis, INT64_C(29) + e - INT64_C(1)));
+            change = power / (*cspan_at(&axis, INT64_C(31) + e - INT64_C(1)));
             if ((fastest < 0.0) || (change < fastest))
             {
                 fastest = change;
@@ -7867,21 +7892,21 @@ SPAN_INLINE int64_t segfmu_ramp_duration(double* result_0, double* result_1, dou
         (*result_1) = 0.0;
         return 0;
     }
-    if (change >= (*cspan_at(&axis, INT64_C(13))))
+    if (change >= (*cspan_at(&axis, INT64_C(15))))
     {
-        slope = (*cspan_at(&axis, INT64_C(14)));
-        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(16)));
+        slope = (*cspan_at(&axis, INT64_C(16)));
+        (*result_0) = change * slope + (*cspan_at(&axis, INT64_C(18)));
         (*result_1) = slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(17))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(19))) > 0.0)
     {
-        duration = sqrt((*cspan_at(&axis, INT64_C(17))) * change);
+        duration = sqrt((*cspan_at(&axis, INT64_C(19))) * change);
         (*result_0) = duration;
         (*result_1) = 0.5 / change * duration;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
     {
         slowest_root(result_0, result_1, change, axis);
         return 0;
@@ -7898,21 +7923,21 @@ static SPAN_INLINE int64_t ramp_change(double* result_0, double* result_1, doubl
         (*result_1) = 0.0;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(17))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(19))) > 0.0)
     {
-        if (((*cspan_at(&axis, INT64_C(14))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(19)))))
+        if (((*cspan_at(&axis, INT64_C(16))) > 0.0) && (duration >= 2.0 * (*cspan_at(&axis, INT64_C(21)))))
         {
-            slope = (*cspan_at(&axis, INT64_C(15)));
-            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(16)))) * slope;
+            slope = (*cspan_at(&axis, INT64_C(17)));
+            (*result_0) = (duration - (*cspan_at(&axis, INT64_C(18)))) * slope;
             (*result_1) = slope;
             return 0;
         }
-        slope = duration * (*cspan_at(&axis, INT64_C(18)));
+        slope = duration * (*cspan_at(&axis, INT64_C(20)));
         (*result_0) = slope * duration;
         (*result_1) = 2.0 * slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
     {
         fastest_power(result_0, result_1, duration, axis);
         return 0;
@@ -7950,19 +7975,19 @@ static SPAN_INLINE double ramp_variance(double basis, array_double_1d axis)
     double box;
     double fourth;
     double variance;
-    if (((*cspan_at(&axis, INT64_C(14))) > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.5))
+    if (((*cspan_at(&axis, INT64_C(16))) > 0.0) && ((*cspan_at(&axis, INT64_C(14))) > 0.5))
     {
-        rise = (*cspan_at(&axis, INT64_C(19)));
-        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(24))) == 0.0))
+        rise = (*cspan_at(&axis, INT64_C(21)));
+        if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(26))) == 0.0))
         {
             box = basis - rise;
-            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(35)));
+            variance = box * box / 12.0 + (*cspan_at(&axis, INT64_C(37)));
             return variance;
         }
     }
-    if ((*cspan_at(&axis, INT64_C(34))) > 0.0)
+    if ((*cspan_at(&axis, INT64_C(36))) > 0.0)
     {
-        variance = (*cspan_at(&axis, INT64_C(34))) * basis * basis;
+        variance = (*cspan_at(&axis, INT64_C(36))) * basis * basis;
         return variance;
     }
     rise_moments(&variance, &fourth, basis, INT64_C(0), axis);
@@ -7998,7 +8023,7 @@ static int64_t rise_pieces(int64_t boxes)
 int64_t segfmu_ramp_pieces(array_double_1d axis)
 {
     int64_t result;
-    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
     {
         return INT64_C(1);
     }
@@ -8062,6 +8087,68 @@ static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int
     (*result_0) = length;
     (*result_1) = peak;
     return 0;
+}
+static double side_limit(int64_t order, double sign, array_double_1d axis)
+{
+    double result;
+    if ((order <= INT64_C(2)) && (sign < 0.0))
+    {
+        result = (*cspan_at(&axis, INT64_C(9) + order - INT64_C(1)));
+        return result;
+    }
+    result = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+    return result;
+}
+static void set_lower(array_double_1d lower, array_double_1d axis)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if ((*cspan_at(&lower, i)) > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(9) + i)) = (*cspan_at(&lower, i));
+        }
+    }
+}
+static double fastest_velocity(array_double_1d axis)
+{
+    double result;
+    result = span_max((*cspan_at(&axis, INT64_C(2))), (*cspan_at(&axis, INT64_C(9))));
+    return result;
+}
+static double slowest_velocity(array_double_1d axis)
+{
+    double result;
+    result = span_min((*cspan_at(&axis, INT64_C(2))), (*cspan_at(&axis, INT64_C(9))));
+    return result;
+}
+static double top_acceleration(array_double_1d axis)
+{
+    double result;
+    result = span_max((*cspan_at(&axis, INT64_C(3))), (*cspan_at(&axis, INT64_C(9) + INT64_C(1))));
+    return result;
+}
+static bool is_beyond(double low, double high, double share, array_double_1d axis)
+{
+    bool result;
+    result = (low < (-(*cspan_at(&axis, INT64_C(9)))) * share) || (high > (*cspan_at(&axis, INT64_C(2))) * share);
+    return result;
+}
+static void exchange_sides(int64_t order, array_double_1d axis)
+{
+    double kept;
+    kept = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+    (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1))) = (*cspan_at(&axis, INT64_C(9) + order - INT64_C(1)));
+    (*cspan_at(&axis, INT64_C(9) + order - INT64_C(1))) = kept;
+}
+static void reverse_axis(array_double_1d axis)
+{
+    exchange_sides(INT64_C(2), axis);
+}
+static void mirror_axis(array_double_1d axis)
+{
+    exchange_sides(INT64_C(1), axis);
+    exchange_sides(INT64_C(2), axis);
 }
 static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state)
 {
@@ -8145,7 +8232,7 @@ static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d a
     double share;
     for (order = INT64_C(1); order < q; order += INT64_C(1))
     {
-        limit = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+        limit = side_limit(order, (*cspan_at(&end, order)), axis);
         if (limit > 0.0)
         {
             share = fabs((*cspan_at(&end, order))) / limit - 1.0;
@@ -8300,18 +8387,18 @@ static int64_t curved_part(double* result_0, double* result_1, double* result_2_
     double integral;
     int64_t j;
     int64_t i;
-    count = (int64_t)((*cspan_at(&axis, INT64_C(37))));
+    count = (int64_t)((*cspan_at(&axis, INT64_C(39))));
     value = 0.0;
     slope = 0.0;
     integral = 0.0;
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         i = count - INT64_C(1) - j;
-        value = value * s + (*cspan_at(&axis, INT64_C(38) + i));
-        integral = integral * s + (*cspan_at(&axis, INT64_C(38) + i)) / (i + 1.0);
+        value = value * s + (*cspan_at(&axis, INT64_C(40) + i));
+        integral = integral * s + (*cspan_at(&axis, INT64_C(40) + i)) / (i + 1.0);
         if (i > INT64_C(0))
         {
-            slope = slope * s + i * (*cspan_at(&axis, INT64_C(38) + i));
+            slope = slope * s + i * (*cspan_at(&axis, INT64_C(40) + i));
         }
     }
     (*result_0) = value;
@@ -8366,7 +8453,7 @@ static double extreme_gain(double a, double b, double duration, double basis, ar
     double smaller;
     double slowness;
     smaller = span_min(fabs(a), fabs(b));
-    if ((*cspan_at(&axis, INT64_C(12))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
     {
         return 0.5 * smaller * duration;
     }
@@ -8516,12 +8603,12 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         start = v + 0.5 * (a + b) * duration;
         first = -b;
     }
-    if ((*cspan_at(&axis, INT64_C(12))) > 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) > 0.5)
     {
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
     }
-    if ((*cspan_at(&axis, INT64_C(37))) == 2.0)
+    if ((*cspan_at(&axis, INT64_C(39))) == 2.0)
     {
         return start - 0.5 * first * first * duration / change;
     }
@@ -8683,7 +8770,7 @@ static double instant_error(int64_t peak, array_double_1d passing, array_double_
             highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
         }
     }
-    result = highest - (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+    result = highest - side_limit(order, (*cspan_at(&passing, INT64_C(17) + peak)), axis);
     return result;
 }
 static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
@@ -8819,7 +8906,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
 void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
@@ -8829,11 +8916,15 @@ void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limit
     {
         (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
     }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(9) + i)) = (*cspan_at(&limits, i));
+    }
 }
 static double usual_share(array_double_1d axis)
 {
     int64_t raised;
-    raised = (int64_t)((*cspan_at(&axis, INT64_C(9))));
+    raised = (int64_t)((*cspan_at(&axis, INT64_C(11))));
     if (((*cspan_at(&axis, INT64_C(0))) + raised == 4.0) && (raised < INT64_C(2)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1) - raised)) > 0.0))
     {
         return 0.05;
@@ -8855,19 +8946,19 @@ static double steepest_share(void)
 static bool ramps_suffice(array_double_1d axis)
 {
     bool result;
-    result = (*cspan_at(&axis, INT64_C(19) + INT64_C(1))) == 0.0;
+    result = (*cspan_at(&axis, INT64_C(21) + INT64_C(1))) == 0.0;
     return result;
 }
 static bool snap_is_last(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(24))) == 0.0) && ramps_suffice(axis);
+    result = ((*cspan_at(&axis, INT64_C(26))) == 0.0) && ramps_suffice(axis);
     return result;
 }
 static double saving(array_double_1d axis)
 {
     double result;
-    result = 0.6 * (*cspan_at(&axis, INT64_C(24) + INT64_C(1)));
+    result = 0.6 * (*cspan_at(&axis, INT64_C(26) + INT64_C(1)));
     return result;
 }
 static bool plateau_parameters(double share, array_double_1d axis)
@@ -8884,7 +8975,7 @@ static bool plateau_parameters(double share, array_double_1d axis)
     double fourth;
     double jerk;
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(12))) = 1.0;
+    (*cspan_at(&axis, INT64_C(14))) = 1.0;
     last = -INT64_C(1);
     for (level = INT64_C(0); level < boxes; level += INT64_C(1))
     {
@@ -8897,19 +8988,19 @@ static bool plateau_parameters(double share, array_double_1d axis)
     {
         return 0;
     }
-    (*cspan_at(&axis, INT64_C(36))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    (*cspan_at(&axis, INT64_C(38))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
     for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
     {
         if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
-            (*cspan_at(&axis, INT64_C(24) + level)) = share;
+            (*cspan_at(&axis, INT64_C(26) + level)) = share;
             if (level > last)
             {
-                (*cspan_at(&axis, INT64_C(24) + level)) = span_max(share, usual_share(axis));
+                (*cspan_at(&axis, INT64_C(26) + level)) = span_max(share, usual_share(axis));
             }
-            if ((level + (*cspan_at(&axis, INT64_C(9))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(9))) > 1.5))
+            if ((level + (*cspan_at(&axis, INT64_C(11))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(11))) > 1.5))
             {
-                (*cspan_at(&axis, INT64_C(24) + level)) = steeper_above() * share;
+                (*cspan_at(&axis, INT64_C(26) + level)) = steeper_above() * share;
             }
         }
     }
@@ -8922,34 +9013,34 @@ static bool plateau_parameters(double share, array_double_1d axis)
         {
             plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
         }
-        (*cspan_at(&axis, INT64_C(19) + level)) = rise;
+        (*cspan_at(&axis, INT64_C(21) + level)) = rise;
     }
     if (last == INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(18))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(24) + INT64_C(1))));
-        (*cspan_at(&axis, INT64_C(17))) = 1.0 / (*cspan_at(&axis, INT64_C(18)));
+        (*cspan_at(&axis, INT64_C(20))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(26) + INT64_C(1))));
+        (*cspan_at(&axis, INT64_C(19))) = 1.0 / (*cspan_at(&axis, INT64_C(20)));
     }
     if (last <= INT64_C(1))
     {
         time = 1.0;
         if (last == INT64_C(1))
         {
-            time = (*cspan_at(&axis, INT64_C(19)));
+            time = (*cspan_at(&axis, INT64_C(21)));
         }
         rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(34))) = variance / (time * time);
+        (*cspan_at(&axis, INT64_C(36))) = variance / (time * time);
     }
     jerk = (*cspan_at(&axis, INT64_C(4)));
     if (jerk > 0.0)
     {
-        rise = (*cspan_at(&axis, INT64_C(19)));
-        (*cspan_at(&axis, INT64_C(13))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(15))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(24))));
-        (*cspan_at(&axis, INT64_C(14))) = 1.0 / (*cspan_at(&axis, INT64_C(15)));
-        (*cspan_at(&axis, INT64_C(16))) = rise;
+        rise = (*cspan_at(&axis, INT64_C(21)));
+        (*cspan_at(&axis, INT64_C(15))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(17))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(26))));
+        (*cspan_at(&axis, INT64_C(16))) = 1.0 / (*cspan_at(&axis, INT64_C(17)));
+        (*cspan_at(&axis, INT64_C(18))) = rise;
         if (rise > 0.0)
         {
-            rise_moments(cspan_at(&axis, INT64_C(35)), &fourth, rise, INT64_C(1), axis);
+            rise_moments(cspan_at(&axis, INT64_C(37)), &fourth, rise, INT64_C(1), axis);
         }
     }
     return 1;
@@ -8966,31 +9057,31 @@ static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, arr
     k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
     bounded = 0;
     transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(37))) = 2.0 * k + 2.0;
+    (*cspan_at(&axis, INT64_C(39))) = 2.0 * k + 2.0;
     for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        (*cspan_at(&axis, INT64_C(38) + j)) = (*cspan_at(&psi, j));
+        (*cspan_at(&axis, INT64_C(40) + j)) = (*cspan_at(&psi, j));
     }
-    (*cspan_at(&axis, INT64_C(34))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    (*cspan_at(&axis, INT64_C(36))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
     for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
     {
         limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
         if (limit > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(29) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            (*cspan_at(&axis, INT64_C(31) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
             bounded = 1;
         }
     }
-    slope = (*cspan_at(&axis, INT64_C(29)));
+    slope = (*cspan_at(&axis, INT64_C(31)));
     if (slope > 0.0)
     {
-        (*cspan_at(&axis, INT64_C(13))) = 0.0;
-        (*cspan_at(&axis, INT64_C(14))) = slope;
-        (*cspan_at(&axis, INT64_C(15))) = 1.0 / slope;
+        (*cspan_at(&axis, INT64_C(15))) = 0.0;
+        (*cspan_at(&axis, INT64_C(16))) = slope;
+        (*cspan_at(&axis, INT64_C(17))) = 1.0 / slope;
         for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
         {
-            change = pow(((*cspan_at(&axis, INT64_C(29) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(13))) = span_max((*cspan_at(&axis, INT64_C(13))), change);
+            change = pow(((*cspan_at(&axis, INT64_C(31) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(15))) = span_max((*cspan_at(&axis, INT64_C(15))), change);
         }
     }
     return bounded;
@@ -9001,11 +9092,11 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     double duration;
     double slope;
     bool bounded;
-    for (i = INT64_C(11); i < INT64_C(48); i += INT64_C(1))
+    for (i = INT64_C(13); i < INT64_C(50); i += INT64_C(1))
     {
         (*cspan_at(&axis, i)) = 0.0;
     }
-    (*cspan_at(&axis, INT64_C(13))) = 1e+300;
+    (*cspan_at(&axis, INT64_C(15))) = 1e+300;
     bounded = 0;
     if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
     {
@@ -9017,8 +9108,8 @@ bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d 
     }
     if (bounded)
     {
-        segfmu_ramp_duration(&duration, &slope, (*cspan_at(&axis, INT64_C(3))), axis);
-        (*cspan_at(&axis, INT64_C(11))) = duration;
+        segfmu_ramp_duration(&duration, &slope, top_acceleration(axis), axis);
+        (*cspan_at(&axis, INT64_C(13))) = duration;
     }
     return bounded;
 }
@@ -9065,7 +9156,7 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     }
     rise = fabs(time);
     (*cspan_at(&node, INT64_C(10))) = 0.0;
-    most = (*cspan_at(&axis, INT64_C(19) + above - INT64_C(1)));
+    most = (*cspan_at(&axis, INT64_C(21) + above - INT64_C(1)));
     if (rise >= most)
     {
         (*cspan_at(&node, INT64_C(9))) = sign * (*cspan_at(&axis, INT64_C(4) + above - INT64_C(1)));
@@ -9201,10 +9292,10 @@ static double residual_scale(int64_t order, array_double_1d passing, array_doubl
     time = (*cspan_at(&passing, INT64_C(3)));
     if (order > INT64_C(1))
     {
-        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(11)))), order - INT64_C(2));
+        speed = acceleration / power_of(span_min(time, (*cspan_at(&axis, INT64_C(13)))), order - INT64_C(2));
         return speed;
     }
-    speed = span_min((*cspan_at(&axis, INT64_C(2))), acceleration * time);
+    speed = span_min(fastest_velocity(axis), acceleration * time);
     if (order == INT64_C(1))
     {
         return speed;
@@ -9218,6 +9309,7 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
     int64_t dropped;
     int64_t k;
     double error;
+    double sign;
     q = (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     kind = (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
     dropped = dropped_condition(q, span_row(&nodes, i));
@@ -9230,7 +9322,8 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
         error = (*cspan_at(&nodes, i + INT64_C(1), INT64_C(0) + k));
         if (k == kind)
         {
-            error = error - (*cspan_at(&nodes, i, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+            sign = (*cspan_at(&nodes, i, INT64_C(5)));
+            error = error - sign * side_limit(kind, sign, axis);
         }
         (*cspan_at(&residual, INT64_C(0) + row)) = error / residual_scale(k, passing, axis);
         if (k == dropped)
@@ -9255,7 +9348,7 @@ static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, ar
     if (stays_at_limit(node))
     {
         kind = (int64_t)((*cspan_at(&node, INT64_C(4))));
-        (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+        (*cspan_at(&state, INT64_C(0) + kind)) = (*cspan_at(&node, INT64_C(5))) * side_limit(kind, (*cspan_at(&node, INT64_C(5))), axis);
         for (k = kind + INT64_C(1); k < q; k += INT64_C(1))
         {
             (*cspan_at(&state, INT64_C(0) + k)) = 0.0;
@@ -9890,7 +9983,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess,
     }
     time = (*cspan_at(&work, row, INT64_C(6)));
     level_sign = (*cspan_at(&work, row, INT64_C(5)));
-    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(19) + kind - INT64_C(1))));
+    dip = span_min(fabs(time), (*cspan_at(&axis, INT64_C(21) + kind - INT64_C(1))));
     split_guess(&before, &depth, &after, guess);
     (*cspan_at(&work, row, INT64_C(6))) = before * time;
     insert_node(place + INT64_C(1), kind, sign, (-depth) * dip, 0, work);
@@ -10302,7 +10395,7 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
 static bool compares_levels(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(36))) < 1.5) && (!ramps_suffice(axis));
+    result = ((*cspan_at(&axis, INT64_C(38))) < 1.5) && (!ramps_suffice(axis));
     return result;
 }
 static double sequence_cost(array_double_2d work)
@@ -10613,8 +10706,8 @@ static double linear_level(double gain, double a, double b, array_double_1d axis
     double half;
     double rest;
     double square;
-    slope = (*cspan_at(&axis, INT64_C(14)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(16)));
+    slope = (*cspan_at(&axis, INT64_C(16)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(18)));
     rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
     square = half * half + slope * rest;
     if (square <= 0.0)
@@ -10733,13 +10826,13 @@ static int64_t solve_level(double* result_0_0001, double* result_1_0001, double*
     double t_low;
     double least;
     double start;
-    linear_from = (*cspan_at(&axis, INT64_C(13)));
+    linear_from = (*cspan_at(&axis, INT64_C(15)));
     if (span_max(a, b) + linear_from <= high)
     {
         level = linear_level(gain, a, b, axis);
         if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
         {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(14))) + (*cspan_at(&axis, INT64_C(16)));
+            t = (level - a) * (*cspan_at(&axis, INT64_C(16))) + (*cspan_at(&axis, INT64_C(18)));
             (*result_0_0001) = t;
             (*result_1_0001) = 0.0;
             (*result_2_0001) = level;
@@ -10798,16 +10891,16 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(25)));
-    hold1 = (*cspan_at(&family, INT64_C(26)));
-    level1 = (*cspan_at(&family, INT64_C(27)));
-    hold2 = (*cspan_at(&family, INT64_C(28)));
-    level2 = (*cspan_at(&family, INT64_C(29)));
-    t3 = (*cspan_at(&family, INT64_C(30)));
+    t1 = (*cspan_at(&family, INT64_C(27)));
+    hold1 = (*cspan_at(&family, INT64_C(28)));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    hold2 = (*cspan_at(&family, INT64_C(30)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    t3 = (*cspan_at(&family, INT64_C(32)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(31)));
-    basis = basis + (*cspan_at(&family, INT64_C(32))) * (t2 - basis);
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    t2 = basis * (*cspan_at(&family, INT64_C(33)));
+    basis = basis + (*cspan_at(&family, INT64_C(34))) * (t2 - basis);
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
         (*result_1) = 0.0;
@@ -10843,14 +10936,14 @@ static int64_t second_level(double* result_0, double* result_1, double* result_2
     double slope;
     double gain;
     b = (*cspan_at(&family, INT64_C(3)));
-    last_ramp = (*cspan_at(&family, INT64_C(5)));
+    last_ramp = (*cspan_at(&family, INT64_C(7)));
     hold = 0.0;
     t = p;
     if (p >= last_ramp)
     {
         t = last_ramp;
         hold = p - last_ramp;
-        level = -(*cspan_at(&axis, INT64_C(3)));
+        level = -(*cspan_at(&family, INT64_C(5)));
     }
     else
     {
@@ -10893,26 +10986,25 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     a = (*cspan_at(&family, INT64_C(1)));
     second_level(&level2, &t3, &hold2, &gain, p, family, axis);
     low = span_max(0.0, span_max(a, level2));
-    near = (*cspan_at(&family, INT64_C(25)));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(4))), near, axis);
+    near = (*cspan_at(&family, INT64_C(27)));
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(6))), near, axis);
     if (hold1 < 0.0)
     {
         (*result_0) = -1.0;
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(25))) = t1;
-    (*cspan_at(&family, INT64_C(26))) = hold1;
-    (*cspan_at(&family, INT64_C(27))) = level1;
-    (*cspan_at(&family, INT64_C(28))) = hold2;
-    (*cspan_at(&family, INT64_C(29))) = level2;
-    (*cspan_at(&family, INT64_C(30))) = t3;
+    (*cspan_at(&family, INT64_C(27))) = t1;
+    (*cspan_at(&family, INT64_C(28))) = hold1;
+    (*cspan_at(&family, INT64_C(29))) = level1;
+    (*cspan_at(&family, INT64_C(30))) = hold2;
+    (*cspan_at(&family, INT64_C(31))) = level2;
+    (*cspan_at(&family, INT64_C(32))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
-    double top;
     double v;
     double a;
     double w;
@@ -10921,7 +11013,8 @@ static double set_loop(array_double_1d problem, array_double_1d axis, array_doub
     double slope;
     double missing;
     double sign;
-    top = (*cspan_at(&axis, INT64_C(3)));
+    double top;
+    double bottom;
     v = (*cspan_at(&problem, INT64_C(0)));
     a = (*cspan_at(&problem, INT64_C(1)));
     w = (*cspan_at(&problem, INT64_C(2)));
@@ -10937,18 +11030,22 @@ static double set_loop(array_double_1d problem, array_double_1d axis, array_doub
     (*cspan_at(&family, INT64_C(1))) = sign * a;
     (*cspan_at(&family, INT64_C(2))) = sign * w;
     (*cspan_at(&family, INT64_C(3))) = sign * b;
+    (*cspan_at(&family, INT64_C(15))) = 0.0;
+    (*cspan_at(&family, INT64_C(16))) = sign * (*cspan_at(&problem, INT64_C(4)));
+    top = side_limit(INT64_C(2), sign, axis);
+    bottom = side_limit(INT64_C(2), -sign, axis);
+    (*cspan_at(&family, INT64_C(4))) = top;
+    (*cspan_at(&family, INT64_C(5))) = bottom;
+    (*cspan_at(&family, INT64_C(12))) = v;
     (*cspan_at(&family, INT64_C(13))) = 0.0;
-    (*cspan_at(&family, INT64_C(14))) = sign * (*cspan_at(&problem, INT64_C(4)));
-    (*cspan_at(&family, INT64_C(10))) = v;
-    (*cspan_at(&family, INT64_C(11))) = 0.0;
-    (*cspan_at(&family, INT64_C(12))) = 0.5 - 0.5 * sign;
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(6)), &slope, top - sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(7)), &slope, top + sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * b, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, top + sign * b, axis);
+    (*cspan_at(&family, INT64_C(14))) = 0.5 - 0.5 * sign;
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, bottom + sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(10)), &slope, top - sign * b, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(11)), &slope, bottom + sign * b, axis);
     return sign * missing;
 }
-static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d axis)
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis)
 {
     double change;
     double slope;
@@ -10956,14 +11053,14 @@ static int64_t level_from(double* result_0_0001, double* result_1_0001, double* 
     {
         (*result_0_0001) = up;
         (*result_1_0001) = time - up;
-        (*result_2_0001) = (*cspan_at(&axis, INT64_C(3)));
+        (*result_2_0001) = (*cspan_at(&family, INT64_C(4)));
         return 0;
     }
     if (-time >= down)
     {
         (*result_0_0001) = down;
         (*result_1_0001) = (-time) - down;
-        (*result_2_0001) = -(*cspan_at(&axis, INT64_C(3)));
+        (*result_2_0001) = -(*cspan_at(&family, INT64_C(5)));
         return 0;
     }
     ramp_change(&change, &slope, fabs(time), axis);
@@ -11017,15 +11114,15 @@ static double set_point(double place, double radius, array_double_1d family, arr
     }
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(6))), (*cspan_at(&family, INT64_C(7))), axis);
-    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), axis);
+    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), family, axis);
+    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(10))), (*cspan_at(&family, INT64_C(11))), family, axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(25))) = t1;
-    (*cspan_at(&family, INT64_C(26))) = hold1;
-    (*cspan_at(&family, INT64_C(27))) = level1;
-    (*cspan_at(&family, INT64_C(28))) = hold2;
-    (*cspan_at(&family, INT64_C(29))) = level2;
-    (*cspan_at(&family, INT64_C(30))) = t3;
+    (*cspan_at(&family, INT64_C(27))) = t1;
+    (*cspan_at(&family, INT64_C(28))) = hold1;
+    (*cspan_at(&family, INT64_C(29))) = level1;
+    (*cspan_at(&family, INT64_C(30))) = hold2;
+    (*cspan_at(&family, INT64_C(31))) = level2;
+    (*cspan_at(&family, INT64_C(32))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -11050,7 +11147,7 @@ static double loop_radius(int64_t arc, double place, double missing, double larg
     double newest;
     lower = 0.0;
     e_lower = -missing;
-    upper = span_min(span_max(0.25 * missing / (*cspan_at(&axis, INT64_C(3))), 1e-06 * largest), 0.25 * largest);
+    upper = span_min(span_max(0.25 * missing / (*cspan_at(&family, INT64_C(4))), 1e-06 * largest), 0.25 * largest);
     e_upper = set_point(place, upper, family, axis);
     while((e_upper < 0.0) || (arc == INT64_C(6)))
     {
@@ -11099,8 +11196,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(27)));
-    level2 = (*cspan_at(&family, INT64_C(29)));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if (fastest <= 0.0)
@@ -11111,15 +11208,15 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     {
         stretch = 1.0 - error / (mean * fastest);
     }
-    else if (((*cspan_at(&family, INT64_C(13))) > 0.5) && (radius == 0.0) && (error == 0.0))
+    else if (((*cspan_at(&family, INT64_C(15))) > 0.5) && (radius == 0.0) && (error == 0.0))
     {
-        stretch = (*cspan_at(&family, INT64_C(14))) / fastest;
+        stretch = (*cspan_at(&family, INT64_C(16))) / fastest;
     }
     else
     {
         return 0;
     }
-    (*cspan_at(&family, INT64_C(31))) = stretch;
+    (*cspan_at(&family, INT64_C(33))) = stretch;
     return stretch >= 1.0;
 }
 static double flush_tiny(double value, double scale)
@@ -11130,9 +11227,9 @@ static double flush_tiny(double value, double scale)
     }
     return value;
 }
-static double boundary_value(double value, double limit)
+static double boundary_value(double value, double lower, double upper)
 {
-    return span_min(span_max(flush_tiny(value, limit), -limit), limit);
+    return span_min(span_max(flush_tiny(value, span_max(lower, upper)), -lower), upper);
 }
 static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above)
 {
@@ -11276,22 +11373,30 @@ static void reverse_problem(array_double_1d problem)
 }
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
 {
+    double fastest;
+    double backwards;
+    double top;
+    double bottom;
     double velocity;
     double acceleration;
     double ramp;
     double scale;
-    velocity = (*cspan_at(&axis, INT64_C(2)));
-    acceleration = (*cspan_at(&axis, INT64_C(3)));
-    (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), velocity);
-    (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), acceleration);
-    (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), velocity);
-    (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), acceleration);
-    ramp = acceleration * (*cspan_at(&axis, INT64_C(11))) * (*cspan_at(&axis, INT64_C(11)));
+    fastest = (*cspan_at(&axis, INT64_C(2)));
+    backwards = (*cspan_at(&axis, INT64_C(9)));
+    top = (*cspan_at(&axis, INT64_C(3)));
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), backwards, fastest);
+    (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), bottom, top);
+    (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), backwards, fastest);
+    (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), bottom, top);
+    velocity = fastest_velocity(axis);
+    acceleration = top_acceleration(axis);
+    ramp = acceleration * (*cspan_at(&axis, INT64_C(13))) * (*cspan_at(&axis, INT64_C(13)));
     scale = span_min(velocity * velocity / acceleration, ramp);
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
-static double speed_bound(double duration, array_double_1d problem, array_double_1d axis)
+static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis)
 {
     double half;
     double change;
@@ -11302,9 +11407,9 @@ static double speed_bound(double duration, array_double_1d problem, array_double
     half = 0.5 * duration;
     ramp_change(&change, &slope, half, axis);
     steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
-    steepest = span_min(steepest, (*cspan_at(&axis, INT64_C(3))));
+    steepest = span_min(steepest, top_acceleration(axis));
     most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * half;
-    result = span_min((*cspan_at(&axis, INT64_C(2))), most);
+    result = span_min(side_limit(INT64_C(1), sign, axis), most);
     return result;
 }
 static bool is_resting(array_double_1d problem, array_double_1d axis)
@@ -11313,12 +11418,12 @@ static bool is_resting(array_double_1d problem, array_double_1d axis)
     double acceleration;
     bool result;
     speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    if (flush_tiny(speed, (*cspan_at(&axis, INT64_C(2)))) != 0.0)
+    if (flush_tiny(speed, fastest_velocity(axis)) != 0.0)
     {
         return 0;
     }
     acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
-    result = flush_tiny(acceleration, (*cspan_at(&axis, INT64_C(3)))) == 0.0;
+    result = flush_tiny(acceleration, top_acceleration(axis)) == 0.0;
     return result;
 }
 int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
@@ -11390,7 +11495,6 @@ static double total_duration(array_double_2d phases, int64_t count)
 }
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
 {
-    double limit;
     double distance;
     double most;
     double y;
@@ -11399,11 +11503,10 @@ static double valid_duration(array_double_2d phases, int64_t count, array_double
     double highest;
     double fastest;
     double duration;
-    limit = (*cspan_at(&axis, INT64_C(2)));
     distance = (*cspan_at(&problem, INT64_C(4)));
-    most = limit * (1.0 + 1e-12);
+    most = slowest_velocity(axis) * (1.0 + 1e-12);
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if ((lowest < -most) || (highest > most))
+    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
     {
         return -1.0;
     }
@@ -11427,7 +11530,7 @@ static bool is_passing(array_double_2d phases, int64_t count, array_double_1d ax
     {
         if ((*cspan_at(&phases, i, INT64_C(3))) != 0.0)
         {
-            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(36)))))
+            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(38)))))
             {
                 return 0;
             }
@@ -11518,7 +11621,7 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     double duration;
     double y;
     canonical_member(&duration, &y, p, family, axis);
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
     {
         (*result_0_0001) = duration;
         (*result_1) = duration;
@@ -11544,7 +11647,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     double value;
     double duration;
     double error;
-    target = (*cspan_at(&family, INT64_C(14)));
+    target = (*cspan_at(&family, INT64_C(16)));
     newest = upper;
     e_newest = f_upper - target;
     other = lower;
@@ -11552,7 +11655,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     before = lower;
     e_before = e_other;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
     {
         speed = 0.0;
     }
@@ -11596,7 +11699,7 @@ static int64_t highest_member(double* result_0_0001, double* result_1_0001, doub
     canonical_value(&f_q, &duration, q, family, axis);
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(14))))
+        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(16))))
         {
             break;
         }
@@ -11640,7 +11743,7 @@ static double rising_member(double f_start, double end, array_double_1d family, 
     double p;
     double highest;
     double result;
-    target = (*cspan_at(&family, INT64_C(14)));
+    target = (*cspan_at(&family, INT64_C(16)));
     step = 0.125 * end;
     before = f_start;
     f_lower = f_start;
@@ -11672,9 +11775,9 @@ static void note_near(double y, double duration, array_double_1d family, array_d
     double speed;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
     speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
-    if (fabs(y - (*cspan_at(&family, INT64_C(14)))) <= saving(axis) * speed * duration)
+    if (fabs(y - (*cspan_at(&family, INT64_C(16)))) <= saving(axis) * speed * duration)
     {
-        (*cspan_at(&family, INT64_C(18))) = INT64_C(2);
+        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
     }
 }
 static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
@@ -11685,7 +11788,7 @@ static int64_t first_window(double* result_0, double* result_1, double f_start, 
     double end;
     double going_on;
     double p;
-    target = (*cspan_at(&family, INT64_C(14)));
+    target = (*cspan_at(&family, INT64_C(16)));
     canonical_value(&value, &duration, t_zero, family, axis);
     end = t_zero;
     going_on = t_zero;
@@ -11729,10 +11832,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(27)))) * (*cspan_at(&family, INT64_C(25)));
-    gain = gain + (*cspan_at(&family, INT64_C(27))) * (*cspan_at(&family, INT64_C(26)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(29))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(30)));
-    loss = loss + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(29)))) * (*cspan_at(&family, INT64_C(27)));
+    gain = gain + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(31))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(32)));
+    loss = loss + (*cspan_at(&family, INT64_C(31))) * (*cspan_at(&family, INT64_C(30)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -11746,7 +11849,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     double duration;
     double result;
     samples = INT64_C(12);
-    span = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(11))));
+    span = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
         if (only_farther(family))
@@ -11759,7 +11862,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
         {
             return -1.0;
         }
-        if (value <= (*cspan_at(&family, INT64_C(14))))
+        if (value <= (*cspan_at(&family, INT64_C(16))))
         {
             result = bracketed_root(p, 0.0, value, f_start, family, axis);
             return result;
@@ -11780,7 +11883,7 @@ static void note_near_gain(array_double_1d family, array_double_1d axis)
     level_gain(&first, &least, low, a, b, axis);
     if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
     {
-        (*cspan_at(&family, INT64_C(18))) = INT64_C(2);
+        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
     }
 }
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
@@ -11790,7 +11893,7 @@ static double second_window(double t_zero, array_double_1d family, array_double_
     double duration;
     int64_t i;
     double result;
-    upper = (*cspan_at(&family, INT64_C(5)));
+    upper = (*cspan_at(&family, INT64_C(7)));
     canonical_value(&value, &duration, upper, family, axis);
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
@@ -11811,7 +11914,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     double f_upper;
     double duration;
     double result;
-    upper = span_max((*cspan_at(&family, INT64_C(5))), (*cspan_at(&axis, INT64_C(11))));
+    upper = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
     if (upper <= lower)
     {
         upper = 2.0 * lower;
@@ -11819,7 +11922,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
     {
         canonical_value(&f_upper, &duration, upper, family, axis);
-        if (f_upper >= (*cspan_at(&family, INT64_C(14))))
+        if (f_upper >= (*cspan_at(&family, INT64_C(16))))
         {
             result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
             return result;
@@ -11841,7 +11944,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     double t_zero;
     double slope;
     double p;
-    target = (*cspan_at(&family, INT64_C(14)));
+    target = (*cspan_at(&family, INT64_C(16)));
     v = (*cspan_at(&family, INT64_C(0)));
     w = (*cspan_at(&family, INT64_C(2)));
     canonical_value(&f_lower, &duration, 0.0, family, axis);
@@ -11895,9 +11998,9 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double duration;
     double f_upper;
     double result;
-    target = (*cspan_at(&family, INT64_C(14)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(24)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(24)));
+    target = (*cspan_at(&family, INT64_C(16)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(26)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(26)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -11938,18 +12041,18 @@ static double member_search(array_double_1d family, array_double_1d axis)
     double outside;
     bool found;
     double result;
-    target = (*cspan_at(&family, INT64_C(14)));
+    target = (*cspan_at(&family, INT64_C(16)));
     passed = INT64_C(0);
     begin = INT64_C(0);
     lower = -1.0;
     f_lower = 0.0;
-    whole = (*cspan_at(&family, INT64_C(4))) == (*cspan_at(&axis, INT64_C(3)));
-    if (whole && ((*cspan_at(&family, INT64_C(15))) > 0.5))
+    whole = (*cspan_at(&family, INT64_C(6))) == (*cspan_at(&family, INT64_C(4)));
+    if (whole && ((*cspan_at(&family, INT64_C(17))) > 0.5))
     {
-        passed = (int64_t)((*cspan_at(&family, INT64_C(15))));
-        begin = (int64_t)((*cspan_at(&family, INT64_C(20))));
-        lower = (*cspan_at(&family, INT64_C(21)));
-        f_lower = (*cspan_at(&family, INT64_C(22)));
+        passed = (int64_t)((*cspan_at(&family, INT64_C(17))));
+        begin = (int64_t)((*cspan_at(&family, INT64_C(22))));
+        lower = (*cspan_at(&family, INT64_C(23)));
+        f_lower = (*cspan_at(&family, INT64_C(24)));
         if ((begin > INT64_C(13)) && (lower >= 0.0) && (f_lower > target))
         {
             return -1.0;
@@ -11958,14 +12061,14 @@ static double member_search(array_double_1d family, array_double_1d axis)
     p = 0.0;
     for (i = begin; i < INT64_C(36); i += INT64_C(1))
     {
-        p = (*cspan_at(&family, INT64_C(16))) * i * i / 144.0;
+        p = (*cspan_at(&family, INT64_C(18))) * i * i / 144.0;
         canonical_value(&value, &duration, p, family, axis);
         upper = p;
         f_upper = value;
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            outside = (*cspan_at(&family, INT64_C(16))) * (i - INT64_C(1)) * (i - INT64_C(1)) / 144.0;
+            outside = (*cspan_at(&family, INT64_C(18))) * (i - INT64_C(1)) * (i - INT64_C(1)) / 144.0;
             lower = window_edge(INT64_C(24), p, outside, family, axis);
             canonical_value(&f_lower, &duration, lower, family, axis);
         }
@@ -11976,17 +12079,17 @@ static double member_search(array_double_1d family, array_double_1d axis)
         }
         found = (lower >= 0.0) && ((f_lower - target) * (f_upper - target) <= 0.0);
         found = found && (f_upper != f_lower);
-        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(15))))))
+        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(17))))))
         {
             if (whole)
             {
-                (*cspan_at(&family, INT64_C(20))) = i + INT64_C(1);
-                (*cspan_at(&family, INT64_C(21))) = p;
+                (*cspan_at(&family, INT64_C(22))) = i + INT64_C(1);
+                (*cspan_at(&family, INT64_C(23))) = p;
                 if (!inside)
                 {
-                    (*cspan_at(&family, INT64_C(21))) = -1.0;
+                    (*cspan_at(&family, INT64_C(23))) = -1.0;
                 }
-                (*cspan_at(&family, INT64_C(22))) = f_upper;
+                (*cspan_at(&family, INT64_C(24))) = f_upper;
             }
             if (f_upper > f_lower)
             {
@@ -12022,6 +12125,8 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     double w;
     double b;
     double distance;
+    double top;
+    double bottom;
     double last_ramp;
     double slope;
     reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
@@ -12031,7 +12136,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     w = (*cspan_at(&problem, INT64_C(2)));
     b = (*cspan_at(&problem, INT64_C(3)));
     distance = (*cspan_at(&problem, INT64_C(4)));
-    (*cspan_at(&family, INT64_C(10))) = v;
+    (*cspan_at(&family, INT64_C(12))) = v;
     if (reverse)
     {
         v = (*cspan_at(&problem, INT64_C(2)));
@@ -12047,39 +12152,48 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
         b = -b;
         distance = -distance;
     }
-    segfmu_ramp_duration(&last_ramp, &slope, b + (*cspan_at(&axis, INT64_C(3))), axis);
+    top = (*cspan_at(&axis, INT64_C(3)));
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    if (reverse != mirror)
+    {
+        top = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+        bottom = (*cspan_at(&axis, INT64_C(3)));
+    }
+    segfmu_ramp_duration(&last_ramp, &slope, b + bottom, axis);
     (*cspan_at(&family, INT64_C(0))) = v;
     (*cspan_at(&family, INT64_C(1))) = a;
     (*cspan_at(&family, INT64_C(2))) = w;
     (*cspan_at(&family, INT64_C(3))) = b;
-    (*cspan_at(&family, INT64_C(5))) = last_ramp;
-    (*cspan_at(&family, INT64_C(11))) = reverse;
-    (*cspan_at(&family, INT64_C(12))) = mirror;
-    (*cspan_at(&family, INT64_C(13))) = 0.0;
-    (*cspan_at(&family, INT64_C(14))) = distance;
-    (*cspan_at(&family, INT64_C(15))) = -1.0;
-    (*cspan_at(&family, INT64_C(25))) = -1.0;
-    (*cspan_at(&family, INT64_C(16))) = last_ramp;
-    (*cspan_at(&family, INT64_C(31))) = 1.0;
-    (*cspan_at(&family, INT64_C(32))) = 0.0;
-    (*cspan_at(&family, INT64_C(23))) = 0.0;
+    (*cspan_at(&family, INT64_C(4))) = top;
+    (*cspan_at(&family, INT64_C(5))) = bottom;
+    (*cspan_at(&family, INT64_C(7))) = last_ramp;
+    (*cspan_at(&family, INT64_C(13))) = reverse;
+    (*cspan_at(&family, INT64_C(14))) = mirror;
+    (*cspan_at(&family, INT64_C(15))) = 0.0;
+    (*cspan_at(&family, INT64_C(16))) = distance;
+    (*cspan_at(&family, INT64_C(17))) = -1.0;
+    (*cspan_at(&family, INT64_C(27))) = -1.0;
+    (*cspan_at(&family, INT64_C(18))) = last_ramp;
+    (*cspan_at(&family, INT64_C(33))) = 1.0;
+    (*cspan_at(&family, INT64_C(34))) = 0.0;
+    (*cspan_at(&family, INT64_C(25))) = 0.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
-    (*cspan_at(&family, INT64_C(15))) = member;
-    (*cspan_at(&family, INT64_C(16))) = span_min(span_max((*cspan_at(&family, INT64_C(5))), 0.1 * time), time);
-    (*cspan_at(&family, INT64_C(24))) = -1.0;
+    (*cspan_at(&family, INT64_C(17))) = member;
+    (*cspan_at(&family, INT64_C(18))) = span_min(span_max((*cspan_at(&family, INT64_C(7))), 0.1 * time), time);
+    (*cspan_at(&family, INT64_C(26))) = -1.0;
     if (by_time)
     {
-        (*cspan_at(&family, INT64_C(13))) = 1.0;
-        (*cspan_at(&family, INT64_C(14))) = time;
+        (*cspan_at(&family, INT64_C(15))) = 1.0;
+        (*cspan_at(&family, INT64_C(16))) = time;
     }
 }
 static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family)
 {
     double a;
     double b;
-    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(23))) > 0.5))
+    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(25))) > 0.5))
     {
         return 0;
     }
@@ -12104,26 +12218,26 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(27)));
-    level2 = (*cspan_at(&family, INT64_C(29)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(25))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(26))));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(27))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(28))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(31))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(33))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(31)));
+        duration = basis * (*cspan_at(&family, INT64_C(33)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(32))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(34))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(28))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(30))), axis);
-    if ((*cspan_at(&family, INT64_C(11))) > 0.5)
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(30))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(32))), axis);
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
     }
-    if ((*cspan_at(&family, INT64_C(12))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
     {
         mirror_phases(phases, count);
     }
@@ -12135,8 +12249,8 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     double duration;
     double y;
     int64_t result;
-    (*cspan_at(&family, INT64_C(4))) = highest;
-    if ((*cspan_at(&family, INT64_C(15))) < 0.0)
+    (*cspan_at(&family, INT64_C(6))) = highest;
+    if ((*cspan_at(&family, INT64_C(17))) < 0.0)
     {
         p = canonical_search(family, axis);
     }
@@ -12152,7 +12266,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(24))) = p;
+    (*cspan_at(&family, INT64_C(26))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -12161,7 +12275,7 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     result = write_member(phases, family, axis);
     return result;
 }
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double limit_kept, array_double_1d axis)
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
 {
     double duration;
     double y;
@@ -12169,13 +12283,14 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
     double lowest;
     double highest;
     double result;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, limit_kept, axis);
-    result = span_max(highest, -lowest) - (*cspan_at(&axis, INT64_C(2)));
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within_0001, axis);
+    result = span_max(highest - (*cspan_at(&axis, INT64_C(2))), (-lowest) - (*cspan_at(&axis, INT64_C(9))));
     return result;
 }
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
-    double velocity_limit;
+    double peak_limit;
+    double other_limit;
     double v;
     double rounding;
     double margin;
@@ -12190,10 +12305,17 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     double highest;
     double peak;
     double other;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    v = (*cspan_at(&family, INT64_C(10)));
-    rounding = 1e-12 * velocity_limit;
-    margin = 1e-09 * velocity_limit;
+    double excess;
+    peak_limit = (*cspan_at(&axis, INT64_C(2)));
+    other_limit = (*cspan_at(&axis, INT64_C(9)));
+    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+    {
+        peak_limit = (*cspan_at(&axis, INT64_C(9)));
+        other_limit = (*cspan_at(&axis, INT64_C(2)));
+    }
+    v = (*cspan_at(&family, INT64_C(12)));
+    rounding = 1e-12 * fastest_velocity(axis);
+    margin = 1e-09 * fastest_velocity(axis);
     too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * outside));
     inside = too_low;
     for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
@@ -12202,25 +12324,26 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
         peak = highest;
         other = -lowest;
-        if ((*cspan_at(&family, INT64_C(12))) > 0.5)
+        if ((*cspan_at(&family, INT64_C(14))) > 0.5)
         {
             peak = -lowest;
             other = highest;
         }
-        if ((count <= INT64_C(0)) || (other > velocity_limit + rounding))
+        if ((count <= INT64_C(0)) || (other > other_limit + rounding))
         {
             too_low = inside;
         }
-        else if (peak > velocity_limit + rounding)
+        else if (peak > peak_limit + rounding)
         {
             outside = inside;
-            e_outside = peak - velocity_limit + margin;
+            e_outside = peak - peak_limit + margin;
         }
         else
         {
+            excess = span_max(peak - peak_limit, other - other_limit);
             (*result_0) = inside;
             (*result_1_0001) = outside;
-            (*result_2_0001) = span_max(peak, other) - velocity_limit + margin;
+            (*result_2_0001) = excess + margin;
             (*result_3_0001) = e_outside;
             return 0;
         }
@@ -12250,7 +12373,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
     int64_t count;
     double error;
     double v;
-    margin = 1e-09 * (*cspan_at(&axis, INT64_C(2)));
+    margin = 1e-09 * fastest_velocity(axis);
     before = outside;
     e_before = e_outside;
     newest_inside = 1;
@@ -12290,7 +12413,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
         error = 0.0;
         if (count > INT64_C(0))
         {
-            v = (*cspan_at(&family, INT64_C(10)));
+            v = (*cspan_at(&family, INT64_C(12)));
             error = velocity_excess(phases, count, v, 0.0, axis) + margin;
         }
         if ((count > INT64_C(0)) && (error <= margin))
@@ -12333,7 +12456,6 @@ static double highest_within(double inside, double outside, double e_inside, dou
 }
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis)
 {
-    double velocity_limit;
     double rounding;
     double margin;
     double v;
@@ -12344,26 +12466,25 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     double inside;
     double e_inside;
     int64_t count;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    count = merged_form(phases, (*cspan_at(&axis, INT64_C(3))), family, axis);
-    rounding = 1e-12 * velocity_limit;
-    margin = 1e-09 * velocity_limit;
+    count = merged_form(phases, (*cspan_at(&family, INT64_C(4))), family, axis);
+    rounding = 1e-12 * fastest_velocity(axis);
+    margin = 1e-09 * fastest_velocity(axis);
     if (count <= INT64_C(0))
     {
         return count;
     }
-    v = (*cspan_at(&family, INT64_C(10)));
-    e_outside = velocity_excess(phases, count, v, velocity_limit, axis) + margin;
+    v = (*cspan_at(&family, INT64_C(12)));
+    e_outside = velocity_excess(phases, count, v, slowest_velocity(axis), axis) + margin;
     if (e_outside <= margin + rounding)
     {
         return count;
     }
-    (*cspan_at(&family, INT64_C(23))) = 1.0;
+    (*cspan_at(&family, INT64_C(25))) = 1.0;
     outside = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         level = (*cspan_at(&phases, i, INT64_C(2)));
-        if ((*cspan_at(&family, INT64_C(11))) != (*cspan_at(&family, INT64_C(12))))
+        if ((*cspan_at(&family, INT64_C(13))) != (*cspan_at(&family, INT64_C(14))))
         {
             level = -level;
         }
@@ -12378,21 +12499,19 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, array_double_1d axis)
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, double bottom, array_double_1d axis)
 {
-    double top;
     double sign;
     double t1;
     double hold;
     double level;
     int64_t result;
-    top = (*cspan_at(&axis, INT64_C(3)));
     sign = 1.0;
     solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, -1.0, axis);
     if (hold < 0.0)
     {
         sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), top, -1.0, axis);
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), bottom, -1.0, axis);
         if (hold < 0.0)
         {
             return -INT64_C(1);
@@ -12406,8 +12525,11 @@ static int64_t append_velocity_change(array_double_2d phases, int64_t count, dou
 static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
 {
     double v;
+    double top;
+    double bottom;
     int64_t row;
     double w;
+    double b;
     int64_t count;
     double duration;
     double y;
@@ -12415,7 +12537,9 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
     double lowest;
     double highest;
     v = (*cspan_at(&problem, INT64_C(0)));
-    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, axis);
+    top = (*cspan_at(&axis, INT64_C(3)));
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, top, bottom, axis);
     if (row < INT64_C(0))
     {
         (*result_0) = -INT64_C(1);
@@ -12425,7 +12549,8 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
         return 0;
     }
     w = (*cspan_at(&problem, INT64_C(2)));
-    count = append_velocity_change(phases, row, w, -(*cspan_at(&problem, INT64_C(3))), cruise, axis);
+    b = (*cspan_at(&problem, INT64_C(3)));
+    count = append_velocity_change(phases, row, w, -b, cruise, bottom, top, axis);
     if (count < INT64_C(0))
     {
         (*result_0) = -INT64_C(1);
@@ -12546,12 +12671,12 @@ static int64_t vanishing_cruise(double short_0001, double far, double start, arr
 }
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
 {
-    double limit;
     double start;
+    double slowest;
     int64_t result;
-    limit = (*cspan_at(&axis, INT64_C(2)));
     start = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
-    result = vanishing_cruise(-limit, limit, start, phases, problem, axis);
+    slowest = -(*cspan_at(&axis, INT64_C(9)));
+    result = vanishing_cruise(slowest, (*cspan_at(&axis, INT64_C(2))), start, phases, problem, axis);
     return result;
 }
 static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial)
@@ -12559,6 +12684,7 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     double distance;
     double longest;
     double fastest;
+    double backwards;
     double before;
     double e_before;
     int64_t i;
@@ -12573,16 +12699,22 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     distance = (*cspan_at(&problem, INT64_C(4)));
     longest = 1e+300;
     fastest = (*cspan_at(&axis, INT64_C(2)));
+    backwards = (*cspan_at(&axis, INT64_C(9)));
     if (count > INT64_C(0))
     {
         longest = total_duration(phases, count);
-        fastest = speed_bound(longest, problem, axis);
+        fastest = speed_bound(1.0, longest, problem, axis);
+        backwards = speed_bound(-1.0, longest, problem, axis);
     }
     before = 0.0;
     e_before = 0.0;
     for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
     {
         cruise = fastest * (1.0 - i / 6.0);
+        if (i > INT64_C(6))
+        {
+            cruise = backwards * (1.0 - i / 6.0);
+        }
         cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
         error = 0.0;
         if (used >= INT64_C(0))
@@ -12651,7 +12783,7 @@ static int64_t direct_form(array_double_2d phases, bool from_start, array_double
     {
         cruise = v + 0.5 * a * t;
     }
-    if (fabs(cruise) > (*cspan_at(&axis, INT64_C(2))))
+    if (is_beyond(cruise, cruise, 1.0, axis))
     {
         return INT64_C(0);
     }
@@ -12703,17 +12835,17 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     double y_cruise;
     double inside;
     distance = (*cspan_at(&problem, INT64_C(4)));
-    limit = speed_bound((*cspan_at(&problem, INT64_C(5))), problem, axis);
+    limit = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
     if (y > distance)
     {
-        limit = -limit;
+        limit = -speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
     }
     inside = middle;
     outside = limit;
     failed = 0;
     missing = distance - y;
     cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
-    if (fabs(cruise) > fabs(limit))
+    if (cruise * limit > limit * limit)
     {
         cruise = limit;
     }
@@ -12772,9 +12904,9 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     nearest = span_row(&work, INT64_C(58));
     distance = (*cspan_at(&problem, INT64_C(4)));
     target = (*cspan_at(&problem, INT64_C(5)));
-    most = (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12);
+    most = slowest_velocity(axis) * (1.0 + 1e-12);
     segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if ((lowest < -most) || (highest > most))
+    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
     {
         return;
     }
@@ -12934,6 +13066,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     array_double_2d trial;
     double distance;
     double fastest;
+    double backwards;
     int64_t samples;
     bool inside;
     double before;
@@ -12952,7 +13085,8 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     double e_upper;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     distance = (*cspan_at(&problem, INT64_C(4)));
-    fastest = speed_bound((*cspan_at(&problem, INT64_C(5))), problem, axis);
+    fastest = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    backwards = speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
     samples = INT64_C(24);
     inside = 0;
     before = 0.0;
@@ -12961,6 +13095,10 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
     {
         cruise = fastest * (2.0 * i / samples - 1.0);
+        if (cruise < 0.0)
+        {
+            cruise = backwards * (2.0 * i / samples - 1.0);
+        }
         timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
         error = y - distance;
         fits = (count >= INT64_C(0)) && (hold >= 0.0);
@@ -13011,8 +13149,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double y;
     double error;
     double speed;
-    (*cspan_at(&family, INT64_C(31))) = 1.0;
-    (*cspan_at(&family, INT64_C(32))) = 0.0;
+    (*cspan_at(&family, INT64_C(33))) = 1.0;
+    (*cspan_at(&family, INT64_C(34))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -13024,7 +13162,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(32))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(34))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -13036,7 +13174,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(32))) = 1.0;
+            (*cspan_at(&family, INT64_C(34))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -13056,9 +13194,9 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         }
     }
     member_distance(&duration, &y, family, axis);
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
     {
-        error = duration - (*cspan_at(&family, INT64_C(14)));
+        error = duration - (*cspan_at(&family, INT64_C(16)));
         if (fabs(error) <= 1e-15 * duration)
         {
             error = 0.0;
@@ -13067,9 +13205,9 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         (*result_1) = error;
         return 0;
     }
-    error = y - (*cspan_at(&family, INT64_C(14)));
-    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + (*cspan_at(&axis, INT64_C(3))) * duration;
-    if (fabs(error) <= 2e-13 * (fabs(y) + span_min((*cspan_at(&axis, INT64_C(2))), speed) * duration))
+    error = y - (*cspan_at(&family, INT64_C(16)));
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + top_acceleration(axis) * duration;
+    if (fabs(error) <= 2e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
     {
         error = 0.0;
     }
@@ -13267,8 +13405,8 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
     family = span_row(&work, INT64_C(98));
     target = (*cspan_at(&problem, INT64_C(5)));
     missing = set_loop(problem, axis, family);
-    (*cspan_at(&family, INT64_C(13))) = 1.0;
-    (*cspan_at(&family, INT64_C(14))) = target;
+    (*cspan_at(&family, INT64_C(15))) = 1.0;
+    (*cspan_at(&family, INT64_C(16))) = target;
     for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
     {
         sample = INT64_C(0);
@@ -13565,18 +13703,26 @@ static bool find_dips(double v, double a, double end, array_double_1d axis, arra
     }
     segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
     gain = 0.37 * fabs(a) * duration;
-    if (ramps_suffice(axis) || (sign * v + gain > (*cspan_at(&axis, INT64_C(2)))))
+    if (ramps_suffice(axis) || (sign * v + gain > side_limit(INT64_C(1), sign, axis)))
     {
         return 0;
     }
     (*cspan_at(&dips, INT64_C(0))) = v;
     (*cspan_at(&dips, INT64_C(1))) = a;
     (*cspan_at(&dips, INT64_C(2))) = (-sign) * end;
-    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(36)))); lower += INT64_C(1))
+    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(38)))); lower += INT64_C(1))
     {
-        above = (int64_t)((*cspan_at(&axis, INT64_C(36)))) - lower;
+        above = (int64_t)((*cspan_at(&axis, INT64_C(38)))) - lower;
         begin_dip(above, sign * v, fabs(a), work);
+        if (sign < 0.0)
+        {
+            mirror_axis(axis);
+        }
         least = find_edge(0, 0.02 * duration, -end, axis, work);
+        if (sign < 0.0)
+        {
+            mirror_axis(axis);
+        }
         if (least > 0.0)
         {
             (*cspan_at(&dips, INT64_C(3))) = above;
@@ -13591,7 +13737,15 @@ static void find_deepest(array_double_1d axis, array_double_1d dips, array_doubl
 {
     double end;
     end = -fabs((*cspan_at(&dips, INT64_C(2))));
+    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
+    {
+        mirror_axis(axis);
+    }
     (*cspan_at(&dips, INT64_C(5))) = span_max(find_edge(1, (*cspan_at(&dips, INT64_C(4))), end, axis, work), (*cspan_at(&dips, INT64_C(4))));
+    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
+    {
+        mirror_axis(axis);
+    }
 }
 static int64_t write_levels(array_double_2d phases, array_double_2d work)
 {
@@ -13649,7 +13803,8 @@ static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, 
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     duration = sequence_duration(span_row(&work, INT64_C(101)), nodes);
     y = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0)));
-    v = boundary_value(sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1))), (*cspan_at(&axis, INT64_C(2))));
+    v = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1)));
+    v = boundary_value(v, (*cspan_at(&axis, INT64_C(9))), (*cspan_at(&axis, INT64_C(2))));
     (*result_0) = count;
     (*result_1) = duration;
     (*result_2) = y;
@@ -13669,9 +13824,8 @@ static double peak_past_zero(double v, double a, double level, array_double_1d a
     result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
     return result;
 }
-static double deep_level(double v, double a, array_double_1d axis)
+static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis)
 {
-    double velocity_limit;
     double shrink;
     double lower;
     double upper;
@@ -13680,9 +13834,8 @@ static double deep_level(double v, double a, array_double_1d axis)
     double at_inner;
     double at_outer;
     int64_t i;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     shrink = 0.6180339887498949;
-    lower = -span_min((*cspan_at(&axis, INT64_C(3))), 1000.0 * a);
+    lower = -span_min(bottom, 1000.0 * a);
     upper = 0.0;
     if (peak_past_zero(v, a, lower, axis) <= velocity_limit)
     {
@@ -13721,9 +13874,8 @@ static double deep_level(double v, double a, array_double_1d axis)
     }
     return 1.0;
 }
-static double level_past_zero(double v, double a, array_double_1d axis)
+static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis)
 {
-    double velocity_limit;
     double newest;
     double e_newest;
     double other;
@@ -13736,8 +13888,7 @@ static double level_past_zero(double v, double a, array_double_1d axis)
     double error;
     bool crossed;
     double inside;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
-    inside = deep_level(v, a, axis);
+    inside = deep_level(v, a, velocity_limit, bottom, axis);
     if (inside > 0.0)
     {
         return inside;
@@ -13771,7 +13922,6 @@ static double level_past_zero(double v, double a, array_double_1d axis)
 }
 static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
-    double velocity_limit;
     int64_t count;
     double level;
     double reached;
@@ -13782,9 +13932,10 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     double lowest;
     double highest;
     double sign;
+    double most;
+    double bottom;
     double past;
     array_double_1d dips;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     count = INT64_C(0);
     level = a;
     reached = v;
@@ -13792,7 +13943,7 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     {
         count = append_change(phases, count, level, 0.0, axis);
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-        if (fabs(end) <= velocity_limit * (1.0 + 1e-12))
+        if (!is_beyond(end, end, 1.0 + 1e-12, axis))
         {
             (*result_0) = count;
             (*result_1) = duration;
@@ -13806,7 +13957,9 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
         {
             sign = -1.0;
         }
-        past = sign * level_past_zero(sign * reached, sign * level, axis);
+        most = side_limit(INT64_C(1), sign, axis);
+        bottom = side_limit(INT64_C(2), -sign, axis);
+        past = sign * level_past_zero(sign * reached, sign * level, most, bottom, axis);
         if (past * sign > 0.0)
         {
             break;
@@ -13829,15 +13982,15 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
 }
 static bool nearly_brakes(double v, double a, array_double_1d axis)
 {
-    double velocity_limit;
     double duration;
     double slope;
-    double gain;
+    double end;
+    double near;
     bool result;
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    gain = 0.5 * a * duration;
-    result = (fabs(v + gain) > velocity_limit) && (fabs(v + (1.0 - saving(axis)) * gain) <= velocity_limit);
+    end = v + 0.5 * a * duration;
+    near = v + (1.0 - saving(axis)) * (0.5 * a * duration);
+    result = is_beyond(end, end, 1.0, axis) && (!is_beyond(near, near, 1.0, axis));
     return result;
 }
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -13885,7 +14038,9 @@ static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant,
     }
     if (variant >= INT64_C(2))
     {
+        reverse_axis(axis);
         brake(&last, &duration, &y, &w, w, -b, axis, trial, work);
+        reverse_axis(axis);
         if (last < INT64_C(0))
         {
             (*result_0_0001) = -INT64_C(2);
@@ -13938,7 +14093,9 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
     if (variant >= INT64_C(2))
     {
         w = (*cspan_at(&problem, INT64_C(2)));
+        reverse_axis(axis);
         brake(&last, &duration, &y, &end, w, -(*cspan_at(&problem, INT64_C(3))), axis, trial, work);
+        reverse_axis(axis);
         reverse_phases(trial, INT64_C(0), last);
         count = join_phases(trial, last, phases, count);
     }
@@ -14037,13 +14194,16 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     double distance;
     double below;
     double above;
+    double target;
     double speed;
     double tiny;
     distance = (*cspan_at(&problem, INT64_C(4)));
     below = (*cspan_at(&nearest, INT64_C(1)));
     above = (*cspan_at(&nearest, INT64_C(3)));
-    speed = speed_bound((*cspan_at(&problem, INT64_C(5))), problem, axis);
-    tiny = 1e-14 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    speed = speed_bound(1.0, target, problem, axis);
+    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
+    tiny = 1e-14 * (fabs(distance) + speed * target);
     if (above - distance <= tiny)
     {
         return 1.0;
@@ -14113,12 +14273,12 @@ static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, do
     double value;
     order = INT64_C(0);
     value = 0.0;
-    if (fabs(a) >= (*cspan_at(&axis, INT64_C(3))) * (1.0 - 1e-09))
+    if (fabs(a) >= side_limit(INT64_C(2), a, axis) * (1.0 - 1e-09))
     {
         order = INT64_C(2);
         value = a;
     }
-    else if ((a == 0.0) && (fabs(v) >= (*cspan_at(&axis, INT64_C(2))) * (1.0 - 1e-09)))
+    else if ((a == 0.0) && (fabs(v) >= side_limit(INT64_C(1), v, axis) * (1.0 - 1e-09)))
     {
         order = INT64_C(1);
         value = v;
@@ -14175,7 +14335,7 @@ static void begin_sequence(int64_t count, array_double_2d phases, array_double_1
 {
     int64_t i;
     double a;
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(36)));
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(38)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
@@ -14199,7 +14359,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     int64_t i;
     int64_t row;
     passing = span_row(&work, INT64_C(101));
-    q = (int64_t)((*cspan_at(&axis, INT64_C(36)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&axis, INT64_C(38)))) + INT64_C(2);
     begin_sequence(count, phases, axis, passing);
     if (((*cspan_at(&passing, INT64_C(4))) == 0.0) || has_dip(phases, count))
     {
@@ -14275,7 +14435,7 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
 static bool is_brief(array_double_1d axis)
 {
     bool result;
-    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(10))) < 0.5);
+    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(12))) < 0.5);
     return result;
 }
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -14310,11 +14470,11 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
         sign = -sign;
         if (attempt == INT64_C(2))
         {
-            if ((*cspan_at(&work, INT64_C(98), INT64_C(17))) >= duration)
+            if ((*cspan_at(&work, INT64_C(98), INT64_C(19))) >= duration)
             {
                 break;
             }
-            scale = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+            scale = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
         }
         set_alternating(sign, 0.35 * scale / q, work);
         if (solve_rotated(problem, axis, work))
@@ -14336,8 +14496,10 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     int64_t i;
     int64_t order;
     double excess;
+    double factor;
+    int64_t lower;
     loose = span_row(&work, INT64_C(201));
-    for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
     {
         (*cspan_at(&loose, i)) = (*cspan_at(&axis, i));
     }
@@ -14345,7 +14507,13 @@ static void loosen(double share, array_double_1d axis, array_double_2d work)
     {
         i = INT64_C(2) + order - INT64_C(1);
         excess = (*cspan_at(&work, INT64_C(200), INT64_C(0) + order));
-        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * pow((1.0 + excess), (1.0 - share));
+        factor = pow((1.0 + excess), (1.0 - share));
+        (*cspan_at(&loose, i)) = (*cspan_at(&axis, i)) * factor;
+        if (order <= INT64_C(2))
+        {
+            lower = INT64_C(9) + order - INT64_C(1);
+            (*cspan_at(&loose, lower)) = (*cspan_at(&axis, lower)) * factor;
+        }
     }
 }
 static bool tighten(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -14517,6 +14685,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
     double held;
     double order;
     int64_t kind;
+    double sign;
     int64_t used;
     flush_levels(problem, axis, work);
     above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
@@ -14554,7 +14723,8 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
                 if ((*cspan_at(&work, row, INT64_C(4))) > 1.5)
                 {
                     kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-                    held = (*cspan_at(&work, row, INT64_C(5))) * (*cspan_at(&axis, INT64_C(2) + kind - INT64_C(1)));
+                    sign = (*cspan_at(&work, row, INT64_C(5)));
+                    held = sign * side_limit(kind, sign, axis);
                 }
             }
             used = append_phase(phases, used, (*cspan_at(&work, row, INT64_C(10))), 0.0, held, 0.0, order);
@@ -14749,11 +14919,13 @@ static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1
     if (backwards)
     {
         reverse_problem(problem);
+        reverse_axis(axis);
     }
     count = timed_passing(phases, problem, axis, work);
     if (backwards)
     {
         reverse_problem(problem);
+        reverse_axis(axis);
         reverse_phases(phases, INT64_C(0), count);
     }
     return count;
@@ -14764,11 +14936,11 @@ static double usual_duration(array_double_1d problem, array_double_1d axis)
     double distance;
     double cruise;
     double result;
-    top = (*cspan_at(&axis, INT64_C(3)));
+    top = span_min((*cspan_at(&axis, INT64_C(3))), (*cspan_at(&axis, INT64_C(9) + INT64_C(1))));
     distance = fabs((*cspan_at(&problem, INT64_C(4))));
     cruise = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + sqrt(top * distance);
-    cruise = span_min((*cspan_at(&axis, INT64_C(2))), cruise + top * (*cspan_at(&axis, INT64_C(11))));
-    result = 4.0 * (cruise / top + (*cspan_at(&axis, INT64_C(11)))) + distance / cruise;
+    cruise = span_min(slowest_velocity(axis), cruise + top * (*cspan_at(&axis, INT64_C(13))));
+    result = 4.0 * (cruise / top + (*cspan_at(&axis, INT64_C(13)))) + distance / cruise;
     return result;
 }
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis)
@@ -14777,7 +14949,6 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     double a;
     double w;
     double b;
-    double velocity_limit;
     double duration;
     double end;
     double scale;
@@ -14790,14 +14961,13 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     a = (*cspan_at(&problem, INT64_C(1)));
     w = (*cspan_at(&problem, INT64_C(2)));
     b = (*cspan_at(&problem, INT64_C(3)));
-    velocity_limit = (*cspan_at(&axis, INT64_C(2)));
     count = append_change(phases, INT64_C(0), a, b, axis);
     if (count > INT64_C(0))
     {
         duration = (*cspan_at(&phases, INT64_C(0), INT64_C(0)));
         end = v + 0.5 * (a + b) * duration;
         scale = fabs(v) + fabs(w) + (fabs(a) + fabs(b)) * duration;
-        if (fabs(end - w) <= 1e-13 * span_min(velocity_limit, scale))
+        if (fabs(end - w) <= 1e-13 * span_min(fastest_velocity(axis), scale))
         {
             if (valid_duration(phases, count, problem, axis) >= 0.0)
             {
@@ -14813,7 +14983,11 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         side = span_floor_mod((first + i), INT64_C(2));
-        cruise = velocity_limit * (INT64_C(1) - INT64_C(2) * side);
+        cruise = (*cspan_at(&axis, INT64_C(2)));
+        if (side == INT64_C(1))
+        {
+            cruise = -(*cspan_at(&axis, INT64_C(9)));
+        }
         count = with_cruise(phases, cruise, problem, axis);
         if ((count > INT64_C(0)) && (valid_duration(phases, count, problem, axis) >= 0.0))
         {
@@ -14822,28 +14996,44 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     }
     return INT64_C(0);
 }
+static bool may_detour(array_double_1d problem, array_double_1d axis)
+{
+    double slowest;
+    bool result;
+    slowest = slowest_velocity(axis);
+    if (slowest == fastest_velocity(axis))
+    {
+        return 0;
+    }
+    result = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) > slowest;
+    return result;
+}
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
     array_double_1d family;
-    int64_t count;
-    int64_t best;
     double shortest;
     int64_t found;
     int64_t branch;
+    int64_t count;
     double duration;
+    int64_t best;
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     family = span_row(&work, INT64_C(98));
-    if (attempt == INT64_C(0))
-    {
-        count = fastest_between(phases, problem, axis);
-        if (count > INT64_C(0))
-        {
-            return count;
-        }
-    }
     best = INT64_C(0);
     shortest = 0.0;
+    if (attempt == INT64_C(0))
+    {
+        best = fastest_between(phases, problem, axis);
+        if (best > INT64_C(0))
+        {
+            shortest = total_duration(phases, best);
+            if (!may_detour(problem, axis))
+            {
+                return best;
+            }
+        }
+    }
     found = -INT64_C(1);
     for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
     {
@@ -14851,7 +15041,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
         {
             continue;
         }
-        if ((branch >= INT64_C(4)) && (attempt == INT64_C(0)) && (best > INT64_C(0)))
+        if ((branch >= INT64_C(4)) && (attempt == INT64_C(0)) && (found >= INT64_C(0)))
         {
             break;
         }
@@ -14868,7 +15058,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
             set_family(branch, problem, axis, family);
             if (attempt == INT64_C(0))
             {
-                count = merged_form(trial, (*cspan_at(&axis, INT64_C(3))), family, axis);
+                count = merged_form(trial, (*cspan_at(&family, INT64_C(4))), family, axis);
             }
             else
             {
@@ -14880,7 +15070,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
             duration = valid_duration(trial, count, problem, axis);
             if (attempt == INT64_C(0))
             {
-                (*cspan_at(&family, INT64_C(17))) = span_min((*cspan_at(&family, INT64_C(17))), total_duration(trial, count));
+                (*cspan_at(&family, INT64_C(19))) = span_min((*cspan_at(&family, INT64_C(19))), total_duration(trial, count));
             }
             if (duration >= 0.0)
             {
@@ -15022,6 +15212,24 @@ static int64_t shorter_braked(int64_t count, array_double_1d problem, array_doub
     }
     return count;
 }
+static int64_t shorter_than_detour(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    double longest;
+    int64_t variant;
+    int64_t used;
+    double duration;
+    longest = total_duration(phases, count) * (1.0 - 1e-10);
+    for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
+    {
+        braked_variant(&used, &duration, variant, longest, problem, axis, phases, work);
+        if (used > INT64_C(0))
+        {
+            count = used;
+            longest = duration;
+        }
+    }
+    return count;
+}
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
     array_double_2d ramps;
@@ -15053,9 +15261,11 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
         result = forwards;
     }
     reverse_problem(asked);
+    reverse_axis(axis);
     reverse_phases(ramps, INT64_C(0), count);
     backwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
     reverse_problem(asked);
+    reverse_axis(axis);
     if (backwards > INT64_C(0))
     {
         reverse_phases(phases, INT64_C(0), backwards);
@@ -15072,11 +15282,13 @@ static bool set_dips(double v, double a, double end, array_double_1d axis, array
 {
     double duration;
     double slope;
+    double reached;
     (*cspan_at(&dips, INT64_C(0))) = v;
     (*cspan_at(&dips, INT64_C(2))) = a;
     (*cspan_at(&dips, INT64_C(3))) = 0.0;
     segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    if (fabs(v + 0.5 * a * duration) <= (*cspan_at(&axis, INT64_C(2))))
+    reached = v + 0.5 * a * duration;
+    if (!is_beyond(reached, reached, 1.0, axis))
     {
         return 1;
     }
@@ -15175,6 +15387,7 @@ static bool set_both_dips(double end, array_double_1d problem, array_double_1d a
 {
     array_double_1d first;
     array_double_1d last;
+    bool found;
     bool result;
     first = span_row(&work, INT64_C(63));
     last = span_row(&work, INT64_C(64));
@@ -15182,7 +15395,10 @@ static bool set_both_dips(double end, array_double_1d problem, array_double_1d a
     {
         return 0;
     }
-    if (!set_dips((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), end, axis, last, work))
+    reverse_axis(axis);
+    found = set_dips((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), end, axis, last, work);
+    reverse_axis(axis);
+    if (!found)
     {
         return 0;
     }
@@ -15231,7 +15447,7 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
     double end;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        end = 0.45 * i * (*cspan_at(&axis, INT64_C(3)));
+        end = 0.45 * i * span_min((*cspan_at(&axis, INT64_C(3))), (*cspan_at(&axis, INT64_C(9) + INT64_C(1))));
         if (set_both_dips(end, asked, axis, work))
         {
             count = best_depth(count, phases, asked, axis, work);
@@ -15327,15 +15543,15 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     {
         (*cspan_at(&passing, i)) = 0.0;
     }
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(36)));
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(38)));
     (*cspan_at(&passing, INT64_C(2))) = pace;
     (*cspan_at(&passing, INT64_C(3))) = duration;
-    acceleration = (*cspan_at(&axis, INT64_C(3)));
-    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(11))));
+    acceleration = top_acceleration(axis);
+    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(13))));
     (*cspan_at(&passing, INT64_C(4))) = acceleration;
     (*cspan_at(&passing, INT64_C(5))) = duration;
     (*cspan_at(&passing, INT64_C(6))) = sign;
-    q = (int64_t)((*cspan_at(&axis, INT64_C(36)))) + INT64_C(2);
+    q = (int64_t)((*cspan_at(&axis, INT64_C(38)))) + INT64_C(2);
     set_alternating(sign, 0.6 * duration / q, work);
 }
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -15405,7 +15621,7 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
                 (*cspan_at(&nearest, found + INT64_C(1))) = reached;
                 break;
             }
-            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(36))) < 1.5))
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(38))) < 1.5))
             {
                 return 0;
             }
@@ -15517,11 +15733,17 @@ static double turning_time(double lower, double upper, bool covering, array_doub
     }
     return span_min(t_p, t_q);
 }
-static double cruise_sample(int64_t sample, double fastest)
+static double cruise_sample(int64_t sample, double fastest, double backwards)
 {
-    return fastest * (2.0 * sample / INT64_C(24) - 1.0);
+    double share;
+    share = 2.0 * sample / INT64_C(24) - 1.0;
+    if (share < 0.0)
+    {
+        return backwards * share;
+    }
+    return fastest * share;
 }
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_2d phases;
     array_double_2d ends;
@@ -15535,8 +15757,8 @@ static int64_t insert_turn(int64_t sample, bool covering, double least, double s
     }
     phases = span_rows(&work, INT64_C(0), INT64_C(21));
     ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), fastest);
-    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), fastest);
+    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), fastest, backwards);
+    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), fastest, backwards);
     turn = turning_time(lower, upper, covering, problem, axis, phases);
     result = insert_end(spent + span_min(turn, least), after, count, ends);
     return result;
@@ -15549,6 +15771,7 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     double first_covered;
     double second_covered;
     double fastest;
+    double backwards;
     int64_t i;
     double third;
     double third_covered;
@@ -15558,25 +15781,26 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     second = 1e+300;
     first_covered = 1e+300;
     second_covered = 1e+300;
-    fastest = speed_bound(4.0 * after, problem, axis);
+    fastest = speed_bound(1.0, 4.0 * after, problem, axis);
+    backwards = speed_bound(-1.0, 4.0 * after, problem, axis);
     for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
         third = 1e+300;
         third_covered = 1e+300;
         if (i < INT64_C(25))
         {
-            cruise = cruise_sample(i, fastest);
+            cruise = cruise_sample(i, fastest, backwards);
             cruise_times(&third, &third_covered, cruise, problem, axis, phases);
         }
         if ((second < 1e+300) && (first >= second) && (third >= second))
         {
-            count = insert_turn(i - INT64_C(1), 0, second, spent, after, fastest, problem, axis, work, count);
+            count = insert_turn(i - INT64_C(1), 0, second, spent, after, fastest, backwards, problem, axis, work, count);
         }
         if ((second_covered < 1e+300) && (first_covered >= second_covered))
         {
             if (third_covered >= second_covered)
             {
-                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, fastest, problem, axis, work, count);
+                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, fastest, backwards, problem, axis, work, count);
             }
         }
         first = second;
@@ -15625,7 +15849,11 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
         }
         else if (form < INT64_C(3))
         {
-            cruise = (*cspan_at(&axis, INT64_C(2))) * (INT64_C(3) - INT64_C(2) * form);
+            cruise = (*cspan_at(&axis, INT64_C(2)));
+            if (form == INT64_C(2))
+            {
+                cruise = -(*cspan_at(&axis, INT64_C(9)));
+            }
             taken = with_cruise(phases, cruise, problem, axis);
         }
         else
@@ -15813,7 +16041,7 @@ static int64_t gentle_hold(double* result_0_0001, double* result_1, double level
 {
     double top;
     double hold;
-    top = (*cspan_at(&axis, INT64_C(3)));
+    top = side_limit(INT64_C(2), level, axis);
     if (fabs(level) <= top)
     {
         (*result_0_0001) = level;
@@ -15909,7 +16137,7 @@ static double usual_speed(array_double_1d problem, array_double_1d axis)
     duration = (*cspan_at(&problem, INT64_C(5)));
     speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
     speed = speed + (fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))))) * duration;
-    result = span_min((*cspan_at(&axis, INT64_C(2))), speed + fabs((*cspan_at(&problem, INT64_C(4)))) / duration);
+    result = span_min(fastest_velocity(axis), speed + fabs((*cspan_at(&problem, INT64_C(4)))) / duration);
     return result;
 }
 static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
@@ -16074,9 +16302,11 @@ static bool may_touch(double v, double a, array_double_1d axis)
 {
     double duration;
     double slope;
+    double sign;
     bool result;
     segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    result = sign_of(a) * v + 0.5 * fabs(a) * duration > 0.9 * (*cspan_at(&axis, INT64_C(2)));
+    sign = sign_of(a);
+    result = sign * v + 0.5 * fabs(a) * duration > 0.9 * side_limit(INT64_C(1), sign, axis);
     return result;
 }
 static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work)
@@ -16223,8 +16453,10 @@ static int64_t touching_form(int64_t count, array_double_2d phases, array_double
     longest = total_duration(ramps, count) * (1.0 - 1e-09);
     touching_starts(&result, &longest, count, longest, ramps, phases, problem, axis, work);
     reverse_problem(problem);
+    reverse_axis(axis);
     touching_starts(&backwards, &longest, count, longest, ramps, phases, problem, axis, work);
     reverse_problem(problem);
+    reverse_axis(axis);
     if (backwards > INT64_C(0))
     {
         reverse_phases(phases, INT64_C(0), backwards);
@@ -16238,9 +16470,8 @@ static int64_t touching_form(int64_t count, array_double_2d phases, array_double
     }
     return count;
 }
-static double least_lever(double c, double gain, array_double_1d axis)
+static double least_lever(double c, double gain, double top, array_double_1d axis)
 {
-    double top;
     double jerk;
     double rise;
     double rest;
@@ -16249,7 +16480,6 @@ static double least_lever(double c, double gain, array_double_1d axis)
     {
         return 0.0;
     }
-    top = (*cspan_at(&axis, INT64_C(3)));
     jerk = (*cspan_at(&axis, INT64_C(4)));
     rise = (top - c) / jerk;
     rest = gain - (c + 0.5 * jerk * rise) * rise;
@@ -16272,6 +16502,7 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     double gain;
     double single;
     double slope;
+    double top;
     double jerk;
     double first;
     double last;
@@ -16302,22 +16533,23 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     {
         return 0.0;
     }
+    top = side_limit(INT64_C(2), sign, axis);
     jerk = (*cspan_at(&axis, INT64_C(4)));
     first = 0.0;
     last = 0.0;
     late = 0.0;
     early = 0.0;
-    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(13))) > 0.0) && ((*cspan_at(&axis, INT64_C(12))) > 0.5))
+    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(15))) > 0.0) && ((*cspan_at(&axis, INT64_C(14))) > 0.5))
     {
         first = 0.5 * a * a / jerk;
         last = 0.5 * b * b / jerk;
-        late = least_lever(b, gain - first, axis) - a * first / (3.0 * jerk);
-        early = least_lever(a, gain - last, axis) - b * last / (3.0 * jerk);
+        late = least_lever(b, gain - first, top, axis) - a * first / (3.0 * jerk);
+        early = least_lever(a, gain - last, top, axis) - b * last / (3.0 * jerk);
     }
     rounding = 1e-09 * (fabs(distance) + fabs(late) + fabs(early));
     late = late - rounding;
     early = early - rounding;
-    least = span_max(single, gain / (*cspan_at(&axis, INT64_C(3))));
+    least = span_max(single, gain / top);
     most = duration;
     slowest = v + first;
     fastest = w - last;
@@ -16401,9 +16633,9 @@ static double short_window(double duration, array_double_1d problem, array_doubl
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
-    (*cspan_at(&work, INT64_C(98), INT64_C(18))) = INT64_C(0);
-    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = 0.0;
-    (*cspan_at(&work, INT64_C(98), INT64_C(17))) = 1e+300;
+    (*cspan_at(&work, INT64_C(98), INT64_C(20))) = INT64_C(0);
+    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = 0.0;
+    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = 1e+300;
     (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 0.0;
 }
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
@@ -16434,13 +16666,13 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     int64_t count;
     double window;
     int64_t result;
-    free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+    free = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
     status = braked_ramps(asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
         settled = 0;
-        if ((*cspan_at(&axis, INT64_C(36))) > 0.5)
+        if ((*cspan_at(&axis, INT64_C(38))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
             settled = ((*cspan_at(&work, INT64_C(101), INT64_C(10))) > 0.5) && ramps_suffice(axis);
@@ -16475,7 +16707,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     {
         return status;
     }
-    if (((*cspan_at(&axis, INT64_C(36))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    if (((*cspan_at(&axis, INT64_C(38))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
     {
         result = passing_either_way(count, phases, asked, axis, work);
         return result;
@@ -16488,9 +16720,9 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     double most;
     double far;
     int64_t status;
-    free = (*cspan_at(&work, INT64_C(98), INT64_C(17)));
+    free = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
     status = usual_braked(asked, axis, phases, work);
-    if ((status <= INT64_C(0)) || ((*cspan_at(&axis, INT64_C(36))) < 0.5))
+    if ((status <= INT64_C(0)) || ((*cspan_at(&axis, INT64_C(38))) < 0.5))
     {
         return status;
     }
@@ -16505,11 +16737,11 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         status = shorter_dipped(status, phases, asked, axis, work);
     }
-    if (((*cspan_at(&axis, INT64_C(10))) > 0.5) && (total_duration(phases, status) > far))
+    if (((*cspan_at(&axis, INT64_C(12))) > 0.5) && (total_duration(phases, status) > far))
     {
         status = touching_form(status, phases, asked, axis, work);
     }
-    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = total_duration(phases, status) > most;
+    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = total_duration(phases, status) > most;
     return status;
 }
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
@@ -16548,10 +16780,14 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    missed = (int64_t)((*cspan_at(&family, INT64_C(18))));
+    if ((count > INT64_C(0)) && may_detour(asked, axis))
+    {
+        count = shorter_than_detour(count, asked, axis, phases, work);
+    }
+    missed = (int64_t)((*cspan_at(&family, INT64_C(20))));
     if (count == INT64_C(0))
     {
-        free = (*cspan_at(&family, INT64_C(17)));
+        free = (*cspan_at(&family, INT64_C(19)));
         count = shortest_braked(asked, axis, phases, work);
         if ((*cspan_at(&work, INT64_C(101), INT64_C(10))) < 0.5)
         {
@@ -16574,12 +16810,12 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
                 missed = INT64_C(2);
             }
         }
-        if (((*cspan_at(&axis, INT64_C(36))) > 0.5) && (!ramps_suffice(axis)))
+        if (((*cspan_at(&axis, INT64_C(38))) > 0.5) && (!ramps_suffice(axis)))
         {
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) < 0.5))
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14))) < 0.5))
     {
         trial = span_rows(&work, INT64_C(0), INT64_C(21));
         count = shorter_cruise(count, phases, asked, axis, trial);
@@ -16589,7 +16825,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     {
         missed = INT64_C(2);
     }
-    (*cspan_at(&family, INT64_C(18))) = missed;
+    (*cspan_at(&family, INT64_C(20))) = missed;
     return count;
 }
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
@@ -16626,7 +16862,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     gentle = span_row(&work, INT64_C(100));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     target = (*cspan_at(&problem, INT64_C(5)));
-    most = (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12);
+    most = slowest_velocity(axis) * (1.0 + 1e-12);
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
         if (!solve_gentle(attempt, problem, axis, gentle))
@@ -16640,7 +16876,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
         count = write_gentle(phases, problem, axis, gentle);
         count = fit_duration(phases, count, target);
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-        if ((lowest < -most) || (highest > most))
+        if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
         {
             return 0;
         }
@@ -16664,23 +16900,30 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
     array_double_1d problem;
     array_double_1d rest;
     double velocity;
+    double backwards;
     double factor;
     double steepest;
+    double lowest;
     int64_t attempt;
     double room;
+    bool fits;
     array_double_1d nearest;
     int64_t below;
     int64_t above;
     problem = span_row(&work, INT64_C(59));
     rest = span_row(&work, INT64_C(60));
     velocity = (*cspan_at(&axis, INT64_C(2)));
+    backwards = (*cspan_at(&axis, INT64_C(9)));
     factor = shortest / (*cspan_at(&problem, INT64_C(5)));
     factor = factor * factor;
-    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3)))));
+    steepest = span_max((*cspan_at(&problem, INT64_C(1))), (*cspan_at(&problem, INT64_C(3))));
+    lowest = span_min((*cspan_at(&problem, INT64_C(1))), (*cspan_at(&problem, INT64_C(3))));
     for (attempt = INT64_C(0); attempt < INT64_C(9); attempt += INT64_C(1))
     {
         room = (*cspan_at(&axis, INT64_C(3))) * factor * factor * (1.0 - 1e-12);
-        if ((steepest <= room) && (factor < 0.99))
+        fits = steepest <= room;
+        room = (*cspan_at(&axis, INT64_C(9) + INT64_C(1))) * factor * factor * (1.0 - 1e-12);
+        if (fits && (-lowest <= room) && (factor < 0.99))
         {
             (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) / factor;
             (*cspan_at(&rest, INT64_C(1))) = (*cspan_at(&problem, INT64_C(1))) / (factor * factor);
@@ -16689,9 +16932,11 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
             (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4)));
             (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) * factor;
             (*cspan_at(&axis, INT64_C(2))) = velocity / factor;
+            (*cspan_at(&axis, INT64_C(9))) = backwards / factor;
             clear_nearest(work);
             usual_cruise(rest, axis, cell, work);
             (*cspan_at(&axis, INT64_C(2))) = velocity;
+            (*cspan_at(&axis, INT64_C(9))) = backwards;
             if (is_enclosed(work))
             {
                 nearest = span_row(&work, INT64_C(58));
@@ -16778,7 +17023,7 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(36))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(38))) < 0.5)
     {
         return -1.0;
     }
@@ -16788,11 +17033,11 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) > 0.5)
     {
         count = slowed_shortest(phases, problem, axis, work);
-        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(10))) > 0.5))
+        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) > 0.5))
         {
-            (*cspan_at(&axis, INT64_C(10))) = 0.0;
+            (*cspan_at(&axis, INT64_C(12))) = 0.0;
             count = slowed_shortest(phases, problem, axis, work);
-            (*cspan_at(&axis, INT64_C(10))) = 1.0;
+            (*cspan_at(&axis, INT64_C(12))) = 1.0;
         }
     }
     if ((count == INT64_C(0)) && (!ramps_suffice(axis)))
@@ -16857,7 +17102,7 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     {
         return -1.0;
     }
-    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(36))) > 0.5))
+    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(38))) > 0.5))
     {
         weight = slower_passing(axis, cell, work);
         if (weight < 0.0)
@@ -17024,7 +17269,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
             duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);
             if (set_duration(duration, cell, axis, work))
             {
-                if (((*cspan_at(&axis, INT64_C(12))) < 0.5) || (!ramps_suffice(axis)))
+                if (((*cspan_at(&axis, INT64_C(14))) < 0.5) || (!ramps_suffice(axis)))
                 {
                     duration = first_feasible(4e-09, after, duration, cell, axis, work);
                 }
@@ -17133,6 +17378,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
     double slow;
     int64_t j;
     double time;
+    double sign;
     int64_t status;
     report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(0))) = axis;
@@ -17149,19 +17395,21 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
         if (status < INT64_C(0))
         {
             (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(66), INT64_C(1)));
+            sign = (*cspan_at(&report, INT64_C(2)));
             if (status == -INT64_C(2))
             {
                 (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&cells, j, INT64_C(66), INT64_C(3)));
+                sign = -(*cspan_at(&report, INT64_C(2)));
             }
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, axis, INT64_C(2)));
+            (*cspan_at(&report, INT64_C(3))) = side_limit(INT64_C(1), sign, span_row(&axes, axis));
             return status;
         }
-        missed = span_max_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(18)))));
-        slow = span_max(slow, (*cspan_at(&work, INT64_C(98), INT64_C(19))));
+        missed = span_max_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20)))));
+        slow = span_max(slow, (*cspan_at(&work, INT64_C(98), INT64_C(21))));
         note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
     }
-    (*cspan_at(&work, INT64_C(98), INT64_C(18))) = missed;
-    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = slow;
+    (*cspan_at(&work, INT64_C(98), INT64_C(20))) = missed;
+    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = slow;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -17235,7 +17483,7 @@ static double plan_steeper(int64_t missed, int64_t axis, array_double_2d axes, a
         {
             share = moderate_share();
         }
-        missed = span_min_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(18)))));
+        missed = span_min_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20)))));
     }
     if (missed == INT64_C(2))
     {
@@ -17249,10 +17497,10 @@ static double plan_steeper(int64_t missed, int64_t axis, array_double_2d axes, a
 }
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    (*cspan_at(&axes, axis, INT64_C(10))) = 1.0;
+    (*cspan_at(&axes, axis, INT64_C(12))) = 1.0;
     if (!shorter_with(share, share, 1.0 - 1e-09, axis, axes, cells, work))
     {
-        (*cspan_at(&axes, axis, INT64_C(10))) = 0.0;
+        (*cspan_at(&axes, axis, INT64_C(12))) = 0.0;
     }
 }
 static int64_t plan_refused(int64_t* result_0, double* result_1, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
@@ -17284,8 +17532,8 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     int64_t status;
     share = usual_share(span_row(&axes, axis));
     status = plan_with_share(axis, share, axes, cells, work);
-    missed = (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(18))));
-    if ((*cspan_at(&axes, axis, INT64_C(12))) < 0.5)
+    missed = (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20))));
+    if ((*cspan_at(&axes, axis, INT64_C(14))) < 0.5)
     {
         return status;
     }
@@ -17297,7 +17545,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     {
         share = plan_steeper(missed, axis, axes, cells, work);
     }
-    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(19))) > 0.5))
+    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(21))) > 0.5))
     {
         plan_thoroughly(share, axis, axes, cells, work);
     }
@@ -17319,8 +17567,8 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
             (*cspan_at(&report, INT64_C(0))) = i;
             (*cspan_at(&report, INT64_C(1))) = j;
             (*cspan_at(&report, INT64_C(2))) = velocity;
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, i, INT64_C(2)));
-            if (fabs(velocity) > (*cspan_at(&axes, i, INT64_C(2))) * (1.0 + 1e-12))
+            (*cspan_at(&report, INT64_C(3))) = side_limit(INT64_C(1), velocity, span_row(&axes, i));
+            if (fabs(velocity) > (*cspan_at(&report, INT64_C(3))) * (1.0 + 1e-12))
             {
                 return -INT64_C(7);
             }
@@ -17330,8 +17578,8 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
                 return -INT64_C(10);
             }
             (*cspan_at(&report, INT64_C(2))) = acceleration;
-            (*cspan_at(&report, INT64_C(3))) = (*cspan_at(&axes, i, INT64_C(3)));
-            if (fabs(acceleration) > (*cspan_at(&axes, i, INT64_C(3))) * (1.0 + 1e-12))
+            (*cspan_at(&report, INT64_C(3))) = side_limit(INT64_C(2), acceleration, span_row(&axes, i));
+            if (fabs(acceleration) > (*cspan_at(&report, INT64_C(3))) * (1.0 + 1e-12))
             {
                 return -INT64_C(8);
             }
@@ -17636,7 +17884,7 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     }
     return INT64_C(0);
 }
-int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
+int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
     int64_t smoothness;
@@ -17654,6 +17902,7 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         segfmu_axis_limits(smoothness, shape, span_row(&limits, axis), span_row(&axes, axis));
+        set_lower(span_row(&lower, axis), span_row(&axes, axis));
     }
     status = check_waypoints(states, dwells, axes, report);
     if (status < INT64_C(0))
@@ -17812,10 +18061,14 @@ double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2
     }
     return largest;
 }
-static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits)
+static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits, array_double_2d lower)
 {
     double limit;
     limit = (*cspan_at(&limits, axis, order));
+    if ((value < 0.0) && ((*cspan_at(&lower, axis, order)) > 0.0))
+    {
+        limit = (*cspan_at(&lower, axis, order));
+    }
     if ((fabs(value) <= 1e-09 * limit) && (fabs(value) <= 1e-09 * segfmu_motion_scale(order, states, limits)))
     {
         return 0.0;
@@ -17852,7 +18105,7 @@ static bool is_same(array_double_2d before, array_double_2d state)
     }
     return 1;
 }
-int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits)
+int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits, array_double_2d lower)
 {
     int64_t j;
     int64_t axis;
@@ -17872,7 +18125,7 @@ int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double
                 settled = given;
                 if (given != 0.0)
                 {
-                    settled = settle_value(given, i, axis, states, limits);
+                    settled = settle_value(given, i, axis, states, limits, lower);
                 }
                 if (j > first)
                 {
@@ -19960,13 +20213,13 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
     for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
     {
         chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(48); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
         {
             (*cspan_at(&chain, i)) = 0.0;
         }
         (*cspan_at(&chain, INT64_C(0))) = smoothness - order;
         (*cspan_at(&chain, INT64_C(1))) = INT64_C(1);
-        (*cspan_at(&chain, INT64_C(9))) = order;
+        (*cspan_at(&chain, INT64_C(11))) = order;
         for (i = INT64_C(0); i < smoothness - order + INT64_C(1); i += INT64_C(1))
         {
             (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&axis, INT64_C(2) + order + i));
@@ -19974,6 +20227,17 @@ static void set_chains(double steep, array_double_1d axis, array_double_1d limit
             {
                 (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&limits, order + INT64_C(1) + i));
             }
+        }
+        (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&chain, INT64_C(2)));
+        (*cspan_at(&chain, INT64_C(9) + INT64_C(1))) = (*cspan_at(&chain, INT64_C(3)));
+        if (order == INT64_C(0))
+        {
+            (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&axis, INT64_C(9)));
+            (*cspan_at(&chain, INT64_C(9) + INT64_C(1))) = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+        }
+        else if (order == INT64_C(1))
+        {
+            (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
         }
         segfmu_ramp_parameters(usual_share(chain) / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
     }
@@ -20176,7 +20440,7 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     psi = span_row(&work, INT64_C(0));
     state = span_row(&work, INT64_C(1));
     order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    plateau = (*cspan_at(&axis, INT64_C(12))) > 0.5;
+    plateau = (*cspan_at(&axis, INT64_C(14))) > 0.5;
     if (!plateau)
     {
         transition_coefficients(order, psi);
@@ -20210,6 +20474,14 @@ int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double
     }
     return row;
 }
+static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain)
+{
+    double top;
+    int64_t result;
+    top = (*cspan_at(&chain, INT64_C(3)));
+    result = append_velocity_change(phases, INT64_C(0), v, a, w, top, (*cspan_at(&chain, INT64_C(9) + INT64_C(1))), chain);
+    return result;
+}
 static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem)
 {
     (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
@@ -20228,27 +20500,27 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     int64_t result;
     state = span_row(&lead, INT64_C(2));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(46) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(47) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
             return result;
         }
-        result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, chain);
+        result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(46) + order);
+    chain = span_row(&lead, INT64_C(47) + order);
     if (free)
     {
-        result = append_velocity_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, chain);
+        result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
         return result;
     }
     problem = span_row(&lead, INT64_C(11));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(53), INT64_C(293)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(54), INT64_C(294)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -20264,14 +20536,14 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     int64_t i;
     int64_t last;
     state = span_row(&lead, INT64_C(2));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(46) + seen);
+    chain = span_row(&lead, INT64_C(47) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(293), INT64_C(297));
+    expansion = span_rows(&lead, INT64_C(294), INT64_C(298));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -20311,7 +20583,7 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     int64_t i;
     double aim;
     state = span_row(&lead, INT64_C(2));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
         if ((i == order) && ((*cspan_at(&lead, INT64_C(7), i)) < 1e+299))
@@ -20329,7 +20601,7 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(46), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(1), i));
@@ -20350,7 +20622,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(46) + seen, INT64_C(36))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(47) + seen, INT64_C(38))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);
@@ -20387,10 +20659,10 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     state = span_row(&lead, INT64_C(2));
     level = span_row(&lead, INT64_C(3));
     seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(46) + seen);
+    chain = span_row(&lead, INT64_C(47) + seen);
     problem = span_row(&lead, INT64_C(11));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    plan = span_rows(&lead, INT64_C(53), INT64_C(293));
+    plan = span_rows(&lead, INT64_C(54), INT64_C(294));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
     passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
@@ -20461,7 +20733,7 @@ static void set_limits(double steep, array_double_2d lead)
     array_double_1d axis;
     axis = span_row(&lead, INT64_C(45));
     chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(5)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(5)), span_rows(&lead, INT64_C(46), INT64_C(53)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(5)), span_rows(&lead, INT64_C(47), INT64_C(54)));
 }
 static bool is_settled(array_double_2d lead)
 {
@@ -20494,6 +20766,8 @@ static double profile_time(array_double_2d lead)
     array_double_1d problem;
     array_double_1d axis;
     array_double_2d phases;
+    int64_t order;
+    double value;
     int64_t count;
     int64_t i;
     double duration;
@@ -20502,20 +20776,20 @@ static double profile_time(array_double_2d lead)
     problem = span_row(&lead, INT64_C(11));
     axis = span_row(&lead, INT64_C(45));
     phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(1)))) > (*cspan_at(&axis, INT64_C(2))) * (1.0 + 1e-12))
+    for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
     {
-        return -1.0;
-    }
-    if (fabs((*cspan_at(&state, INT64_C(0) + INT64_C(2)))) > (*cspan_at(&axis, INT64_C(3))) * (1.0 + 1e-12))
-    {
-        return -1.0;
+        value = (*cspan_at(&state, INT64_C(0) + order));
+        if (fabs(value) > side_limit(order, value, axis) * (1.0 + 1e-12))
+        {
+            return -1.0;
+        }
     }
     (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, INT64_C(0) + INT64_C(1)));
     (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(53), INT64_C(293)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(54), INT64_C(294)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -20573,20 +20847,22 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     int64_t first;
     double best;
     array_double_2d check;
+    array_double_1d lower;
     first = INT64_C(400);
     best = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
     if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(9), INT64_C(3))))))
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(297), INT64_C(342));
+    check = span_rows(&lead, INT64_C(298), INT64_C(343));
+    lower = span_row(&lead, INT64_C(46));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
         {
             return 0;
         }
-        if (!check_axis(first, last, timing, coefficients, limits, 1e-09, 5e-10, check))
+        if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 5e-10, check))
         {
             return 0;
         }
@@ -21041,7 +21317,8 @@ bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int
     }
     shape = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(1))));
     segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(45)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(45))), span_row(&lead, INT64_C(45)), span_rows(&lead, INT64_C(46), INT64_C(53))))
+    set_lower(span_row(&lead, INT64_C(46)), span_row(&lead, INT64_C(45)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(45))), span_row(&lead, INT64_C(45)), span_rows(&lead, INT64_C(47), INT64_C(54))))
     {
         return 0;
     }
@@ -21519,7 +21796,7 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
     (*cspan_at(&offsets, count)) = row;
     return row;
 }
-int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
     double tolerance;
     int64_t wrong;
@@ -21529,14 +21806,14 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     }
     segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(242), INT64_C(246)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(246), INT64_C(291)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, lower, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(246), INT64_C(291)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);
     }
     return INT64_C(0);
 }
-int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
     array_double_2d planner;
     int64_t status;
@@ -21544,11 +21821,11 @@ int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array
     status = segfmu_check_problem(states, limits, span_row(&planner, INT64_C(99)));
     if (status == INT64_C(0))
     {
-        status = segfmu_plan_phases(states, dwells, limits, span_row(&work, INT64_C(0)), axes, cells, planner);
+        status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, INT64_C(0)), axes, cells, planner);
     }
     if (status == INT64_C(0))
     {
-        status = segfmu_expand_motion(states, dwells, limits, axes, cells, timing, coefficients, offsets, times, work);
+        status = segfmu_expand_motion(states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, work);
     }
     return status;
 }

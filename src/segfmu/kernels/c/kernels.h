@@ -54,7 +54,7 @@ SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviat
 SEGFMU_API void segfmu_turbulence_components(double speed, double length, double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
 SEGFMU_API double segfmu_state_scale(int64_t order, double duration, array_double_1d limits);
-SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, double tolerance, double joints, array_double_2d work);
+SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault);
 SEGFMU_API double segfmu_begin_time(double given, double start);
@@ -65,10 +65,10 @@ SEGFMU_API bool segfmu_ramp_parameters(double share, array_double_1d axis, array
 SEGFMU_API int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
 SEGFMU_API int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 SEGFMU_API double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work);
-SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report);
 SEGFMU_API double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
-SEGFMU_API int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits);
+SEGFMU_API int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits, array_double_2d lower);
 SEGFMU_API int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells);
 SEGFMU_API void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
 SEGFMU_API double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory);
@@ -107,7 +107,7 @@ SEGFMU_API void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits,
 SEGFMU_API int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets);
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);
 SEGFMU_API int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
-SEGFMU_API int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
-SEGFMU_API int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
+SEGFMU_API int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
+SEGFMU_API int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
 
 #endif

@@ -27,7 +27,7 @@ size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int6
         + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS + EXPANSION_SIZE * EXPANSION_COLUMNS
         + CHECK_SIZE * CHECK_COLUMNS + 2 * (points + 1) * axes;
     return (size_t)(lists + lead + planned
-                    + axes * (smoothness + 1 + DELAYED_STATE_SIZE) + points);
+                    + axes * (smoothness + 1 + DELAYED_STATE_SIZE + LOWER_SIZE) + points);
 }
 
 void segfmu_start_states(const piece_list *list, int64_t smoothness, double *states)
@@ -44,10 +44,12 @@ void segfmu_start_states(const piece_list *list, int64_t smoothness, double *sta
 }
 
 replanning segfmu_begin_replanning(
-    const segfmu_trajectory *old, double time, int64_t points, const double *limits, double *space)
+    const segfmu_trajectory *old, double time, int64_t points, const double *limits,
+    const double *lower, double *space)
 {
     const int64_t k = old->axes, n = old->smoothness, rows = most_rows(points, k, n, old->pieces);
     replanning t = {.axes = k, .smoothness = n, .limits = matrix((double *)limits, k, n + 1)};
+    t.lower = segfmu_gather_lower(lower, k, &space);
     t.now = take(&space, k * (n + 1));
     t.ends = take(&space, k * DELAYED_STATE_SIZE);
     t.rest = segfmu_take_pieces(&space, rows, k, n);
@@ -72,7 +74,7 @@ int segfmu_settle_targets(
     const replanning *t, int64_t points, double *states, double *report)
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
-    segfmu_settle_states(1, cuboid(states, points, k, width), t->limits);
+    segfmu_settle_states(1, cuboid(states, points, k, width), t->limits, t->lower);
     const int64_t status = segfmu_check_problem(
         cuboid(states, points, k, width), t->limits, vector(report, REFUSAL_SIZE));
     if (status == PLAN_STATUS_PLANNED) {
@@ -149,6 +151,9 @@ static int64_t find_one(replanning *t, const lead_search *s, int64_t axis, doubl
     aim[PROBLEM_W] = target[WAYPOINT_STATE_VELOCITY];
     aim[PROBLEM_B] = target[WAYPOINT_STATE_ACCELERATION];
     s->work.data[LEAD_WORK_AXIS * LEAD_WORK_COLUMNS + AXIS_SHAPE] = (double)s->shape;
+    for (int64_t i = 0; i < LOWER_SIZE; i++) {
+        s->work.data[LEAD_WORK_LOWER * LEAD_WORK_COLUMNS + i] = t->lower.data[axis * LOWER_SIZE + i];
+    }
     int found = segfmu_find_lead(
         s->order, within, axis, t->rest.offsets, t->rest.timing, t->rest.coefficients,
         span_row(&t->limits, axis), s->work, s->timing, s->coefficients);
@@ -253,8 +258,8 @@ int segfmu_judge_pieces(
     /* as nothing judges it once more, nearly all of the tolerance is used */
     int64_t wrong = segfmu_check_plan(
         cuboid(states, points, k, n + 1), matrix(times, points + 1, k), found->timing,
-        found->coefficients, found->offsets, t->limits, PLAN_TOLERANCE, 0.95 * PLAN_TOLERANCE,
-        check);
+        found->coefficients, found->offsets, t->limits, t->lower, PLAN_TOLERANCE,
+        0.95 * PLAN_TOLERANCE, check);
     return wrong == 0 ? PLAN_STATUS_PLANNED : PLAN_STATUS_CHECK_FAILED;
 }
 

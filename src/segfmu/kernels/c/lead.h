@@ -14,6 +14,7 @@ enum { STATE = WAYPOINT_STATE_SIZE };
 typedef struct {
     int64_t axes, smoothness;
     array_double_2d limits;      /* (k, n + 1) */
+    array_double_2d lower;       /* (k, Lower) */
     double *now;                 /* (k, n + 1): state at the start */
     double *ends;                /* (k, DelayedState): where leads end */
     piece_list rest, leads, plan, joined;
@@ -22,7 +23,8 @@ typedef struct {
 
 /* The rest of the old plan from a time on, and work space as large as segfmu_replan_size tells. */
 replanning segfmu_begin_replanning(
-    const segfmu_trajectory *old, double time, int64_t points, const double *limits, double *space);
+    const segfmu_trajectory *old, double time, int64_t points, const double *limits,
+    const double *lower, double *space);
 
 /* What is left of the old plan from a time on. */
 void segfmu_cut_rest(const segfmu_trajectory *old, double time, piece_list *rest);

@@ -1448,32 +1448,36 @@ static PyObject *call_check_plan(
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     Py_buffer *in_limits;
+    Py_buffer *in_lower;
     double in_tolerance;
     double in_joints;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 9)
+    if (take_count(&call, count, 10)
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
         && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
-        && take_float(&call, 6, &in_tolerance)
-        && take_float(&call, 7, &in_joints)
-        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
+        && take_float(&call, 7, &in_tolerance)
+        && take_float(&call, 8, &in_joints)
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
         && has_at_least(&call, "work", 0, in_work->shape[0], 45)
         && has_at_least(&call, "work", 1, in_work->shape[1], 14)
         && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
@@ -1484,6 +1488,7 @@ static PyObject *call_check_plan(
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
             in_tolerance,
             in_joints,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
@@ -1589,7 +1594,7 @@ static PyObject *call_ramp_duration(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_change)
         && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
         double result_0;
         double result_1;
         segfmu_ramp_duration(
@@ -1612,7 +1617,7 @@ static PyObject *call_ramp_pieces(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_axis = take_array(&call, 0, 1, 'd', false)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
         answer = PyLong_FromLongLong(segfmu_ramp_pieces(
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}}));
     }
@@ -1636,7 +1641,7 @@ static PyObject *call_axis_limits(
         && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
         && (in_axis = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_smoothness + 1))
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
         segfmu_axis_limits(
             in_smoothness,
             in_shape,
@@ -1661,7 +1666,7 @@ static PyObject *call_ramp_parameters(
         && take_float(&call, 0, &in_share)
         && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
         && (in_work = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
         && has_at_least(&call, "work", 0, in_work->shape[0], 2)
         && has_at_least(&call, "work", 1, in_work->shape[1], 12)) {
         answer = PyBool_FromLong(segfmu_ramp_parameters(
@@ -1692,7 +1697,7 @@ static PyObject *call_measure_phases(
         && (in_axis = take_array(&call, 4, 1, 'd', false)) != NULL
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)) {
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
         double result_0;
         double result_1;
         double result_2;
@@ -1727,15 +1732,15 @@ static PyObject *call_shortest_profile(
     (void)self;
     if (take_count(&call, count, 4)
         && (in_problem = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_axis = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
         && (in_phases = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && has_at_least(&call, "problem", 0, in_problem->shape[0], 6)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
         && has_at_least(&call, "phases", 0, in_phases->shape[0], 33)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 48)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)) {
         answer = PyLong_FromLongLong(segfmu_shortest_profile(
             (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1761,11 +1766,11 @@ static PyObject *call_timed_profile(
         && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
         && (in_cell = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
         && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
         && has_at_least(&call, "cell", 1, in_cell->shape[1], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 48)) {
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)) {
         answer = PyFloat_FromDouble(segfmu_timed_profile(
             in_target,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
@@ -1784,37 +1789,42 @@ static PyObject *call_plan_phases(
     Py_buffer *in_states;
     Py_buffer *in_dwells;
     Py_buffer *in_limits;
+    Py_buffer *in_lower;
     Py_buffer *in_options;
     Py_buffer *in_axes;
     Py_buffer *in_cells;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 7)
+    if (take_count(&call, count, 8)
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_options = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_lower = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_options = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_cells = take_array(&call, 6, 3, 'd', true)) != NULL
+        && (in_work = take_array(&call, 7, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
         && has_at_least(&call, "options", 0, in_options->shape[0], 5)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 240)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
         answer = PyLong_FromLongLong(segfmu_plan_phases(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
             (array_double_1d){in_options->buf, {in_options->shape[0]}},
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
@@ -1887,20 +1897,25 @@ static PyObject *call_settle_states(
     int64_t in_first;
     Py_buffer *in_states;
     Py_buffer *in_limits;
+    Py_buffer *in_lower;
     (void)self;
-    if (take_count(&call, count, 3)
+    if (take_count(&call, count, 4)
         && take_int(&call, 0, &in_first)
         && (in_states = take_array(&call, 1, 3, 'd', true)) != NULL
         && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 3, 2, 'd', false)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)) {
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)) {
         answer = PyLong_FromLongLong(segfmu_settle_states(
             in_first,
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}}));
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -2755,7 +2770,7 @@ static PyObject *call_expand_phases(
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
         && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 48)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "work", 0, in_work->shape[0], 4)
         && has_at_least(&call, "work", 1, in_work->shape[1], 12)
@@ -2809,8 +2824,8 @@ static PyObject *call_find_lead(
         && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 342)
-        && has_at_least(&call, "lead", 1, in_lead->shape[1], 48)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 343)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 800)
@@ -3015,7 +3030,7 @@ static PyObject *call_count_pieces(
         && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)) {
         answer = PyLong_FromLongLong(segfmu_count_pieces(
@@ -3057,7 +3072,7 @@ static PyObject *call_expand_plan(
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
@@ -3092,6 +3107,7 @@ static PyObject *call_plan_motion(
     Py_buffer *in_states;
     Py_buffer *in_dwells;
     Py_buffer *in_limits;
+    Py_buffer *in_lower;
     Py_buffer *in_axes;
     Py_buffer *in_cells;
     Py_buffer *in_timing;
@@ -3100,27 +3116,30 @@ static PyObject *call_plan_motion(
     Py_buffer *in_times;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 10)
+    if (take_count(&call, count, 11)
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_cells = take_array(&call, 4, 3, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 7, 1, 'l', true)) != NULL
-        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_lower = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 8, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
@@ -3128,13 +3147,14 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 291)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_plan_motion(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -3155,6 +3175,7 @@ static PyObject *call_expand_motion(
     Py_buffer *in_states;
     Py_buffer *in_dwells;
     Py_buffer *in_limits;
+    Py_buffer *in_lower;
     Py_buffer *in_axes;
     Py_buffer *in_cells;
     Py_buffer *in_timing;
@@ -3163,27 +3184,30 @@ static PyObject *call_expand_motion(
     Py_buffer *in_times;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 10)
+    if (take_count(&call, count, 11)
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_cells = take_array(&call, 4, 3, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 7, 1, 'l', true)) != NULL
-        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_lower = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 8, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 48)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
         && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
@@ -3191,13 +3215,14 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
         && has_at_least(&call, "work", 0, in_work->shape[0], 291)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         answer = PyLong_FromLongLong(segfmu_expand_motion(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},

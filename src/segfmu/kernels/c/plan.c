@@ -9,7 +9,8 @@ static array_double_2d given(const double *data, int64_t rows, int64_t columns)
 
 size_t segfmu_plan_size(int64_t points, int64_t axes, int64_t smoothness)
 {
-    const int64_t planned = points * (axes * WAYPOINT_STATE_SIZE + 1) + axes * AXIS_SIZE
+    const int64_t planned = points * (axes * WAYPOINT_STATE_SIZE + 1)
+        + axes * (AXIS_SIZE + LOWER_SIZE)
         + (points - 1) * axes * CELL_SIZE * CELL_COLUMNS + MOTION_WORK_SIZE * MOTION_WORK_COLUMNS;
     const int64_t expanded = segfmu_most_pieces(points, axes, smoothness) * (TIMING_SIZE + 2 * smoothness)
         + (axes + 1) + (points + 1) * axes;
@@ -45,6 +46,7 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     array_double_3d states = gather_states(p, take(&space, m * k * WAYPOINT_STATE_SIZE));
     array_double_1d dwells = segfmu_gather_dwells(p, &space);
     array_double_2d limits = given(p->limits, k, n + 1);
+    array_double_2d lower = segfmu_gather_lower(p->lower, k, &space);
     array_double_2d axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE);
     array_double_3d cells = cuboid(
         take(&space, intervals * CELL_SIZE * CELL_COLUMNS), intervals, CELL_SIZE, CELL_COLUMNS);
@@ -54,9 +56,9 @@ int segfmu_plan(const segfmu_problem *p, double *space, segfmu_trajectory *traje
     array_double_2d times = matrix(take(&space, (m + 1) * k), m + 1, k);
     double *report = work.data + (MOTION_WORK_PLAN + PLAN_WORK_REFUSAL) * MOTION_WORK_COLUMNS;
     memset(report, 0, sizeof trajectory->report);
-    segfmu_settle_states(0, states, limits);
+    segfmu_settle_states(0, states, limits, lower);
     int64_t status = segfmu_plan_motion(
-        states, dwells, limits, axes, cells, found.timing,
+        states, dwells, limits, lower, axes, cells, found.timing,
         found.coefficients, found.offsets, times, work);
     if (status == PLAN_STATUS_PLANNED || status == PLAN_STATUS_CHECK_FAILED) {
         segfmu_describe(&found, m, times.data, trajectory);

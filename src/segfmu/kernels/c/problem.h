@@ -70,6 +70,20 @@ static inline void segfmu_write_options(const segfmu_problem *p, double *options
     options[PLAN_OPTIONS_DURATION] = p->duration;
 }
 
+/* A copy of the limits in the negative direction (Lower), 0 where there are none. */
+static inline array_double_2d segfmu_gather_lower(
+    const double *lower, int64_t axes, double **space)
+{
+    const size_t size = (size_t)(axes * LOWER_SIZE) * sizeof **space;
+    double *data = take(space, axes * LOWER_SIZE);
+    if (lower == NULL) {
+        memset(data, 0, size);
+    } else {
+        memcpy(data, lower, size);
+    }
+    return matrix(data, axes, LOWER_SIZE);
+}
+
 /* A copy of the dwells, rounded up to multiples of the sample time. */
 static inline array_double_1d segfmu_gather_dwells(const segfmu_problem *p, double **space)
 {

@@ -50,7 +50,7 @@ static int plan_after(replanning *t, const segfmu_problem *p, double *full, doub
     double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
     memset(report, 0, sizeof trajectory->report);
     int64_t status = segfmu_plan_phases(
-        states, dwells, t->limits, vector(options, PLAN_OPTIONS_SIZE), axes, profiles, work);
+        states, dwells, t->limits, t->lower, vector(options, PLAN_OPTIONS_SIZE), axes, profiles, work);
     if (status < 0) {
         memcpy(trajectory->report, report, sizeof trajectory->report);
         return (int)status;
@@ -77,7 +77,7 @@ static void settle_ends(replanning *t, int64_t points, const double *full)
             memcpy(path + (row * k + axis) * STATE, state, STATE * sizeof *path);
         }
     }
-    segfmu_settle_states(1, cuboid(path, points + 1, k, STATE), t->limits);
+    segfmu_settle_states(1, cuboid(path, points + 1, k, STATE), t->limits, t->lower);
     for (int64_t axis = 0; axis < k; axis++) {
         memcpy(t->ends + axis * DELAYED_STATE_SIZE, path + (k + axis) * STATE,
                STATE * sizeof *path);
@@ -221,7 +221,8 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
         return PLAN_STATUS_OUT_OF_RANGE;
     }
     const int64_t m = problem->points;
-    replanning t = segfmu_begin_replanning(old, time, m, problem->limits, space);
+    replanning t = segfmu_begin_replanning(
+        old, time, m, problem->limits, problem->lower, space);
     const int64_t k = t.axes;
     double *full = full_states(&t, problem, &t.space);
     double *times = take(&t.space, (m + 1) * k), *kept_times = take(&t.space, 3 * k);

@@ -40,6 +40,8 @@ typedef struct {
     const double *accelerations; /* (m, k) */
     const double *dwells;        /* (m,) s, only at rest */
     const double *limits;        /* (k, n + 1): c_1 .. c_{n+1} of each axis, 0 where absent */
+    const double *lower;         /* (k, 2): magnitudes of the velocity and acceleration limits in the
+                                    negative direction, 0 or NULL: as in the positive one */
 } segfmu_problem;
 
 /* Numbers that tell of a refusal: REFUSAL_SIZE of records.h */

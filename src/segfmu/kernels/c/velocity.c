@@ -124,7 +124,7 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     if (!(time >= 0.0 && isfinite(time))) {
         return PLAN_STATUS_OUT_OF_RANGE;
     }
-    replanning t = segfmu_begin_replanning(old, time, 2, limits, space);
+    replanning t = segfmu_begin_replanning(old, time, 2, limits, NULL, space);
     const int64_t k = t.axes, n = t.smoothness;
     double *times = take(&t.space, 3 * k), *states = take(&t.space, 2 * k * (n + 1));
     const double *targets = states + k * (n + 1);

@@ -5,7 +5,8 @@ from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
 from segfmu.kernels.planner.merged import write_member
 from segfmu.kernels.planner.phases import copy_phases, valid_duration
-from segfmu.kernels.planner.records import Axis, Family, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.records import Family, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
 from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
 
@@ -44,8 +45,8 @@ def loop_excess(
         return duration, error
     error = y - family[Family.TARGET]
     # states on another plan have its rounding errors, and an arc can end at the distance
-    speed = abs(family[Family.V]) + abs(family[Family.W]) + axis[Axis.ACCELERATION] * duration
-    if abs(error) <= 2e-13 * (abs(y) + min(axis[Axis.VELOCITY], speed) * duration):
+    speed = abs(family[Family.V]) + abs(family[Family.W]) + top_acceleration(axis) * duration
+    if abs(error) <= 2e-13 * (abs(y) + min(fastest_velocity(axis), speed) * duration):
         error = 0.0
     return duration, error
 

@@ -19,7 +19,8 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
-from segfmu.kernels.planner.records import Axis, Braking, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Braking, Phase, PlanWork, Problem
+from segfmu.kernels.planner.sides import is_beyond, reverse_axis, side_limit
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
@@ -30,16 +31,17 @@ def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
     return ramp_extreme_velocity(v, a, level, duration, duration, axis)
 
 
-def deep_level(v: float, a: float, axis: 'float[:]') -> float:
-    """A level past zero to which a ramp from a > 0 keeps the velocity limit; 1 if there is none.
+def deep_level(
+    v: float, a: float, velocity_limit: float, bottom: float, axis: 'float[:]'
+) -> float:
+    """A level past zero to which a ramp from a > 0 keeps a velocity limit; 1 if there is none.
 
-    Golden section, as far as needed: the extreme velocity falls with the depth of the level, and
-    may rise again.
+    bottom: the limit of the acceleration past zero. Golden section, as far as needed: the extreme
+    velocity falls with the depth of the level, and may rise again.
     """
-    velocity_limit = axis[Axis.VELOCITY]
     shrink = 0.6180339887498949
     # a ramp that is longer yet crosses zero while all derivatives still rise, and no faster
-    lower = -min(axis[Axis.ACCELERATION], 1e3 * a)
+    lower = -min(bottom, 1e3 * a)
     upper = 0.0
     if peak_past_zero(v, a, lower, axis) <= velocity_limit:
         return lower
@@ -68,13 +70,15 @@ def deep_level(v: float, a: float, axis: 'float[:]') -> float:
     return 1.0
 
 
-def level_past_zero(v: float, a: float, axis: 'float[:]') -> float:
-    """The level nearest to zero to which a ramp from a > 0 keeps the velocity limit [m/s2].
+def level_past_zero(
+    v: float, a: float, velocity_limit: float, bottom: float, axis: 'float[:]'
+) -> float:
+    """The level nearest to zero to which a ramp from a > 0 keeps a velocity limit [m/s2].
 
-    v is the velocity at its start. Returns 1 if there is no such level.
+    v is the velocity at its start; bottom: the limit of the acceleration past zero. Returns 1 if
+    there is no such level.
     """
-    velocity_limit = axis[Axis.VELOCITY]
-    inside = deep_level(v, a, axis)
+    inside = deep_level(v, a, velocity_limit, bottom, axis)
     if inside > 0.0:
         return inside
     newest = inside
@@ -107,20 +111,21 @@ def brake(
     Also returns duration, distance and end velocity. If the ramp back from a level past zero
     exceeds the limit on the other side, it is braked in turn.
     """
-    velocity_limit = axis[Axis.VELOCITY]
     count = 0
     level = a
     reached = v
     for i in range(3):
         count = append_change(phases, count, level, 0.0, axis)
         duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
-        if abs(end) <= velocity_limit * (1.0 + 1e-12):
+        if not is_beyond(end, end, 1.0 + 1e-12, axis):
             return count, duration, y, end
         count = count - 1
         sign = 1.0
         if level < 0.0:
             sign = -1.0
-        past = sign * level_past_zero(sign * reached, sign * level, axis)
+        most = side_limit(1, sign, axis)
+        bottom = side_limit(2, -sign, axis)
+        past = sign * level_past_zero(sign * reached, sign * level, most, bottom, axis)
         if past * sign > 0.0:
             break
         count = append_change(phases, count, level, past, axis)
@@ -134,10 +139,10 @@ def brake(
 
 def nearly_brakes(v: float, a: float, axis: 'float[:]') -> bool:
     """Whether one ramp to zero acceleration exceeds the limit, but may not with steeper rises."""
-    velocity_limit = axis[Axis.VELOCITY]
     duration, slope = ramp_duration(abs(a), axis)
-    gain = 0.5 * a * duration
-    return abs(v + gain) > velocity_limit and abs(v + (1.0 - saving(axis)) * gain) <= velocity_limit
+    end = v + 0.5 * a * duration
+    near = v + (1.0 - saving(axis)) * (0.5 * a * duration)
+    return is_beyond(end, end, 1.0, axis) and not is_beyond(near, near, 1.0, axis)
 
 
 def braked(
@@ -168,7 +173,9 @@ def braked(
         distance = distance - y
         a = 0.0
     if variant >= 2:
+        reverse_axis(axis)
         last, duration, y, w = brake(w, -b, axis, trial, work)
+        reverse_axis(axis)
         if last < 0:
             return Braking.END_FAILS, 0.0
         spent = spent + duration
@@ -204,7 +211,9 @@ def surround(
         count = first + count
     if variant >= 2:
         w = problem[Problem.W]
+        reverse_axis(axis)
         last, duration, y, end = brake(w, -problem[Problem.B], axis, trial, work)
+        reverse_axis(axis)
         reverse_phases(trial, 0, last)
         count = join_phases(trial, last, phases, count)
     return count

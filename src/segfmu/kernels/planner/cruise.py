@@ -20,18 +20,22 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
+from segfmu.kernels.planner.sides import is_beyond
 
 
 def append_velocity_change(
-    phases: 'float[:,:]', count: int, v: float, a: float, w: float, axis: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, a: float, w: float, top: float, bottom: float,
+    axis: 'float[:]',
 ) -> int:
-    """Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none."""
-    top = axis[Axis.ACCELERATION]
+    """Append the fastest change from (v, a) to (w, 0) over one level; -1 if there is none.
+
+    top, bottom: limits of the acceleration in both directions.
+    """
     sign = 1.0
     t1, hold, level = solve_level(w - v, a, 0.0, max(0.0, a), top, -1.0, axis)
     if hold < 0.0:
         sign = -1.0
-        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), top, -1.0, axis)
+        t1, hold, level = solve_level(v - w, -a, 0.0, max(0.0, -a), bottom, -1.0, axis)
         if hold < 0.0:
             return -1
     count = append_ramp(phases, count, a, sign * level, t1, axis)
@@ -48,12 +52,15 @@ def cruise_form(
     insert the cruise, duration and distance.
     """
     v = problem[Problem.V]
-    row = append_velocity_change(phases, 0, v, problem[Problem.A], cruise, axis)
+    top = axis[Axis.ACCELERATION]
+    bottom = axis[Axis.LOWER + 1]
+    row = append_velocity_change(phases, 0, v, problem[Problem.A], cruise, top, bottom, axis)
     if row < 0:
         return -1, 0, 0.0, 0.0
     # the second part is the first part of the reversed problem
     w = problem[Problem.W]
-    count = append_velocity_change(phases, row, w, -problem[Problem.B], cruise, axis)
+    b = problem[Problem.B]
+    count = append_velocity_change(phases, row, w, -b, cruise, bottom, top, axis)
     if count < 0:
         return -1, 0, 0.0, 0.0
     reverse_phases(phases, row, count)
@@ -134,9 +141,9 @@ def vanishing_cruise(
 
 def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
     """The paper's form with a cruise velocity, below the limit, that makes the cruise vanish."""
-    limit = axis[Axis.VELOCITY]
     start = max(problem[Problem.V], problem[Problem.W])
-    return vanishing_cruise(-limit, limit, start, phases, problem, axis)
+    slowest = -axis[Axis.LOWER]
+    return vanishing_cruise(slowest, axis[Axis.VELOCITY], start, phases, problem, axis)
 
 
 def shorter_cruise(
@@ -149,13 +156,17 @@ def shorter_cruise(
     distance = problem[Problem.DISTANCE]
     longest = 1e300
     fastest = axis[Axis.VELOCITY]
+    backwards = axis[Axis.LOWER]
     if count > 0:
         longest = total_duration(phases, count)
-        fastest = speed_bound(longest, problem, axis)
+        fastest = speed_bound(1.0, longest, problem, axis)
+        backwards = speed_bound(-1.0, longest, problem, axis)
     before = 0.0
     e_before = 0.0
     for i in range(13):
         cruise = fastest * (1.0 - i / 6.0)
+        if i > 6:
+            cruise = backwards * (1.0 - i / 6.0)
         used, row, duration, y = cruise_form(trial, cruise, problem, axis)
         error = 0.0
         if used >= 0:
@@ -202,7 +213,7 @@ def direct_form(
     cruise = w - 0.5 * b * t
     if from_start:
         cruise = v + 0.5 * a * t
-    if abs(cruise) > axis[Axis.VELOCITY]:
+    if is_beyond(cruise, cruise, 1.0, axis):
         return 0
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     if abs(y - distance) > 1e-14 * (abs(distance) + (abs(v) + abs(w)) * duration):

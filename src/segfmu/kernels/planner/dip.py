@@ -17,6 +17,7 @@ from segfmu.kernels.planner.phases import append_phase, boundary_value, mirror_p
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Dip, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sequence import advance, pass_node, sequence_duration, set_level
+from segfmu.kernels.planner.sides import mirror_axis, side_limit
 
 
 def begin_dip(above: int, v: float, a: float, work: 'float[:,:]') -> None:
@@ -189,7 +190,7 @@ def find_dips(
     duration, slope = ramp_duration(abs(a), axis)
     # a ramp gains 0.5 of this, and every motion 0.4, which is that with a limit of the pop alone
     gain = 0.37 * abs(a) * duration
-    if ramps_suffice(axis) or sign * v + gain > axis[Axis.VELOCITY]:
+    if ramps_suffice(axis) or sign * v + gain > side_limit(1, sign, axis):
         return False
     dips[Dip.V] = v
     dips[Dip.A] = a
@@ -197,7 +198,11 @@ def find_dips(
     for lower in range(int(axis[Axis.ABOVE])):
         above = int(axis[Axis.ABOVE]) - lower
         begin_dip(above, sign * v, abs(a), work)
+        if sign < 0.0:
+            mirror_axis(axis)
         least = find_edge(False, 0.02 * duration, -end, axis, work)
+        if sign < 0.0:
+            mirror_axis(axis)
         if least > 0.0:
             dips[Dip.ABOVE] = above
             dips[Dip.LEAST] = least
@@ -209,7 +214,11 @@ def find_dips(
 def find_deepest(axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> None:
     """Set the deepest dip, right after `find_dips` set the least one."""
     end = -abs(dips[Dip.END])
+    if dips[Dip.A] < 0.0:
+        mirror_axis(axis)
     dips[Dip.DEEPEST] = max(find_edge(True, dips[Dip.LEAST], end, axis, work), dips[Dip.LEAST])
+    if dips[Dip.A] < 0.0:
+        mirror_axis(axis)
 
 
 def write_levels(phases: 'float[:,:]', work: 'float[:,:]') -> int:
@@ -248,5 +257,6 @@ def write_dip(
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     duration = sequence_duration(work[PlanWork.PASSING, :], nodes)
     y = sign * nodes[above + 2, Node.STATE]
-    v = boundary_value(sign * nodes[above + 2, Node.STATE + 1], axis[Axis.VELOCITY])
+    v = sign * nodes[above + 2, Node.STATE + 1]
+    v = boundary_value(v, axis[Axis.LOWER], axis[Axis.VELOCITY])
     return count, duration, y, v

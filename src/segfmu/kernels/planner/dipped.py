@@ -19,6 +19,7 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Cell, Dip, Nearest, PlanWork, Problem
+from segfmu.kernels.planner.sides import is_beyond, reverse_axis
 from segfmu.kernels.planner.timed_cruise import is_enclosed
 
 
@@ -30,7 +31,8 @@ def set_dips(
     dips[Dip.END] = a
     dips[Dip.ABOVE] = 0.0
     duration, slope = ramp_duration(abs(a), axis)
-    if abs(v + 0.5 * a * duration) <= axis[Axis.VELOCITY]:
+    reached = v + 0.5 * a * duration
+    if not is_beyond(reached, reached, 1.0, axis):
         return True
     if not find_dips(v, a, end, axis, dips, work):
         return False
@@ -105,7 +107,10 @@ def set_both_dips(end: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
     last = work[PlanWork.DIP_LAST, :]
     if not set_dips(problem[Problem.V], problem[Problem.A], end, axis, first, work):
         return False
-    if not set_dips(problem[Problem.W], -problem[Problem.B], end, axis, last, work):
+    reverse_axis(axis)
+    found = set_dips(problem[Problem.W], -problem[Problem.B], end, axis, last, work)
+    reverse_axis(axis)
+    if not found:
         return False
     return first[Dip.ABOVE] + last[Dip.ABOVE] > 0.0
 
@@ -138,7 +143,7 @@ def shorter_dipped(
 ) -> int:
     """Replace a profile of `count` phases by the shortest one with dips; its number of phases."""
     for i in range(3):
-        end = 0.45 * i * axis[Axis.ACCELERATION]
+        end = 0.45 * i * min(axis[Axis.ACCELERATION], axis[Axis.LOWER + 1])
         if set_both_dips(end, asked, axis, work):
             count = best_depth(count, phases, asked, axis, work)
     return count

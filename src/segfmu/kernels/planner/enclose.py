@@ -88,9 +88,11 @@ def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -
     distance = problem[Problem.DISTANCE]
     below = nearest[Nearest.BELOW_DISTANCE]
     above = nearest[Nearest.ABOVE_DISTANCE]
-    speed = speed_bound(problem[Problem.DURATION], problem, axis)
+    target = problem[Problem.DURATION]
+    speed = speed_bound(1.0, target, problem, axis)
+    speed = max(speed, speed_bound(-1.0, target, problem, axis))
     # one profile is enough if it covers the distance up to rounding
-    tiny = 1e-14 * (abs(distance) + speed * problem[Problem.DURATION])
+    tiny = 1e-14 * (abs(distance) + speed * target)
     if above - distance <= tiny:
         return 1.0
     if distance - below > tiny:

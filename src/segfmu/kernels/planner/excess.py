@@ -6,6 +6,7 @@ the cuts the next lower one rises or falls, so its extremes are at cuts.
 
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
+from segfmu.kernels.planner.sides import side_limit
 
 
 def taylor_value(order: int, top: int, t: float, state: 'float[:]') -> float:
@@ -60,7 +61,7 @@ def note_excess(
 ) -> None:
     """Note what the derivatives below q exceed their limits by (Excess)."""
     for order in range(1, q):
-        limit = axis[Axis.VELOCITY + order - 1]
+        limit = side_limit(order, end[order], axis)
         if limit > 0.0:
             share = abs(end[order]) / limit - 1.0
             if share > max(excess[order, Excess.SHARE], 1e-10):

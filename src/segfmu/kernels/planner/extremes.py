@@ -8,6 +8,7 @@ from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.passing import write_sequence
 from segfmu.kernels.planner.plateaus import keep_sequence, set_alternating
 from segfmu.kernels.planner.records import Axis, Cell, Nearest, Node, Passing, PlanWork, Problem
+from segfmu.kernels.planner.sides import top_acceleration
 from segfmu.kernels.planner.tighten import tighten
 
 
@@ -25,7 +26,7 @@ def set_extreme(
     passing[Passing.ABOVE] = axis[Axis.ABOVE]
     passing[Passing.PACE] = pace
     passing[Passing.TIME] = duration
-    acceleration = axis[Axis.ACCELERATION]
+    acceleration = top_acceleration(axis)
     acceleration = min(acceleration, acceleration * duration / axis[Axis.FULL_RAMP])
     passing[Passing.ACCELERATION] = acceleration
     passing[Passing.TARGET] = duration

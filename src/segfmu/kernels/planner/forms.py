@@ -30,15 +30,16 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
+from segfmu.kernels.planner.sides import fastest_velocity, reverse_axis, slowest_velocity
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
     """Upper bound [s] for the duration of the paper's form with cruise."""
-    top = axis[Axis.ACCELERATION]
+    top = min(axis[Axis.ACCELERATION], axis[Axis.LOWER + 1])
     distance = abs(problem[Problem.DISTANCE])
     # a cruise that is fast enough for the boundary states and worth its ramps
     cruise = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + sqrt(top * distance)
-    cruise = min(axis[Axis.VELOCITY], cruise + top * axis[Axis.FULL_RAMP])
+    cruise = min(slowest_velocity(axis), cruise + top * axis[Axis.FULL_RAMP])
     return 4.0 * (cruise / top + axis[Axis.FULL_RAMP]) + distance / cruise
 
 
@@ -48,7 +49,6 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
     a = problem[Problem.A]
     w = problem[Problem.W]
     b = problem[Problem.B]
-    velocity_limit = axis[Axis.VELOCITY]
     # nothing is faster than one ramp (phase I.1 alone), if it joins the boundary states
     count = append_change(phases, 0, a, b, axis)
     if count > 0:
@@ -56,7 +56,7 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
         end = v + 0.5 * (a + b) * duration
         # relative to the motion, which can be tiny
         scale = abs(v) + abs(w) + (abs(a) + abs(b)) * duration
-        if abs(end - w) <= 1e-13 * min(velocity_limit, scale):
+        if abs(end - w) <= 1e-13 * min(fastest_velocity(axis), scale):
             if valid_duration(phases, count, problem, axis) >= 0.0:
                 return count
     # both cannot be valid; that in the direction of the distance is more likely
@@ -65,11 +65,25 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
         first = 1
     for i in range(2):
         side = (first + i) % 2
-        cruise = velocity_limit * (1 - 2 * side)
+        cruise = axis[Axis.VELOCITY]
+        if side == 1:
+            cruise = -axis[Axis.LOWER]
         count = with_cruise(phases, cruise, problem, axis)
         if count > 0 and valid_duration(phases, count, problem, axis) >= 0.0:
             return count
     return 0
+
+
+def may_detour(problem: 'float[:]', axis: 'float[:]') -> bool:
+    """Whether a cruise at a velocity limit may be a detour between two states that are faster.
+
+    Where the limit in the other direction is higher, both states can have velocities of that
+    direction beyond it. A short motion then stays there, while the cruise turns twice.
+    """
+    slowest = slowest_velocity(axis)
+    if slowest == fastest_velocity(axis):
+        return False
+    return max(abs(problem[Problem.V]), abs(problem[Problem.W])) > slowest
 
 
 def shortest_between(
@@ -86,18 +100,20 @@ def shortest_between(
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     family = work[PlanWork.FAMILY, :]
-    if attempt == 0:
-        count = fastest_between(phases, problem, axis)
-        if count > 0:
-            return count
     best = 0
     shortest = 0.0
+    if attempt == 0:
+        best = fastest_between(phases, problem, axis)
+        if best > 0:
+            shortest = total_duration(phases, best)
+            if not may_detour(problem, axis):
+                return best
     found = -1
     for branch in range(6 - attempt):
         if attempt == 0 and found == branch - 1 and same_members(branch, problem, family):
             continue
         # the direct form is never faster
-        if branch >= 4 and attempt == 0 and best > 0:
+        if branch >= 4 and attempt == 0 and found >= 0:
             break
         if branch == 4 and attempt == 1:
             count = slower_cruise(trial, problem, axis)
@@ -106,7 +122,7 @@ def shortest_between(
         else:
             set_family(branch, problem, axis, family)
             if attempt == 0:
-                count = merged_form(trial, axis[Axis.ACCELERATION], family, axis)
+                count = merged_form(trial, family[Family.TOP], family, axis)
             else:
                 count = tempered_form(trial, family, axis)
         if count > 0:
@@ -209,6 +225,19 @@ def shorter_braked(
     return count
 
 
+def shorter_than_detour(
+    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+) -> int:
+    """Replace a profile of `count` phases that may be a detour by the shortest one that brakes."""
+    longest = total_duration(phases, count) * (1.0 - 1e-10)
+    for variant in range(1, 8):
+        used, duration = braked_variant(variant, longest, problem, axis, phases, work)
+        if used > 0:
+            count = used
+            longest = duration
+    return count
+
+
 def passing_either_way(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
@@ -233,9 +262,11 @@ def passing_either_way(
         longest = total_duration(phases, forwards)
         result = forwards
     reverse_problem(asked)
+    reverse_axis(axis)
     reverse_phases(ramps, 0, count)
     backwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work)
     reverse_problem(asked)
+    reverse_axis(axis)
     if backwards > 0:
         reverse_phases(phases, 0, backwards)
         passing[Passing.REVERSED] = 1.0

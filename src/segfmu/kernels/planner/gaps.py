@@ -102,6 +102,7 @@ def insert_turn(
     spent: float,
     after: float,
     fastest: float,
+    backwards: float,
     problem: 'float[:]',
     axis: 'float[:]',
     work: 'float[:,:]',
@@ -113,15 +114,18 @@ def insert_turn(
         return count
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    lower = cruise_sample(max(sample - 1, 0), fastest)
-    upper = cruise_sample(min(sample + 1, 24), fastest)
+    lower = cruise_sample(max(sample - 1, 0), fastest, backwards)
+    upper = cruise_sample(min(sample + 1, 24), fastest, backwards)
     turn = turning_time(lower, upper, covering, problem, axis, phases)
     return insert_end(spent + min(turn, least), after, count, ends)
 
 
-def cruise_sample(sample: int, fastest: float) -> float:
+def cruise_sample(sample: int, fastest: float, backwards: float) -> float:
     """One of 25 cruise velocities up to the fastest one, in both directions."""
-    return fastest * (2.0 * sample / 24 - 1.0)
+    share = 2.0 * sample / 24 - 1.0
+    if share < 0.0:
+        return backwards * share
+    return fastest * share
 
 
 def turning_ends(
@@ -142,22 +146,23 @@ def turning_ends(
     first_covered = 1e300
     second_covered = 1e300
     # gaps that end later are of no use
-    fastest = speed_bound(4.0 * after, problem, axis)
+    fastest = speed_bound(1.0, 4.0 * after, problem, axis)
+    backwards = speed_bound(-1.0, 4.0 * after, problem, axis)
     for i in range(26):
         third = 1e300
         third_covered = 1e300
         if i < 25:
-            cruise = cruise_sample(i, fastest)
+            cruise = cruise_sample(i, fastest, backwards)
             third, third_covered = cruise_times(cruise, problem, axis, phases)
         if second < 1e300 and first >= second and third >= second:
             count = insert_turn(
-                i - 1, False, second, spent, after, fastest, problem, axis, work, count
+                i - 1, False, second, spent, after, fastest, backwards, problem, axis, work, count
             )
         if second_covered < 1e300 and first_covered >= second_covered:
             if third_covered >= second_covered:
                 count = insert_turn(
-                    i - 1, True, second_covered, spent, after, fastest, problem, axis, work,
-                    count,
+                    i - 1, True, second_covered, spent, after, fastest, backwards, problem, axis,
+                    work, count,
                 )
         first = second
         second = third
@@ -186,7 +191,9 @@ def covering_ends(
         if form == 0:
             taken = slower_cruise(phases, problem, axis)
         elif form < 3:
-            cruise = axis[Axis.VELOCITY] * (3 - 2 * form)
+            cruise = axis[Axis.VELOCITY]
+            if form == 2:
+                cruise = -axis[Axis.LOWER]
             taken = with_cruise(phases, cruise, problem, axis)
         else:
             taken = direct_form(phases, form == 3, problem, axis)

@@ -11,7 +11,8 @@ from math import sqrt
 
 from segfmu.kernels.planner.phases import append_change, append_hold
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
-from segfmu.kernels.planner.records import Axis, Gentle, Phase, Problem
+from segfmu.kernels.planner.records import Gentle, Phase, Problem
+from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
 
 def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
@@ -58,7 +59,7 @@ def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
 
 def gentle_hold(level: float, problem: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
     """The level within the acceleration limit, and how long it is held [s]."""
-    top = axis[Axis.ACCELERATION]
+    top = side_limit(2, level, axis)
     if abs(level) <= top:
         return level, 0.0
     hold = 0.5 * problem[Problem.DURATION] * (abs(level) / top - 1.0)
@@ -116,7 +117,7 @@ def usual_speed(problem: 'float[:]', axis: 'float[:]') -> float:
     duration = problem[Problem.DURATION]
     speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
     speed = speed + (abs(problem[Problem.A]) + abs(problem[Problem.B])) * duration
-    return min(axis[Axis.VELOCITY], speed + abs(problem[Problem.DISTANCE]) / duration)
+    return min(fastest_velocity(axis), speed + abs(problem[Problem.DISTANCE]) / duration)
 
 
 def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:

@@ -7,6 +7,7 @@ than the conditions at the end need, and its peak at the limit as the condition 
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.ramp_peak import crossing_time, taylor
 from segfmu.kernels.planner.records import Axis, Node, Passing
+from segfmu.kernels.planner.sides import side_limit
 
 
 def highest_in_piece(
@@ -111,7 +112,7 @@ def instant_error(
         if i >= first and i <= last:
             sign = passing[Passing.INSTANT_SIGN + peak]
             highest = max(highest, highest_at_node(order, sign, i, passing, axis, nodes))
-    return highest - axis[Axis.VELOCITY + order - 1]
+    return highest - side_limit(order, passing[Passing.INSTANT_SIGN + peak], axis)
 
 
 def shift_instants(place: int, by: int, passing: 'float[:]') -> None:

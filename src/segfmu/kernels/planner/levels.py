@@ -175,7 +175,7 @@ def second_level(
     if p >= last_ramp:
         t = last_ramp
         hold = p - last_ramp
-        level = -axis[Axis.ACCELERATION]
+        level = -family[Family.BOTTOM]
     else:
         change, slope = ramp_change(p, axis)
         level = b - change

@@ -12,7 +12,8 @@ needs, with p = 0 or q = 0. Along all these arcs the distance is searched for (a
 
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.ramp import ramp_change, ramp_duration
-from segfmu.kernels.planner.records import Axis, Family, LoopArc, Problem
+from segfmu.kernels.planner.records import Family, LoopArc, Problem
+from segfmu.kernels.planner.sides import side_limit
 
 
 def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float:
@@ -20,7 +21,6 @@ def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float
 
     The problem is mirrored if the single ramp gains too much.
     """
-    top = axis[Axis.ACCELERATION]
     v = problem[Problem.V]
     a = problem[Problem.A]
     w = problem[Problem.W]
@@ -36,27 +36,31 @@ def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float
     family[Family.B] = sign * b
     family[Family.BY_TIME] = 0.0
     family[Family.TARGET] = sign * problem[Problem.DISTANCE]
+    top = side_limit(2, sign, axis)
+    bottom = side_limit(2, -sign, axis)
+    family[Family.TOP] = top
+    family[Family.BOTTOM] = bottom
     family[Family.START_VELOCITY] = v
     family[Family.REVERSE] = 0.0
     family[Family.MIRROR] = 0.5 - 0.5 * sign
     family[Family.FIRST_UP], slope = ramp_duration(top - sign * a, axis)
-    family[Family.FIRST_DOWN], slope = ramp_duration(top + sign * a, axis)
+    family[Family.FIRST_DOWN], slope = ramp_duration(bottom + sign * a, axis)
     family[Family.LAST_UP], slope = ramp_duration(top - sign * b, axis)
-    family[Family.LAST_DOWN], slope = ramp_duration(top + sign * b, axis)
+    family[Family.LAST_DOWN], slope = ramp_duration(bottom + sign * b, axis)
     return sign * missing
 
 
 def level_from(
-    a: float, time: float, up: float, down: float, axis: 'float[:]'
+    a: float, time: float, up: float, down: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float, float]':
     """The ramp from a that takes `time`, downwards if negative: its duration, hold, and level.
 
     up and down are the durations of the ramps to the limits.
     """
     if time >= up:
-        return up, time - up, axis[Axis.ACCELERATION]
+        return up, time - up, family[Family.TOP]
     if -time >= down:
-        return down, -time - down, -axis[Axis.ACCELERATION]
+        return down, -time - down, -family[Family.BOTTOM]
     change, slope = ramp_change(abs(time), axis)
     if time < 0.0:
         return -time, 0.0, a - change
@@ -84,10 +88,11 @@ def set_point(place: float, radius: float, family: 'float[:]', axis: 'float[:]')
     a = family[Family.A]
     b = family[Family.B]
     t1, hold1, level1 = level_from(
-        a, p_sign * radius * (1.0 - part), family[Family.FIRST_UP], family[Family.FIRST_DOWN], axis
+        a, p_sign * radius * (1.0 - part), family[Family.FIRST_UP], family[Family.FIRST_DOWN],
+        family, axis,
     )
     t3, hold2, level2 = level_from(
-        b, q_sign * radius * part, family[Family.LAST_UP], family[Family.LAST_DOWN], axis
+        b, q_sign * radius * part, family[Family.LAST_UP], family[Family.LAST_DOWN], family, axis
     )
     t2, slope = ramp_duration(abs(level2 - level1), axis)
     family[Family.FIRST_TIME] = t1
@@ -110,7 +115,7 @@ def loop_radius(
     """
     lower = 0.0
     e_lower = -missing
-    upper = min(max(0.25 * missing / axis[Axis.ACCELERATION], 1e-6 * largest), 0.25 * largest)
+    upper = min(max(0.25 * missing / family[Family.TOP], 1e-6 * largest), 0.25 * largest)
     e_upper = set_point(place, upper, family, axis)
     while e_upper < 0.0 or arc == LoopArc.FOLD:
         if not upper < largest:

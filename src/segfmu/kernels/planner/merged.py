@@ -17,6 +17,7 @@ from segfmu.kernels.planner.phases import (
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search, member_search, nearby_member
+from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
 
 
 def set_family(
@@ -47,11 +48,18 @@ def set_family(
         w = -w
         b = -b
         distance = -distance
-    last_ramp, slope = ramp_duration(b + axis[Axis.ACCELERATION], axis)
+    top = axis[Axis.ACCELERATION]
+    bottom = axis[Axis.LOWER + 1]
+    if reverse != mirror:
+        top = axis[Axis.LOWER + 1]
+        bottom = axis[Axis.ACCELERATION]
+    last_ramp, slope = ramp_duration(b + bottom, axis)
     family[Family.V] = v
     family[Family.A] = a
     family[Family.W] = w
     family[Family.B] = b
+    family[Family.TOP] = top
+    family[Family.BOTTOM] = bottom
     family[Family.LAST_RAMP] = last_ramp
     family[Family.REVERSE] = reverse
     family[Family.MIRROR] = mirror
@@ -142,14 +150,14 @@ def write_member(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') -> 
 
 
 def velocity_excess(
-    phases: 'float[:,:]', count: int, v: float, limit_kept: float, axis: 'float[:]'
+    phases: 'float[:,:]', count: int, v: float, within: float, axis: 'float[:]'
 ) -> float:
-    """Excess over the velocity limit [m/s] of phases that start with velocity v; below 0: none.
+    """Excess over a velocity limit [m/s] of phases that start with velocity v; below 0: none.
 
-    Peaks inside ramps may be ignored if they are within +-limit_kept.
+    Peaks inside ramps may be ignored if they are within +-`within`.
     """
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, limit_kept, axis)
-    return max(highest, -lowest) - axis[Axis.VELOCITY]
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, within, axis)
+    return max(highest - axis[Axis.VELOCITY], -lowest - axis[Axis.LOWER])
 
 
 def level_within(
@@ -164,10 +172,14 @@ def level_within(
     Returns both and their excess over the limit less a billionth; the first is -1 if there is none.
     Below some level there may be no member, or one that exceeds the limit on the other side.
     """
-    velocity_limit = axis[Axis.VELOCITY]
+    peak_limit = axis[Axis.VELOCITY]
+    other_limit = axis[Axis.LOWER]
+    if family[Family.MIRROR] > 0.5:
+        peak_limit = axis[Axis.LOWER]
+        other_limit = axis[Axis.VELOCITY]
     v = family[Family.START_VELOCITY]
-    rounding = 1e-12 * velocity_limit
-    margin = 1e-9 * velocity_limit
+    rounding = 1e-12 * fastest_velocity(axis)
+    margin = 1e-9 * fastest_velocity(axis)
     too_low = max(family[Family.A], max(family[Family.B], 0.001 * outside))
     inside = too_low
     for i in range(24):
@@ -178,13 +190,14 @@ def level_within(
         if family[Family.MIRROR] > 0.5:
             peak = -lowest
             other = highest
-        if count <= 0 or other > velocity_limit + rounding:
+        if count <= 0 or other > other_limit + rounding:
             too_low = inside
-        elif peak > velocity_limit + rounding:
+        elif peak > peak_limit + rounding:
             outside = inside
-            e_outside = peak - velocity_limit + margin
+            e_outside = peak - peak_limit + margin
         else:
-            return inside, outside, max(peak, other) - velocity_limit + margin, e_outside
+            excess = max(peak - peak_limit, other - other_limit)
+            return inside, outside, excess + margin, e_outside
         if too_low == outside:
             break
         inside = 0.5 * (too_low + outside)
@@ -201,7 +214,7 @@ def highest_within(
     axis: 'float[:]',
 ) -> float:
     """The highest first level that keeps the velocity limit less a billionth: a bracketed root."""
-    margin = 1e-9 * axis[Axis.VELOCITY]
+    margin = 1e-9 * fastest_velocity(axis)
     before = outside
     e_before = e_outside
     newest_inside = True
@@ -265,14 +278,13 @@ def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') ->
     Between its levels the velocity has a peak. If that exceeds the limit, the first level is
     lowered and held (tempered), so that the peak is at the limit less a billionth.
     """
-    velocity_limit = axis[Axis.VELOCITY]
-    count = merged_form(phases, axis[Axis.ACCELERATION], family, axis)
-    rounding = 1e-12 * velocity_limit
-    margin = 1e-9 * velocity_limit
+    count = merged_form(phases, family[Family.TOP], family, axis)
+    rounding = 1e-12 * fastest_velocity(axis)
+    margin = 1e-9 * fastest_velocity(axis)
     if count <= 0:
         return count
     v = family[Family.START_VELOCITY]
-    e_outside = velocity_excess(phases, count, v, velocity_limit, axis) + margin
+    e_outside = velocity_excess(phases, count, v, slowest_velocity(axis), axis) + margin
     if e_outside <= margin + rounding:
         return count
     family[Family.LOWERED] = 1.0

@@ -21,19 +21,25 @@ least share holds also beside a limit, so that a loose limit changes nothing.
 
 from segfmu.kernels.planner.ramp import plateau_duration, ramp_duration, rise_moments
 from segfmu.kernels.planner.records import Axis, Shape
+from segfmu.kernels.planner.sides import top_acceleration
 from segfmu.kernels.planner.transition import transition_peaks
 
 
 def axis_limits(
     smoothness: int, shape: int, limits: 'float[:]', axis: 'float[:]'
 ) -> None:
-    """Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent."""
+    """Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent.
+
+    They are the same in both directions until `set_lower`.
+    """
     for i in range(Axis.SIZE):
         axis[i] = 0.0
     axis[Axis.SMOOTHNESS] = smoothness
     axis[Axis.SHAPE] = shape
     for i in range(smoothness + 1):
         axis[Axis.VELOCITY + i] = limits[i]
+    for i in range(2):
+        axis[Axis.LOWER + i] = limits[i]
 
 
 def usual_share(axis: 'float[:]') -> float:
@@ -98,7 +104,7 @@ def ramp_parameters(share: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
     else:
         bounded = smoothstep_parameters(axis, work[0, :], work[1, :])
     if bounded:
-        duration, slope = ramp_duration(axis[Axis.ACCELERATION], axis)
+        duration, slope = ramp_duration(top_acceleration(axis), axis)
         axis[Axis.FULL_RAMP] = duration
     return bounded
 

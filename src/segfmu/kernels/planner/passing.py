@@ -20,8 +20,9 @@ from segfmu.kernels.planner.plateaus import (
     overlong_plateau,
     restore_sequence,
 )
-from segfmu.kernels.planner.records import Axis, Node, Passing, PlanWork, Problem, Tighten
+from segfmu.kernels.planner.records import Node, Passing, PlanWork, Problem, Tighten
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
+from segfmu.kernels.planner.sides import reverse_axis, side_limit
 from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
@@ -118,7 +119,8 @@ def write_sequence(
                 held = 0.0
                 if work[row, Node.KIND] > 1.5:
                     kind = int(work[row, Node.KIND])
-                    held = work[row, Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
+                    sign = work[row, Node.SIGN]
+                    held = sign * side_limit(kind, sign, axis)
             used = append_phase(phases, used, work[row, Node.HOLD], 0.0, held, 0.0, order)
     return used
 
@@ -274,8 +276,10 @@ def slower_form(
     backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
     if backwards:
         reverse_problem(problem)
+        reverse_axis(axis)
     count = timed_passing(phases, problem, axis, work)
     if backwards:
         reverse_problem(problem)
+        reverse_axis(axis)
         reverse_phases(phases, 0, count)
     return count

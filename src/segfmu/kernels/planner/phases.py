@@ -3,6 +3,13 @@
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.ramp_peak import extreme_gain, ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.planner.sides import (
+    fastest_velocity,
+    is_beyond,
+    side_limit,
+    slowest_velocity,
+    top_acceleration,
+)
 
 
 def flush_tiny(value: float, scale: float) -> float:
@@ -12,9 +19,12 @@ def flush_tiny(value: float, scale: float) -> float:
     return value
 
 
-def boundary_value(value: float, limit: float) -> float:
-    """A boundary value, set to zero if tiny, clamped if it exceeds its limit by rounding."""
-    return min(max(flush_tiny(value, limit), -limit), limit)
+def boundary_value(value: float, lower: float, upper: float) -> float:
+    """A boundary value, set to zero if tiny, clamped if it exceeds a limit by rounding.
+
+    lower, upper: the limits in both directions.
+    """
+    return min(max(flush_tiny(value, max(lower, upper)), -lower), upper)
 
 
 def append_phase(
@@ -136,12 +146,16 @@ def reverse_problem(problem: 'float[:]') -> None:
 
 def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:
     """Copy a boundary problem (Problem), rounding tiny values to zero and to limits."""
-    velocity = axis[Axis.VELOCITY]
-    acceleration = axis[Axis.ACCELERATION]
-    cleaned[Problem.V] = boundary_value(problem[Problem.V], velocity)
-    cleaned[Problem.A] = boundary_value(problem[Problem.A], acceleration)
-    cleaned[Problem.W] = boundary_value(problem[Problem.W], velocity)
-    cleaned[Problem.B] = boundary_value(problem[Problem.B], acceleration)
+    fastest = axis[Axis.VELOCITY]
+    backwards = axis[Axis.LOWER]
+    top = axis[Axis.ACCELERATION]
+    bottom = axis[Axis.LOWER + 1]
+    cleaned[Problem.V] = boundary_value(problem[Problem.V], backwards, fastest)
+    cleaned[Problem.A] = boundary_value(problem[Problem.A], bottom, top)
+    cleaned[Problem.W] = boundary_value(problem[Problem.W], backwards, fastest)
+    cleaned[Problem.B] = boundary_value(problem[Problem.B], bottom, top)
+    velocity = fastest_velocity(axis)
+    acceleration = top_acceleration(axis)
     # of limits that are far apart, the smaller scale is that of motions which are possible
     ramp = acceleration * axis[Axis.FULL_RAMP] * axis[Axis.FULL_RAMP]
     scale = min(velocity * velocity / acceleration, ramp)
@@ -149,27 +163,30 @@ def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]')
     cleaned[Problem.DURATION] = problem[Problem.DURATION]
 
 
-def speed_bound(duration: float, problem: 'float[:]', axis: 'float[:]') -> float:
+def speed_bound(
+    sign: float, duration: float, problem: 'float[:]', axis: 'float[:]'
+) -> float:
     """Bound [m/s] of the velocities in motions between the boundary states that last a duration.
 
-    It is the velocity limit unless that is beyond what the other limits permit in that time.
+    In the direction of a sign it is the velocity limit, unless that is beyond what the other limits
+    permit in that time.
     """
     # half of the time leads there, the other half back
     half = 0.5 * duration
     change, slope = ramp_change(half, axis)
     steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B])) + change
-    steepest = min(steepest, axis[Axis.ACCELERATION])
+    steepest = min(steepest, top_acceleration(axis))
     most = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + steepest * half
-    return min(axis[Axis.VELOCITY], most)
+    return min(side_limit(1, sign, axis), most)
 
 
 def is_resting(problem: 'float[:]', axis: 'float[:]') -> bool:
     """Whether both boundary states are at rest."""
     speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
-    if flush_tiny(speed, axis[Axis.VELOCITY]) != 0.0:
+    if flush_tiny(speed, fastest_velocity(axis)) != 0.0:
         return False
     acceleration = abs(problem[Problem.A]) + abs(problem[Problem.B])
-    return flush_tiny(acceleration, axis[Axis.ACCELERATION]) == 0.0
+    return flush_tiny(acceleration, top_acceleration(axis)) == 0.0
 
 
 def measure_phases(
@@ -221,13 +238,12 @@ def valid_duration(
     phases: 'float[:,:]', count: int, problem: 'float[:]', axis: 'float[:]'
 ) -> float:
     """Duration [s] of phases that join the boundary states within the velocity limit, else -1."""
-    limit = axis[Axis.VELOCITY]
     distance = problem[Problem.DISTANCE]
-    most = limit * (1.0 + 1e-12)
+    most = slowest_velocity(axis) * (1.0 + 1e-12)
     duration, y, end, lowest, highest = measure_phases(
         phases, count, problem[Problem.V], most, axis
     )
-    if lowest < -most or highest > most:
+    if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
         return -1.0
     # relative to the motion, which can be tiny
     fastest = max(-lowest, highest)

@@ -7,7 +7,6 @@ from segfmu.kernels.planner.intervals import common_duration, set_duration
 from segfmu.kernels.planner.parameters import axis_limits
 from segfmu.kernels.planner.plan_axis import plan_axis
 from segfmu.kernels.planner.records import (
-    Axis,
     Cell,
     DelayedState,
     Interval,
@@ -20,6 +19,7 @@ from segfmu.kernels.planner.records import (
     Synchronization,
     WaypointState,
 )
+from segfmu.kernels.planner.sides import set_lower, side_limit
 
 
 def check_waypoints(
@@ -33,15 +33,15 @@ def check_waypoints(
             report[Refusal.AXIS] = i
             report[Refusal.INTERVAL] = j
             report[Refusal.VALUE] = velocity
-            report[Refusal.BOUND] = axes[i, Axis.VELOCITY]
-            if abs(velocity) > axes[i, Axis.VELOCITY] * (1.0 + 1e-12):
+            report[Refusal.BOUND] = side_limit(1, velocity, axes[i, :])
+            if abs(velocity) > report[Refusal.BOUND] * (1.0 + 1e-12):
                 return PlanStatus.WAYPOINT_VELOCITY
             moving = velocity != 0.0 or acceleration != 0.0
             if dwells[j] > 0.0 and moving:
                 return PlanStatus.MOVING_DWELL
             report[Refusal.VALUE] = acceleration
-            report[Refusal.BOUND] = axes[i, Axis.ACCELERATION]
-            if abs(acceleration) > axes[i, Axis.ACCELERATION] * (1.0 + 1e-12):
+            report[Refusal.BOUND] = side_limit(2, acceleration, axes[i, :])
+            if abs(acceleration) > report[Refusal.BOUND] * (1.0 + 1e-12):
                 return PlanStatus.WAYPOINT_ACCELERATION
     return PlanStatus.PLANNED
 
@@ -201,6 +201,7 @@ def plan_phases(
     states: 'float[:,:,:]',
     dwells: 'float[:]',
     limits: 'float[:,:]',
+    lower: 'float[:,:]',
     options: 'float[:]',
     axes: 'float[:,:]',
     cells: 'float[:,:,:]',
@@ -209,9 +210,9 @@ def plan_phases(
     """Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).
 
     m waypoints, k axes: states (m, k, WaypointState or DelayedState), dwells (m,) [s], limits
-    (k, smoothness + 1) with 0 for absent, options (PlanOptions,). Written: axes (k, Axis), and
-    cells ((m - 1) k, Cell rows, Cell columns), all axes of the first interval, then of the next;
-    after a refusal also the row REFUSAL of `work` (PlanWork rows, PlanWork columns).
+    (k, smoothness + 1) with 0 for absent, lower (k, Lower), options (PlanOptions,). Written: axes
+    (k, Axis), and cells ((m - 1) k, Cell rows, Cell columns), all axes of the first interval, then
+    of the next; after a refusal also the row REFUSAL of `work` (PlanWork rows, PlanWork columns).
     """
     report = work[PlanWork.REFUSAL, :]
     report[Refusal.VALUE] = options[PlanOptions.SAMPLE_TIME]
@@ -222,6 +223,7 @@ def plan_phases(
     shape = int(options[PlanOptions.SHAPE])
     for axis in range(axes.shape[0]):
         axis_limits(smoothness, shape, limits[axis, :], axes[axis, :])
+        set_lower(lower[axis, :], axes[axis, :])
     status = check_waypoints(states, dwells, axes, report)
     if status < 0:
         return status

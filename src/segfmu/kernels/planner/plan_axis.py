@@ -23,6 +23,7 @@ from segfmu.kernels.planner.records import (
     Refusal,
     Rises,
 )
+from segfmu.kernels.planner.sides import side_limit
 
 
 def note_shortest(time: float, axis: 'float[:]', cell: 'float[:,:]') -> None:
@@ -50,9 +51,11 @@ def plan_with_share(
         status, time = set_shortest(cells[j, :, :], axes[axis, :], work)
         if status < 0:
             report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.A]
+            sign = report[Refusal.VALUE]
             if status == PlanStatus.END_BRAKING:
                 report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.B]
-            report[Refusal.BOUND] = axes[axis, Axis.VELOCITY]
+                sign = -report[Refusal.VALUE]
+            report[Refusal.BOUND] = side_limit(1, sign, axes[axis, :])
             return status
         missed = max(missed, int(work[PlanWork.FAMILY, Family.MISSED]))
         slow = max(slow, work[PlanWork.FAMILY, Family.SLOW])

@@ -105,13 +105,16 @@ def motion_scale(order: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> fl
 
 
 def settle_value(
-    value: float, order: int, axis: int, states: 'float[:,:,:]', limits: 'float[:,:]'
+    value: float, order: int, axis: int, states: 'float[:,:,:]', limits: 'float[:,:]',
+    lower: 'float[:,:]',
 ) -> float:
     """A velocity (order 0) or acceleration (1) of an axis; 0 or its limit where it nearly is that.
 
     Nearly is within 1e-9 of the limit and, next to 0, of `motion_scale`.
     """
     limit = limits[axis, order]
+    if value < 0.0 and lower[axis, order] > 0.0:
+        limit = lower[axis, order]
     if abs(value) <= 1e-9 * limit and abs(value) <= 1e-9 * motion_scale(order, states, limits):
         return 0.0
     if abs(abs(value) - limit) <= 1e-9 * limit:
@@ -121,14 +124,16 @@ def settle_value(
     return value
 
 
-def settle_states(first: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> int:
+def settle_states(
+    first: int, states: 'float[:,:,:]', limits: 'float[:,:]', lower: 'float[:,:]'
+) -> int:
     """Round velocities and accelerations that nearly are 0, their limit, or those before.
 
     From the waypoint `first` on; those before only tell the scale of the motion. The ramp from such
     a state to the limit would last nanoseconds, and its jumps could not be told from rounding
     errors; that between two velocities which differ by rounding can last longer than the motion.
     A waypoint that is the one before but for rounding becomes that one, which takes no time.
-    Arrays as above. Returns the number of states that change.
+    Arrays as above, and lower (k, Lower). Returns the number of states that change.
     """
     changed = 0
     for j in range(first, states.shape[0]):
@@ -137,7 +142,7 @@ def settle_states(first: int, states: 'float[:,:,:]', limits: 'float[:,:]') -> i
                 given = states[j, axis, WaypointState.VELOCITY + i]
                 settled = given
                 if given != 0.0:
-                    settled = settle_value(given, i, axis, states, limits)
+                    settled = settle_value(given, i, axis, states, limits, lower)
                 if j > first:
                     before = states[j - 1, axis, WaypointState.VELOCITY + i]
                     if abs(settled - before) <= 1e-15 * abs(before):

@@ -15,8 +15,10 @@ from segfmu.kernels.planner.dipped import shorter_dipped
 from segfmu.kernels.planner.forms import (
     braked_ramps,
     is_done,
+    may_detour,
     passing_either_way,
     shorter_braked,
+    shorter_than_detour,
     shortest_between,
     usual_duration,
 )
@@ -93,6 +95,8 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
+    if count > 0 and may_detour(asked, axis):
+        count = shorter_than_detour(count, asked, axis, phases, work)
     missed = int(family[Family.MISSED])
     if count == 0:
         free = family[Family.FREE]

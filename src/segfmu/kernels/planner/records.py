@@ -104,6 +104,29 @@ class LoadLimits(Record):
     Z = field("limits c_1 .. c_4 along z", size=4, variables=_limits("z"))
 
 
+def _lower(axis: str) -> list[str]:
+    """Variables of the limits of an axis in the negative direction."""
+    return [f"limits.{axis}.{n}_min" for n in ("velocity", "acceleration")]
+
+
+class LowerLimits(Record):
+    """Limits of a load's velocity and acceleration in the negative direction; 0: as in the other.
+
+    Unlike in `Lower` they are below zero.
+    """
+
+    X = field("along x", size=2, variables=_lower("x"))
+    Y = field("along y", size=2, variables=_lower("y"))
+    Z = field("along z", size=2, variables=_lower("z"))
+
+
+class Lower(Record):
+    """Limits of an axis in the negative direction, as magnitudes; 0: as in the positive one."""
+
+    VELOCITY = field("of the velocity", "m/s")
+    ACCELERATION = field("of the acceleration", "m/s2")
+
+
 class WaypointState(Record):
     """WaypointState of one axis at a waypoint."""
 
@@ -123,12 +146,13 @@ class Axis(Record):
 
     SMOOTHNESS = field("n, 2 to 6")
     SHAPE = field("of the ramps, see Shape")
-    VELOCITY = field("velocity limit c_1", "m/s")
-    ACCELERATION = field("acceleration limit c_2", "m/s2")
+    VELOCITY = field("velocity limit c_1, in the positive direction", "m/s")
+    ACCELERATION = field("acceleration limit c_2, in the positive direction", "m/s2")
     JERK = field("limits c_3 .. c_7 of the jerk and what follows; 0 where absent", size=5)
+    LOWER = field("the first two in the negative direction, see Lower", size=2)
     RAISED = field("order of the derivative that takes the place of the position: 0 but in leads")
     THOROUGH = field("1: passing profiles also have the starts and ways that take long")
-    FULL_RAMP = field("duration of the ramp from zero to the acceleration limit", "s")
+    FULL_RAMP = field("duration of the ramp from zero to the larger acceleration limit", "s")
     PLATEAU = field("1 where the ramps are plateau ramps, else 0")
     LINEAR_FROM = field("change from which the duration is linear; 1e300: none", "m/s2")
     LINEAR_SLOPE = field("slope of the duration there", "s3/m")
@@ -194,6 +218,8 @@ class Family(Record):
     A = field("canonical acceleration at the start", "m/s2")
     W = field("canonical velocity at the end", "m/s")
     B = field("canonical acceleration at the end", "m/s2")
+    TOP = field("canonical acceleration limit", "m/s2")
+    BOTTOM = field("the same in the negative direction", "m/s2")
     HIGHEST = field("bound of the first level", "m/s2")
     LAST_RAMP = field("duration of the last ramp from the negative acceleration limit", "s")
     FIRST_UP = field("duration of the ramp from A to the acceleration limit", "s")

@@ -310,7 +310,7 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
     begin = 0
     lower = -1.0
     f_lower = 0.0
-    whole = family[Family.HIGHEST] == axis[Axis.ACCELERATION]
+    whole = family[Family.HIGHEST] == family[Family.TOP]
     if whole and family[Family.MEMBER] > 0.5:
         passed = int(family[Family.MEMBER])
         begin = int(family[Family.PASSED])

@@ -16,6 +16,7 @@ node becomes a level, which touches the limit; that of q - 1 or q - 3 has one co
 from segfmu.kernels.planner.instant import instant_error
 from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_moments
 from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem
+from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
 
 def power_of(base: float, exponent: int) -> float:
@@ -143,7 +144,8 @@ def node_residuals(
     for k in range(kind, q):
         error = nodes[i + 1, Node.STATE + k]
         if k == kind:
-            error = error - nodes[i, Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
+            sign = nodes[i, Node.SIGN]
+            error = error - sign * side_limit(kind, sign, axis)
         residual[Equations.VALUES + row] = error / residual_scale(k, passing, axis)
         if k == dropped:
             error = nodes[i, Node.TIME] - nodes[i, Node.AIM]
@@ -161,7 +163,7 @@ def hold_limit(q: int, node: 'float[:]', axis: 'float[:]', state: 'float[:]') ->
     """Remove the rounding errors of a state on a plateau, which a long hold would enlarge."""
     if stays_at_limit(node):
         kind = int(node[Node.KIND])
-        state[Node.STATE + kind] = node[Node.SIGN] * axis[Axis.VELOCITY + kind - 1]
+        state[Node.STATE + kind] = node[Node.SIGN] * side_limit(kind, node[Node.SIGN], axis)
         for k in range(kind + 1, q):
             state[Node.STATE + k] = 0.0
 
@@ -283,7 +285,7 @@ def residual_scale(order: int, passing: 'float[:]', axis: 'float[:]') -> float:
     time = passing[Passing.TIME]
     if order > 1:
         return acceleration / power_of(min(time, axis[Axis.FULL_RAMP]), order - 2)
-    speed = min(axis[Axis.VELOCITY], acceleration * time)
+    speed = min(fastest_velocity(axis), acceleration * time)
     if order == 1:
         return speed
     return speed * time

@@ -27,6 +27,7 @@ from segfmu.kernels.planner.records import (
     Problem,
 )
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
+from segfmu.kernels.planner.sides import side_limit
 
 
 def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
@@ -66,10 +67,10 @@ def limit_held(a: float, v: float, axis: 'float[:]') -> 'tuple[int, float]':
     """The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none."""
     order = 0
     value = 0.0
-    if abs(a) >= axis[Axis.ACCELERATION] * (1.0 - 1e-9):
+    if abs(a) >= side_limit(2, a, axis) * (1.0 - 1e-9):
         order = 2
         value = a
-    elif a == 0.0 and abs(v) >= axis[Axis.VELOCITY] * (1.0 - 1e-9):
+    elif a == 0.0 and abs(v) >= side_limit(1, v, axis) * (1.0 - 1e-9):
         order = 1
         value = v
     if value < 0.0:

@@ -47,6 +47,7 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
+from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
 from segfmu.kernels.planner.timed_cruise import is_enclosed
 
 
@@ -56,7 +57,7 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
     gentle = work[PlanWork.GENTLE, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     target = problem[Problem.DURATION]
-    most = axis[Axis.VELOCITY] * (1.0 + 1e-12)
+    most = slowest_velocity(axis) * (1.0 + 1e-12)
     for attempt in range(6):
         if not solve_gentle(attempt, problem, axis, gentle):
             continue
@@ -67,7 +68,7 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
         duration, y, end, lowest, highest = measure_phases(
             phases, count, problem[Problem.V], most, axis
         )
-        if lowest < -most or highest > most:
+        if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
             return False
         fastest = max(-lowest, highest)
         if abs(end - problem[Problem.W]) > 1e-12 * fastest:
@@ -91,12 +92,16 @@ def timed_slower(
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
     velocity = axis[Axis.VELOCITY]
+    backwards = axis[Axis.LOWER]
     factor = shortest / problem[Problem.DURATION]
     factor = factor * factor
-    steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B]))
+    steepest = max(problem[Problem.A], problem[Problem.B])
+    lowest = min(problem[Problem.A], problem[Problem.B])
     for attempt in range(9):
         room = axis[Axis.ACCELERATION] * factor * factor * (1.0 - 1e-12)
-        if steepest <= room and factor < 0.99:
+        fits = steepest <= room
+        room = axis[Axis.LOWER + 1] * factor * factor * (1.0 - 1e-12)
+        if fits and -lowest <= room and factor < 0.99:
             rest[Problem.V] = problem[Problem.V] / factor
             rest[Problem.A] = problem[Problem.A] / (factor * factor)
             rest[Problem.W] = problem[Problem.W] / factor
@@ -104,9 +109,11 @@ def timed_slower(
             rest[Problem.DISTANCE] = problem[Problem.DISTANCE]
             rest[Problem.DURATION] = problem[Problem.DURATION] * factor
             axis[Axis.VELOCITY] = velocity / factor
+            axis[Axis.LOWER] = backwards / factor
             clear_nearest(work)
             usual_cruise(rest, axis, cell, work)
             axis[Axis.VELOCITY] = velocity
+            axis[Axis.LOWER] = backwards
             if is_enclosed(work):
                 nearest = work[PlanWork.NEAREST, :]
                 below = int(nearest[Nearest.BELOW_COUNT])

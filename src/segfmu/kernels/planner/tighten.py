@@ -19,7 +19,11 @@ def loosen(share: float, axis: 'float[:]', work: 'float[:,:]') -> None:
     for order in range(1, int(work[PlanWork.PASSING, Passing.ABOVE]) + 2):
         i = Axis.VELOCITY + order - 1
         excess = work[PlanWork.TIGHTEN, Tighten.SHARE + order]
-        loose[i] = axis[i] * (1.0 + excess) ** (1.0 - share)
+        factor = (1.0 + excess) ** (1.0 - share)
+        loose[i] = axis[i] * factor
+        if order <= 2:
+            lower = Axis.LOWER + order - 1
+            loose[lower] = axis[lower] * factor
 
 
 def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:

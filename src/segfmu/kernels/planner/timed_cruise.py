@@ -12,7 +12,8 @@ from segfmu.kernels.planner.phases import (
     measure_phases,
     speed_bound,
 )
-from segfmu.kernels.planner.records import Axis, Cell, Nearest, PlanWork, Problem
+from segfmu.kernels.planner.records import Cell, Nearest, PlanWork, Problem
+from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
 
 
 def timed_cruise(
@@ -46,16 +47,16 @@ def cruise_range(
     velocity, the last possible one is returned.
     """
     distance = problem[Problem.DISTANCE]
-    limit = speed_bound(problem[Problem.DURATION], problem, axis)
+    limit = speed_bound(1.0, problem[Problem.DURATION], problem, axis)
     if y > distance:
-        limit = -limit
+        limit = -speed_bound(-1.0, problem[Problem.DURATION], problem, axis)
     inside = middle
     outside = limit
     failed = False
     missing = distance - y
     # the distance grows with the cruise velocity by about its duration and half of the ramps'
     cruise = middle + 2.5 * missing / (problem[Problem.DURATION] + hold)
-    if abs(cruise) > abs(limit):
+    if cruise * limit > limit * limit:
         cruise = limit
     for i in range(30):
         if abs(missing) > distance_within(outside - inside, problem):
@@ -91,11 +92,11 @@ def keep_nearest(
     nearest = work[PlanWork.NEAREST, :]
     distance = problem[Problem.DISTANCE]
     target = problem[Problem.DURATION]
-    most = axis[Axis.VELOCITY] * (1.0 + 1e-12)
+    most = slowest_velocity(axis) * (1.0 + 1e-12)
     duration, y, end, lowest, highest = measure_phases(
         trial, count, problem[Problem.V], most, axis
     )
-    if lowest < -most or highest > most:
+    if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
         return
     if abs(duration - target) > 3e-11 * target:
         return
@@ -235,7 +236,8 @@ def scan_cruises(
     """Nearest profiles with a cruise, over all windows of possible cruise velocities."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     distance = problem[Problem.DISTANCE]
-    fastest = speed_bound(problem[Problem.DURATION], problem, axis)
+    fastest = speed_bound(1.0, problem[Problem.DURATION], problem, axis)
+    backwards = speed_bound(-1.0, problem[Problem.DURATION], problem, axis)
     samples = 24
     inside = False
     before = 0.0
@@ -243,6 +245,8 @@ def scan_cruises(
     h_before = 0.0
     for i in range(samples + 1):
         cruise = fastest * (2.0 * i / samples - 1.0)
+        if cruise < 0.0:
+            cruise = backwards * (2.0 * i / samples - 1.0)
         count, y, hold = timed_cruise(trial, cruise, problem, axis)
         error = y - distance
         fits = count >= 0 and hold >= 0.0

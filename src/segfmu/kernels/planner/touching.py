@@ -20,8 +20,9 @@ from segfmu.kernels.planner.plateaus import (
     solve_rotated,
 )
 from segfmu.kernels.planner.ramp import ramp_duration
-from segfmu.kernels.planner.records import Axis, Passing, PlanWork, Problem
+from segfmu.kernels.planner.records import Passing, PlanWork, Problem
 from segfmu.kernels.planner.sequence import sequence_duration
+from segfmu.kernels.planner.sides import reverse_axis, side_limit
 from segfmu.kernels.planner.starts import begin_sequence
 
 
@@ -36,7 +37,8 @@ def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
     """Whether the ramp from the acceleration a to zero comes near the velocity limit."""
     duration, slope = ramp_duration(abs(a), axis)
     # of 122 motions that touching starts shorten, 0.9 loses none, 0.95 two
-    return sign_of(a) * v + 0.5 * abs(a) * duration > 0.9 * axis[Axis.VELOCITY]
+    sign = sign_of(a)
+    return sign * v + 0.5 * abs(a) * duration > 0.9 * side_limit(1, sign, axis)
 
 
 def set_touching(
@@ -147,8 +149,10 @@ def touching_form(
     longest = total_duration(ramps, count) * (1.0 - 1e-9)
     result, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
     reverse_problem(problem)
+    reverse_axis(axis)
     backwards, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
     reverse_problem(problem)
+    reverse_axis(axis)
     if backwards > 0:
         reverse_phases(phases, 0, backwards)
         passing[Passing.REVERSED] = 1.0

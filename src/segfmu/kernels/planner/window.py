@@ -8,16 +8,16 @@ from math import sqrt
 
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
+from segfmu.kernels.planner.sides import side_limit
 
 
-def least_lever(c: float, gain: float, axis: 'float[:]') -> float:
+def least_lever(c: float, gain: float, top: float, axis: 'float[:]') -> float:
     """Least integral of time and acceleration of a velocity gain [m] next to an end.
 
-    The acceleration is c there, and within the limits of acceleration and jerk.
+    The acceleration is c there, at most `top`, and within the limit of the jerk.
     """
     if gain <= 0.0:
         return 0.0
-    top = axis[Axis.ACCELERATION]
     jerk = axis[Axis.JERK]
     rise = (top - c) / jerk
     rest = gain - (c + 0.5 * jerk * rise) * rise
@@ -53,6 +53,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     if gain < 0.5 * (a + b) * single * (1.0 - 1e-12):
         return 0.0
     # what the ends gain at least, and where
+    top = side_limit(2, sign, axis)
     jerk = axis[Axis.JERK]
     first = 0.0
     last = 0.0
@@ -61,13 +62,13 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     if jerk > 0.0 and axis[Axis.LINEAR_FROM] > 0.0 and axis[Axis.PLATEAU] > 0.5:
         first = 0.5 * a * a / jerk
         last = 0.5 * b * b / jerk
-        late = least_lever(b, gain - first, axis) - a * first / (3.0 * jerk)
-        early = least_lever(a, gain - last, axis) - b * last / (3.0 * jerk)
+        late = least_lever(b, gain - first, top, axis) - a * first / (3.0 * jerk)
+        early = least_lever(a, gain - last, top, axis) - b * last / (3.0 * jerk)
     # (v + first) T + late <= distance <= (w - last) T - early, up to rounding
     rounding = 1e-9 * (abs(distance) + abs(late) + abs(early))
     late = late - rounding
     early = early - rounding
-    least = max(single, gain / axis[Axis.ACCELERATION])
+    least = max(single, gain / top)
     most = duration
     slowest = v + first
     fastest = w - last

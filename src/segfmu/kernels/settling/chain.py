@@ -82,6 +82,13 @@ def set_chains(
             chain[Axis.VELOCITY + i] = axis[Axis.VELOCITY + order + i]
             if i <= 2:
                 chain[Axis.VELOCITY + i] = limits[order + 1 + i]
+        chain[Axis.LOWER] = chain[Axis.VELOCITY]
+        chain[Axis.LOWER + 1] = chain[Axis.ACCELERATION]
+        if order == 0:
+            chain[Axis.LOWER] = axis[Axis.LOWER]
+            chain[Axis.LOWER + 1] = axis[Axis.LOWER + 1]
+        elif order == 1:
+            chain[Axis.LOWER] = axis[Axis.LOWER + 1]
         ramp_parameters(
             usual_share(chain) / min(steep, 10.0), chain, chains[smoothness - 1:smoothness + 1, :]
         )

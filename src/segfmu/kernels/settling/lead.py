@@ -7,6 +7,7 @@ leads over a level are tried (level.py).
 
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Problem
+from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
 from segfmu.kernels.settling.search import permits_levels, search_levels, search_stages
 from segfmu.kernels.settling.trial import try_lead
@@ -85,7 +86,8 @@ def find_lead(
 
     With the order 1 it ends at the velocity in the row TARGET of `lead` (LeadWork), with the order
     2 where the planner goes on to the position there. The caller sets that row, the state in the
-    row NOW, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1}, 0 where absent.
+    row NOW, the row LOWER, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1},
+    0 where absent.
     The plan to follow has no pieces where there is none; its times count from now on.
 
     A lead that takes longer than `within` [s], to the target, is searched for over levels as well.
@@ -101,6 +103,7 @@ def find_lead(
         return False
     shape = int(lead[LeadWork.AXIS, Axis.SHAPE])
     axis_limits(smoothness, shape, limits, lead[LeadWork.AXIS, :])
+    set_lower(lead[LeadWork.LOWER, :], lead[LeadWork.AXIS, :])
     if not ramp_parameters(
         usual_share(lead[LeadWork.AXIS, :]), lead[LeadWork.AXIS, :],
         lead[LeadWork.CHAINS:LeadWork.PLAN, :],

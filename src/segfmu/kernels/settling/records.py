@@ -1,6 +1,6 @@
 """Records of settling: a full state of an axis, and the work space of the search for a lead."""
 
-from segfmu.kernels.planner.records import Axis, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Lower, Phase, PlanWork, Problem
 from segfmu.kernels.records import Codes, Record, field
 from segfmu.kernels.trajectory.records import Check, Expansion
 
@@ -57,6 +57,7 @@ class LeadWork(Record):
     PROBLEM = field("boundary problem of a stage, or after settling", of=Problem)
     PHASES = field("phases of a stage, or after settling", size=33, of=Phase)
     AXIS = field("the axis", of=Axis)
+    LOWER = field("its limits in the negative direction", of=Lower)
     CHAINS = field("the axis seen from its derivatives of order 0 .. 4, and work space", size=7,
                    of=Axis)
     PLAN = field("of the planner", size=PlanWork.SIZE, of=PlanWork)

@@ -27,13 +27,21 @@ def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
         chain = lead[LeadWork.CHAINS + order - 1, :]
         if free:
             return append_change(phases, 0, state[order + 1], 0.0, chain)
-        return append_velocity_change(phases, 0, state[order], state[order + 1], end, chain)
+        return append_stage(state[order], state[order + 1], end, phases, chain)
     chain = lead[LeadWork.CHAINS + order, :]
     if free:
-        return append_velocity_change(phases, 0, state[order + 1], state[order + 2], 0.0, chain)
+        return append_stage(state[order + 1], state[order + 2], 0.0, phases, chain)
     problem = lead[LeadWork.PROBLEM, :]
     set_stage_problem(order, end, state, problem)
     return plain_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+
+
+def append_stage(
+    v: float, a: float, w: float, phases: 'float[:,:]', chain: 'float[:]'
+) -> int:
+    """Phases of the fastest change from (v, a) to (w, 0); -1 if there is none."""
+    top = chain[Axis.ACCELERATION]
+    return append_velocity_change(phases, 0, v, a, w, top, chain[Axis.LOWER + 1], chain)
 
 
 def set_stage_problem(order: int, end: float, state: 'float[:]', problem: 'float[:]') -> None:

@@ -2,6 +2,7 @@
 
 from segfmu.kernels.planner.profile import plain_profile
 from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.settling.chain import chain_limits, set_chains
 from segfmu.kernels.settling.level import settle_over_level
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
@@ -41,10 +42,10 @@ def profile_time(lead: 'float[:,:]') -> float:
     problem = lead[LeadWork.PROBLEM, :]
     axis = lead[LeadWork.AXIS, :]
     phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
-    if abs(state[Chain.DERIVATIVES + 1]) > axis[Axis.VELOCITY] * (1.0 + 1e-12):
-        return -1.0
-    if abs(state[Chain.DERIVATIVES + 2]) > axis[Axis.ACCELERATION] * (1.0 + 1e-12):
-        return -1.0
+    for order in range(1, 3):
+        value = state[Chain.DERIVATIVES + order]
+        if abs(value) > side_limit(order, value, axis) * (1.0 + 1e-12):
+            return -1.0
     problem[Problem.V] = state[Chain.DERIVATIVES + 1]
     problem[Problem.A] = state[Chain.DERIVATIVES + 2]
     problem[Problem.W] = target[Problem.W]
@@ -100,10 +101,13 @@ def keep_better(
     if best >= 0.0 and not time < best * lead[LeadWork.BEST, Lead.GAIN]:
         return False
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
+    lower = lead[LeadWork.LOWER, :]
     if last > first:
         if not begins_now(lead, coefficients):
             return False
-        if not check_axis(first, last, timing, coefficients, limits, 1e-9, 5e-10, check):
+        if not check_axis(
+            first, last, timing, coefficients, limits, lower, 1e-9, 5e-10, check
+        ):
             return False
     keep_lead(last, time, lead, timing, coefficients)
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12

@@ -6,6 +6,7 @@ answer is exact, up to the tolerance for rounding. The coefficients of a derivat
 next one, integrated: running sums.
 """
 
+from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
 from segfmu.kernels.trajectory.records import Check, Hull, Timing
 
@@ -55,8 +56,8 @@ def split_hull(hull: 'float[:,:]', row: int, count: int) -> None:
         hull[row, r] = hull[row + 1, 0]
 
 
-def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
-    """Whether a polynomial with the Bernstein coefficients hull[0, :] keeps a limit.
+def within(hull: 'float[:,:]', count: int, lowest: float, highest: float) -> bool:
+    """Whether a polynomial with the Bernstein coefficients hull[0, :] stays between two limits.
 
     hull is work space with 40 rows of `Hull`.
     """
@@ -64,18 +65,18 @@ def within(hull: 'float[:,:]', count: int, limit: float) -> bool:
     hull[0, Hull.DEPTH] = 0.0
     while rows > 0:
         row = rows - 1
-        largest = 0.0
-        total = 0.0
+        inside = True
         for i in range(count):
-            largest = max(largest, abs(hull[row, i]))
-            total = total + abs(hull[row, i])
-        # the sum detects NaN, for which every comparison is false
-        if largest <= limit and total <= count * limit:
+            # not a number is in no range
+            inside = inside and lowest <= hull[row, i] and hull[row, i] <= highest
+        if inside:
             rows = rows - 1
             continue
-        ends = max(abs(hull[row, 0]), abs(hull[row, count - 1]))
         depth = hull[row, Hull.DEPTH]
-        if not ends <= limit or depth > 34.0:
+        last = hull[row, count - 1]
+        ends = lowest <= hull[row, 0] and hull[row, 0] <= highest
+        ends = ends and lowest <= last and last <= highest
+        if not ends or depth > 34.0:
             return False
         split_hull(hull, row, count)
         hull[row, Hull.DEPTH] = depth + 1.0
@@ -157,6 +158,7 @@ def check_axis(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     limits: 'float[:]',
+    lower: 'float[:]',
     tolerance: float,
     joints: float,
     work: 'float[:,:]',
@@ -176,7 +178,9 @@ def check_axis(
         low = min(low, coefficients[row, 0])
         high = max(high, coefficients[row, 0])
         length = timing[row, Timing.LENGTH]
-        if not check_piece(row, row > first, length, coefficients, limits, tolerance, work):
+        if not check_piece(
+            row, row > first, length, coefficients, limits, lower, tolerance, work
+        ):
             return False
     low = min(low, work[Check.ENDS, 0])
     high = max(high, work[Check.ENDS, 0])
@@ -197,6 +201,7 @@ def check_piece(
     length: float,
     coefficients: 'float[:,:]',
     limits: 'float[:]',
+    lower: 'float[:]',
     tolerance: float,
     work: 'float[:,:]',
 ) -> bool:
@@ -224,12 +229,18 @@ def check_piece(
             return False
         if d <= order:
             note_ends(d, joined, start, values[count], largest, work)
-            if d > 0 and limits[d - 1] > 0.0 and largest > limits[d - 1] * (1.0 + tolerance):
-                hull = work[Check.HULLS:Check.ENDS, :]
-                for i in range(count + 1):
-                    hull[0, i] = values[i]
-                if not within(hull, count + 1, limits[d - 1] * (1.0 + tolerance)):
-                    return False
+            if d > 0 and limits[d - 1] > 0.0:
+                highest = limits[d - 1]
+                lowest = -highest
+                if d <= Lower.SIZE and lower[d - 1] > 0.0:
+                    lowest = -lower[d - 1]
+                if largest > min(-lowest, highest) * (1.0 + tolerance):
+                    hull = work[Check.HULLS:Check.ENDS, :]
+                    for i in range(count + 1):
+                        hull[0, i] = values[i]
+                    share = 1.0 + tolerance
+                    if not within(hull, count + 1, lowest * share, highest * share):
+                        return False
     return True
 
 
@@ -271,6 +282,7 @@ def check_plan(
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
     limits: 'float[:,:]',
+    lower: 'float[:,:]',
     tolerance: float,
     joints: float,
     work: 'float[:,:]',
@@ -282,8 +294,8 @@ def check_plan(
     passes the waypoints. Half of what is promised for these leaves room for rounding errors of
     another evaluation, and for bounds of peaks above them.
 
-    Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; work (Check rows, Check
-    columns).
+    Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; lower (k, Lower); work
+    (Check rows, Check columns).
     """
     width = coefficients.shape[1]
     points = states.shape[0]
@@ -291,7 +303,8 @@ def check_plan(
         first = offsets[axis]
         last = offsets[axis + 1]
         if not check_axis(
-            first, last, timing, coefficients, limits[axis, :], tolerance, joints, work
+            first, last, timing, coefficients, limits[axis, :], lower[axis, :], tolerance, joints,
+            work,
         ):
             return 1 + axis
         duration = times[points, axis] - times[0, axis]

@@ -12,6 +12,7 @@ def plan_motion(
     states: 'float[:,:,:]',
     dwells: 'float[:]',
     limits: 'float[:,:]',
+    lower: 'float[:,:]',
     axes: 'float[:,:]',
     cells: 'float[:,:,:]',
     timing: 'float[:,:]',
@@ -22,7 +23,7 @@ def plan_motion(
 ) -> int:
     """Plan, expand and check a motion; returns the status (PlanStatus).
 
-    states, dwells, limits, axes and cells are those of `plan_phases`, the others those of
+    states, dwells, limits, lower, axes and cells are those of `plan_phases`, the others those of
     `expand_plan`. work (MotionWork rows, MotionWork columns) brings the options and the tolerance
     of the check. MORE_PIECES: the plan is made, and `expand_motion` will do the rest with as many
     rows as `count_pieces` says. After a refusal the row REFUSAL of the planner's rows says where.
@@ -31,11 +32,11 @@ def plan_motion(
     status = check_problem(states, limits, planner[PlanWork.REFUSAL, :])
     if status == PlanStatus.PLANNED:
         status = plan_phases(
-            states, dwells, limits, work[MotionWork.OPTIONS, :], axes, cells, planner
+            states, dwells, limits, lower, work[MotionWork.OPTIONS, :], axes, cells, planner
         )
     if status == PlanStatus.PLANNED:
         status = expand_motion(
-            states, dwells, limits, axes, cells, timing, coefficients, offsets, times, work
+            states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, work
         )
     return status
 
@@ -44,6 +45,7 @@ def expand_motion(
     states: 'float[:,:,:]',
     dwells: 'float[:]',
     limits: 'float[:,:]',
+    lower: 'float[:,:]',
     axes: 'float[:,:]',
     cells: 'float[:,:,:]',
     timing: 'float[:,:]',
@@ -64,8 +66,8 @@ def expand_motion(
     )
     tolerance = work[MotionWork.JUDGING, Judging.TOLERANCE]
     wrong = check_plan(
-        states, times, timing, coefficients, offsets, limits, tolerance, 0.5 * tolerance,
-        work[MotionWork.CHECK:MotionWork.SIZE, :],
+        states, times, timing, coefficients, offsets, limits, lower, tolerance,
+        0.5 * tolerance, work[MotionWork.CHECK:MotionWork.SIZE, :],
     )
     if wrong > 0:
         return PlanStatus.CHECK_FAILED

@@ -149,7 +149,9 @@ class Mission(Table):
             *(
                 [getattr(axis, name) for axis in axes]
                 for name in ("velocity", "acceleration", "jerk", "snap")
-            )
+            ),
+            velocity_min=[axis.lower("velocity") for axis in axes],
+            acceleration_min=[axis.lower("acceleration") for axis in axes],
         )
 
     def build_bounds(self) -> ActuatorBounds | None:

@@ -46,12 +46,15 @@ def _check_limits(table: LimitsTable, i: int, entry: WaypointEntry) -> None:
     for axis, name in enumerate(AXES):
         limits = getattr(table, name)
         for quantity, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
-            state, bound = getattr(entry, quantity), getattr(limits, quantity)
+            state = getattr(entry, quantity)
             value = 0.0 if state == "free" else state[axis]
-            if abs(value) > bound:
+            bound, key = getattr(limits, quantity), quantity
+            if value < 0.0 and limits.lower(quantity) != -bound:
+                bound, key = limits.lower(quantity), f"{quantity}_min"
+            if abs(value) > abs(bound):
                 raise InputError(
                     f"waypoints.{i}.{quantity}: axis {name}: {value} {unit} exceeds "
-                    f"limits.{name}.{quantity} {bound} {unit}"
+                    f"limits.{name}.{key} {bound} {unit}"
                 )
 
 

@@ -24,6 +24,8 @@ from segfmu.validation.files.keys import (
 
 # of limits, durations between waypoints, and periods
 Limit = Annotated[float, Field(ge=1e-6, le=1e6), NUMBER]
+# in the negative direction
+LowerLimit = Annotated[float, Field(ge=-1e6, le=-1e-6), NUMBER]
 # of the higher derivatives
 HighLimit = Annotated[float, Field(ge=1e-6, le=1e12), NUMBER]
 Angle = Annotated[float, Field(ge=-45.0, le=45.0), NUMBER]
@@ -63,6 +65,19 @@ class AxisLimits(Table):
     snap: Annotated[
         HighLimit | None, Key("greatest snap of the load", "m/s4", default="no limit")
     ] = None
+    velocity_min: Annotated[
+        LowerLimit | None,
+        Key("least velocity of the load, below 0", "m/s", default="minus `velocity`"),
+    ] = None
+    acceleration_min: Annotated[
+        LowerLimit | None,
+        Key("least acceleration of the load, below 0", "m/s2", default="minus `acceleration`"),
+    ] = None
+
+    def lower(self, quantity: str) -> float:
+        """Limit of velocity or acceleration in the negative direction, below zero."""
+        given = getattr(self, f"{quantity}_min")
+        return float(-getattr(self, quantity) if given is None else given)
 
 
 class LimitsTable(Table):

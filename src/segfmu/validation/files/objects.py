@@ -12,7 +12,7 @@ import numpy as np
 from segfmu.crane import Crane
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Obstacle, Waypoint
-from segfmu.planning.limits import NAMES, limited
+from segfmu.planning.limits import LOWER, NAMES, limited
 from segfmu.validation.files.keys import AXES, Table
 
 MASSES = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
@@ -51,10 +51,13 @@ def _limits(limits: Limits) -> dict[str, Any]:
     if limited(limits.crackle) or limited(limits.pop):
         raise InputError("limits: a mission has limits up to the snap; leave out crackle and pop")
     table = limits.table(len(AXES), len(LIMITS))[:, : len(LIMITS)]
-    return {
+    found = {
         axis: {name: number for name, number in zip(LIMITS, row, strict=True) if number > 0.0}
         for axis, row in zip(AXES, table.tolist(), strict=True)
     }
+    for axis, row in zip(AXES, limits.lower(len(AXES)).tolist(), strict=True):
+        found[axis] |= {name: -number for name, number in zip(LOWER, row, strict=True)}
+    return found
 
 
 def _waypoint(point: Waypoint) -> dict[str, Any]:

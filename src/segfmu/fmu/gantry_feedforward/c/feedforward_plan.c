@@ -113,6 +113,15 @@ static void gather_limits(const model *base, int64_t smoothness, double *table)
     }
 }
 
+/* Magnitudes of the limits in the negative direction, (axes, 2). */
+static void gather_lower(const model *base, double *lower)
+{
+    feed_record(&feeds_lower_limits, base, lower);
+    for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
+        lower[i] = -lower[i];
+    }
+}
+
 /* Check that the load stays below the trolley, the rope taut, and its length within its range. */
 static bool require_rope(const segfmu_trajectory *t, const model *base, char message[MESSAGE])
 {
@@ -132,17 +141,19 @@ static bool require_rope(const segfmu_trajectory *t, const model *base, char mes
 bool feedforward_plan(feedforward *m, char message[MESSAGE])
 {
     const double *real = m->base.real;
-    double limits[AXES * (MOST_SMOOTHNESS + 1)], options[PLAN_OPTIONS_SIZE];
+    double limits[AXES * (MOST_SMOOTHNESS + 1)], lower[LOWER_LIMITS_SIZE];
+    double options[PLAN_OPTIONS_SIZE];
     feed_record(&feeds_plan_options, &m->base, options);
     segfmu_problem problem = {
         m->base.integer[V_WAYPOINT_COUNT], AXES, (int64_t)options[PLAN_OPTIONS_SMOOTHNESS],
         (int64_t)options[PLAN_OPTIONS_SHAPE], (int64_t)options[PLAN_OPTIONS_SYNCHRONIZATION],
         options[PLAN_OPTIONS_SAMPLE_TIME], options[PLAN_OPTIONS_DURATION],
         &real[V_WAYPOINT_POSITION], &real[V_WAYPOINT_VELOCITY], &real[V_WAYPOINT_ACCELERATION],
-        &real[V_WAYPOINT_DWELL], limits
+        &real[V_WAYPOINT_DWELL], limits, lower
     };
     segfmu_trajectory found;
     gather_limits(&m->base, problem.smoothness, limits);
+    gather_lower(&m->base, lower);
     int status = segfmu_plan(&problem, m->space, &found);
     if (segfmu_plan_message(status, found.report, message, MESSAGE)
         || !require_rope(&found, &m->base, message)) {
