@@ -130,6 +130,7 @@ def planner_calls() -> dict[str, Call]:
         "check_problem": (states, limits, refusal),
         "motion_scale": (0, states.copy(), limits),
         "settle_states": (0, states.copy(), limits, lower),
+        "settle_dwells": (0.1, dwells.copy()),
         "plan_phases": (states, dwells, limits, lower, options, axes, cells, work.copy()),
         "count_pieces": planned,
         "expand_phases": (

@@ -10,6 +10,7 @@ import pytest
 from fmpy import simulate_fmu
 from scipy.integrate import solve_ivp
 
+from segfmu import Limits, Waypoint, plan
 from segfmu.crane import FlatInverse, Plant, Rig, Setpoints
 from segfmu.crane.feedback import design
 from segfmu.crane.flat_feedback import design_flat
@@ -316,3 +317,27 @@ def test_a_crane_alone_hangs_at_rest(native_fmus, fmi: int, interface: str) -> N
     )
     for name in gantry_crane.STATE:
         assert rows[name] == pytest.approx(rows[name][0], abs=1e-9)
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_feedforward_keeps_limits_by_direction(mission, native_fmus, fmi: int) -> None:
+    task, trajectory, _ = mission
+    points = list(reversed(trajectory.waypoints))
+    given = trajectory.limits
+    lower = {"velocity_min": -0.7 * given.velocity, "acceleration_min": -0.6 * given.acceleration}
+    limits = Limits(given.velocity, given.acceleration, given.jerk, given.snap, **lower)
+    rest = [Waypoint(p.position) for p in points]
+    options = {
+        "smoothness": task.smoothness, "shape": task.shape, "sample_time": task.sample_time,
+        "synchronize": task.synchronization,
+    }
+    expected = plan(rest, limits, **options)
+    with Importer(native_fmus[fmi][0]) as fmu:
+        fmu.set(plan_parameters(task, trajectory) | {"planner.duration": 0.0} | {
+            f"limits.{axis}.{name}": float(np.broadcast_to(values, (3,))[i])
+            for name, values in lower.items() for i, axis in enumerate("xyz")
+        })
+        fmu.set_waypoints(waypoints(expected))
+        fmu.initialise()
+        assert fmu.get("plan.duration")[0] == pytest.approx(expected.duration, rel=1e-12)
+    assert expected.duration > 1.05 * plan(rest, given, **options).duration
