@@ -88,7 +88,8 @@ def test_the_same_numbers_in_both_directions_are_no_difference() -> None:
     alone = plan(points, Limits(1.0, 2.0, 4.0, 20.0))
     told = Limits(1.0, 2.0, 4.0, 20.0, velocity_min=-1.0, acceleration_min=-2.0)
     assert np.array_equal(plan(points, told).coefficients, alone.coefficients)
-    assert "min" not in repr(told) and "velocity_min=-0.5" in repr(HOIST)
+    assert "velocity_min=-0.5" in repr(HOIST)
+    assert "min" not in repr(Limits(1.0, 2.0, 4.0, 20.0, velocity_min=-np.inf))
 
 
 @pytest.mark.parametrize("synchronize", ["waypoints", "total", "none"])
@@ -152,7 +153,7 @@ def test_refusals_name_the_direction() -> None:
     ("name", "value", "message"),
     [
         ("velocity_min", 0.3, "less than 0"), ("acceleration_min", 0.0, "less than 0"),
-        ("velocity_min", float("nan"), "finite"), ("velocity_min", -np.inf, "finite"),
+        ("velocity_min", float("nan"), "less than 0"), ("velocity_min", np.inf, "less than 0"),
         ("velocity_min", [[-1.0]], "shape"), ("acceleration_min", [], "one per axis"),
         ("velocity_min", "slow", "velocity_min"),
     ],

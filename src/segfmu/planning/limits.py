@@ -21,6 +21,8 @@ from segfmu.planning.arrays import (
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # in the negative direction
 LOWER = ("velocity_min", "acceleration_min")
+SAME = -ABSENT
+SAME.setflags(write=False)
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
 
 
@@ -36,8 +38,8 @@ class Limits(Frozen):
         Positive; None or infinity if a derivative is not limited, which is infinity afterwards.
     velocity_min, acceleration_min : array_like, scalar or shape (axes,), optional
         Limits in the negative direction, below zero: a hoist that lowers slower than it lifts, an
-        axis that drives and brakes differently. None for `-velocity`, `-acceleration`, which they
-        are afterwards.
+        axis that drives and brakes differently. None or -infinity for the same limit in both
+        directions, which is -infinity afterwards.
 
     Raises
     ------
@@ -71,7 +73,7 @@ class Limits(Frozen):
             values = limit_values(f"limits.{name}", value, required=i < 2)
             object.__setattr__(self, name, values)
         for name, value in zip(LOWER, (velocity_min, acceleration_min), strict=True):
-            object.__setattr__(self, name, _lower(name, value, getattr(self, name[:-4])))
+            object.__setattr__(self, name, _lower(name, value))
         sizes = {v.size for v in (*self._all(), *self._lower()) if v.ndim == 1}
         if len(sizes) > 1:
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
@@ -80,7 +82,7 @@ class Limits(Frozen):
         given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if limited(v))
         shown = [f"{n}={_given(v)}" for n, v in given]
         for name, value in zip(LOWER, self._lower(), strict=True):
-            if not np.array_equal(-value, getattr(self, name[:-4])):
+            if np.isfinite(value).any():
                 shown.append(f"{name}={value.tolist()}")
         return f"Limits({', '.join(shown)})"
 
@@ -92,17 +94,15 @@ class Limits(Frozen):
 
     def bound(self, name: str, axis: int, value: float) -> float:
         """Magnitude of the limit of a derivative in the direction of a value."""
-        values = getattr(self, self.named(name, axis, value))
-        return abs(float(values[axis] if values.size > 1 else values.item()))
+        return abs(_of_axis(getattr(self, self.named(name, axis, value)), axis))
 
     def named(self, name: str, axis: int, value: float) -> str:
         """The name of that limit: `velocity_min` where it differs from `velocity`."""
         lower = f"{name}_min"
         if value >= 0.0 or lower not in LOWER:
             return name
-        both = np.broadcast_arrays(getattr(self, name), getattr(self, lower))
-        upper, below = (float(v[axis] if v.size > 1 else v.item()) for v in both)
-        return name if below == -upper else lower
+        below = _of_axis(getattr(self, lower), axis)
+        return name if below in (-inf, -_of_axis(getattr(self, name), axis)) else lower
 
     def lower(self, axes: int) -> FloatArray:
         """Magnitudes of the limits of velocity and acceleration in the negative direction.
@@ -113,7 +113,10 @@ class Limits(Frozen):
         """
         for name, values in zip(LOWER, self._lower(), strict=True):
             _require_axes(name, values, axes)
-        return np.stack([np.broadcast_to(-values, (axes,)) for values in self._lower()], axis=1)
+        found = np.empty((axes, len(LOWER)))
+        for i, (name, values) in enumerate(zip(LOWER, self._lower(), strict=True)):
+            found[:, i] = np.where(np.isinf(values), getattr(self, name[:-4]), -values)
+        return found
 
     def table(self, axes: int, smoothness: int) -> FloatArray:
         """Limits c_1 .. c_{smoothness + 1} of every axis, 0 where absent.
@@ -152,6 +155,10 @@ class Limits(Frozen):
         return table
 
 
+def _of_axis(values: FloatArray, axis: int) -> float:
+    return float(values[axis] if values.size > 1 else values.item())
+
+
 def _require_axes(name: str, values: FloatArray, axes: int) -> None:
     if values.ndim == 1 and values.size not in (1, axes):
         raise InputError(
@@ -160,20 +167,17 @@ def _require_axes(name: str, values: FloatArray, axes: int) -> None:
         )
 
 
-def _lower(name: str, given: ArrayLike | None, upper: FloatArray) -> FloatArray:
-    """A limit in the negative direction, checked; that of the positive one if it is None."""
+def _lower(name: str, given: ArrayLike | None) -> FloatArray:
+    """A limit in the negative direction, 0-d or (axes,), checked; -infinity: as in the other."""
     if given is None:
-        values: FloatArray = -upper
-    else:
-        values = numbers(f"limits.{name}", given)
-        if values.ndim > 1 or values.size == 0:
-            raise InputError(
-                f"limits.{name} must be a number or one per axis, got shape {values.shape}"
-            )
-        if not (np.isfinite(values) & (values < 0.0)).all():
-            raise InputError(
-                f"limits.{name} must be finite and less than 0, got {values.tolist()}"
-            )
+        return SAME
+    values = numbers(f"limits.{name}", given)
+    if values.ndim > 1 or values.size == 0:
+        raise InputError(
+            f"limits.{name} must be a number or one per axis, got shape {values.shape}"
+        )
+    if not (values < 0.0).all():
+        raise InputError(f"limits.{name} must be less than 0, got {values.tolist()}")
     values.setflags(write=False)
     return values
 

@@ -24,7 +24,7 @@ int main(void)
     double *times = numbers(2), *y = numbers(m * k), *v = numbers(m * k), *a = numbers(m * k);
     double *dwells = numbers(m), *limits = numbers(k * (n + 1));
     segfmu_problem problem = {
-        m, k, n, shape, synchronization, times[0], times[1], y, v, a, dwells, limits
+        m, k, n, shape, synchronization, times[0], times[1], y, v, a, dwells, limits, NULL
     };
     double *space = malloc(segfmu_plan_size(m, k, n) * sizeof(double));
     double *values = malloc((size_t)k * sizeof(double));

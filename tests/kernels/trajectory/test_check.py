@@ -39,7 +39,8 @@ def judged(change=lambda arrays: None, limits: Limits = LIMITS) -> int:
         "coefficients": trajectory.coefficients.copy(),
         "offsets": trajectory.offsets.copy(),
         "limits": limits.table(2, 4).copy(),
-        "lower": limits.lower(2),
+        # as in the positive direction
+        "lower": np.zeros((2, 2)),
     }
     change(arrays)
     with np.errstate(all="ignore"):

@@ -56,7 +56,9 @@ def _limits(limits: Limits) -> dict[str, Any]:
         for axis, row in zip(AXES, table.tolist(), strict=True)
     }
     for axis, row in zip(AXES, limits.lower(len(AXES)).tolist(), strict=True):
-        found[axis] |= {name: -number for name, number in zip(LOWER, row, strict=True)}
+        for name, number in zip(LOWER, row, strict=True):
+            if number != found[axis][name[:-4]]:
+                found[axis][name] = -number
     return found
 
 
