@@ -37,7 +37,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   Interfaces.RealOutput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_y" annotation(Placement(transformation(extent = {{200, -298}, {216, -282}})));
   Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
   Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
-  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4); behind the last, its time" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
   parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "nominal crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
   parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "nominal crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
   parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "nominal crane: mass of the load" annotation(Dialog(tab = "crane"));
@@ -75,6 +75,20 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real drive_trolley_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the trolley drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_lag(unit = "s", min = 0.0) = 0.0 "time constant of the hoist drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the hoist drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
+  parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
+  parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
+  parameter Real friction_bridge_static(unit = "N", min = 0.0) = 0.0 "static friction of the bridge; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
+  parameter Real friction_bridge_drag(unit = "N", min = 0.0) = 0.0 "friction of the bridge is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the trolley" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the trolley" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_static(unit = "N", min = 0.0) = 0.0 "static friction of the trolley; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
+  parameter Real friction_trolley_drag(unit = "N", min = 0.0) = 0.0 "friction of the trolley is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the hoist" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the hoist" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_static(unit = "N", min = 0.0) = 0.0 "static friction of the hoist; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
+  parameter Real friction_hoist_drag(unit = "N", min = 0.0) = 0.0 "friction of the hoist is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
+  parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "velocity over which static friction falls to Coulomb friction" annotation(Dialog(tab = "friction"));
+  parameter Real friction_presliding(unit = "m", min = 1e-09) = 1e-05 "displacement at which a contact begins to slide" annotation(Dialog(tab = "friction"));
   parameter Real waypoint_position[:, 3](each unit = "m") = [0.0, 0.0, -0.5;
       0.07, 0.055, -0.5;
       1.0, 0.8, -0.5] "position of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
@@ -88,9 +102,39 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
 protected
-  constant Integer waypoint_position_references[16, 3] = [77, 78, 79;
-      87, 88, 89;
-      97, 98, 99;
+  constant Integer waypoint_position_references[16, 3] = [91, 92, 93;
+      101, 102, 103;
+      111, 112, 113;
+      121, 122, 123;
+      131, 132, 133;
+      141, 142, 143;
+      151, 152, 153;
+      161, 162, 163;
+      171, 172, 173;
+      181, 182, 183;
+      191, 192, 193;
+      201, 202, 203;
+      211, 212, 213;
+      221, 222, 223;
+      231, 232, 233;
+      241, 242, 243];
+  constant Integer waypoint_velocity_references[16, 3] = [94, 95, 96;
+      104, 105, 106;
+      114, 115, 116;
+      124, 125, 126;
+      134, 135, 136;
+      144, 145, 146;
+      154, 155, 156;
+      164, 165, 166;
+      174, 175, 176;
+      184, 185, 186;
+      194, 195, 196;
+      204, 205, 206;
+      214, 215, 216;
+      224, 225, 226;
+      234, 235, 236;
+      244, 245, 246];
+  constant Integer waypoint_acceleration_references[16, 3] = [97, 98, 99;
       107, 108, 109;
       117, 118, 119;
       127, 128, 129;
@@ -103,42 +147,13 @@ protected
       197, 198, 199;
       207, 208, 209;
       217, 218, 219;
-      227, 228, 229];
-  constant Integer waypoint_velocity_references[16, 3] = [80, 81, 82;
-      90, 91, 92;
-      100, 101, 102;
-      110, 111, 112;
-      120, 121, 122;
-      130, 131, 132;
-      140, 141, 142;
-      150, 151, 152;
-      160, 161, 162;
-      170, 171, 172;
-      180, 181, 182;
-      190, 191, 192;
-      200, 201, 202;
-      210, 211, 212;
-      220, 221, 222;
-      230, 231, 232];
-  constant Integer waypoint_acceleration_references[16, 3] = [83, 84, 85;
-      93, 94, 95;
-      103, 104, 105;
-      113, 114, 115;
-      123, 124, 125;
-      133, 134, 135;
-      143, 144, 145;
-      153, 154, 155;
-      163, 164, 165;
-      173, 174, 175;
-      183, 184, 185;
-      193, 194, 195;
-      203, 204, 205;
-      213, 214, 215;
-      223, 224, 225;
-      233, 234, 235];
-  constant Integer waypoint_dwell_references[16] = {86, 96, 106, 116, 126, 136, 146, 156, 166, 176, 186, 196, 206, 216, 226, 236};
+      227, 228, 229;
+      237, 238, 239;
+      247, 248, 249];
+  constant Integer waypoint_dwell_references[16] = {100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200, 210, 220, 230, 240, 250};
   final parameter Integer real_references[:] = cat(1, {39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61,
-      62, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75},
+      62, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87,
+      88, 89},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -150,19 +165,24 @@ protected
       limits_z_velocity, limits_z_acceleration, limits_z_jerk, limits_z_snap,
       limits_z_velocity_min, limits_z_acceleration_min, planner_sample_time, planner_duration,
       planner_start_time, setpoint_lead, drive_bridge_lag, drive_bridge_dead_time,
-      drive_trolley_lag, drive_trolley_dead_time, drive_hoist_lag, drive_hoist_dead_time},
+      drive_trolley_lag, drive_trolley_dead_time, drive_hoist_lag, drive_hoist_dead_time,
+      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
+      friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
+      friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
+      friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
+      friction_presliding},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[4] = {63, 64, 65, 76};
+  constant Integer integer_references[4] = {63, 64, 65, 90};
   final parameter Integer integers[4] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization), waypoint_count};
   constant Integer boolean_references[0] = fill(0, 0);
   final parameter Integer booleans[0] = fill(0, 0);
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{6798c010-3e94-2f0d-776e-0dd65b8f7076}", 0);
+      "{a4b1d386-0526-968e-5d33-bed38d1149d3}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
