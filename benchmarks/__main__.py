@@ -27,6 +27,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),
     "q": ("drive_friction", ()),
+    "s": ("obstacles", ()),
     "l": ("braking", ()),
     "o": ("directions", ()),
     "r": ("replanning", ()),

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
         excursions,
         plan,
         reach_velocity,
+        read_waypoints,
         replan,
         stop,
     )
@@ -73,6 +74,7 @@ __all__ = [
     "plan",
     "plan_actuated",
     "reach_velocity",
+    "read_waypoints",
     "replan",
     "simulate",
     "stop",
@@ -89,7 +91,7 @@ _HOMES = {
     ),
     "segfmu.planning": (
         "Clearance", "Excursion", "Limits", "Obstacle", "Trajectory", "Waypoint", "excursions",
-        "plan", "reach_velocity", "replan", "stop",
+        "plan", "reach_velocity", "read_waypoints", "replan", "stop",
     ),
     "segfmu.planning.verify": ("Verification", "verify"),
     "segfmu.validation.archives": ("Archives", "build"),

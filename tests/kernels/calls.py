@@ -9,6 +9,7 @@ import numpy as np
 from segfmu import Limits, Waypoint, plan
 from segfmu.crane.observer import Uncertainty
 from segfmu.kernels import backend
+from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Span, Stack
 from segfmu.kernels.control.records import (
     AxisModel,
     Estimate,
@@ -172,6 +173,14 @@ def trajectory_calls() -> dict[str, Call]:
     bounds = np.stack([limits.velocity, limits.acceleration, limits.jerk], axis=1)
     rope = zeros(RopeWork.SIZE, 8 * SMOOTHNESS - 5)
     rows, width = len(found.timing), 2 * SMOOTHNESS
+    spans = zeros(rows + 1, Span.SIZE, 2 * width - 3)
+    count = backend.clearance_spans(*pieces, 9.81, rope.copy(), spans)
+    stack = zeros(Stack.ROWS, Span.SIZE, 2 * width - 3)
+    # one is met by the rope alone
+    boxes = zeros(2, Box.SIZE)
+    boxes[:, Box.LOAD_LOW:Box.ROPE] = np.tile([0.2, 0.0, -0.3, 0.3, 0.3, -0.2], 2)
+    boxes[0, Box.LOAD_LOW:Box.ROPE] += 9.0
+    boxes[:, Box.ROPE] = 1.0
     lead = zeros(LeadWork.SIZE, LeadWork.COLUMNS)
     lead[LeadWork.NOW, 1] = 0.3
     leads = zeros(2 * LeadRows.PIECES, Timing.SIZE), zeros(2 * LeadRows.PIECES, width)
@@ -198,6 +207,14 @@ def trajectory_calls() -> dict[str, Call]:
             zeros(Check.SIZE, Check.COLUMNS),
         ),
         "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),
+        "clearance_spans": (*pieces, 9.81, rope.copy(), spans.copy()),
+        "contact_times": (
+            Part.ROPE, 1e300, count, boxes[1].copy(), spans, stack, zeros(8, 2), zeros(3),
+        ),
+        "first_contact": (
+            count, boxes, spans, stack.copy(), zeros(1, 2), zeros(Ranges.SIZE, 3),
+            zeros(Collision.SIZE),
+        ),
         "evaluate": (np.linspace(-0.1, 9.0, 20), *pieces, ends, 2, zeros(20, 3)),
         "evaluate_orders": (0.4, *pieces, ends, zeros(5, 3)),
         "next_plan_event": (0.4, 0.1, found.timing, found.offsets, ends, times),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -15,6 +17,9 @@ from segfmu import (
     excursions,
     plan,
 )
+from segfmu.kernels.clearance import contact
+from segfmu.kernels.clearance.spans import clearance_spans
+from segfmu.planning import contacts
 
 LIMITS = Limits([1.0, 0.8, 0.5], [1.0, 0.8, 0.8], [4.0, 4.0, 4.0], [30.0, 30.0, 30.0])
 STACK = Obstacle("stack", [0.4, -0.2, -2.0], [0.6, 0.2, -0.9], margin=0.05)
@@ -171,3 +176,25 @@ def test_clearance_needs_three_axes() -> None:
 def test_contact_is_one_of_a_plan_and_an_obstacle(trajectory, obstacle, words: str) -> None:
     with pytest.raises(InputError, match=words):
         Clearance().contact(trajectory, obstacle)
+
+
+def test_boxes_beyond_the_path_are_passed_over(monkeypatch: pytest.MonkeyPatch) -> None:
+    # the interpreted kernels, so that their calls can be counted
+    calls = []
+    kept = contact.contact_times
+    interpreted = SimpleNamespace(
+        clearance_spans=clearance_spans, first_contact=contact.first_contact
+    )
+    monkeypatch.setattr(contacts, "backend", interpreted)
+    monkeypatch.setattr(contact, "contact_times", lambda *args: calls.append(1) or kept(*args))
+    trajectory = plan(OVER, LIMITS)
+    far = [Obstacle(f"{i}", [1.5 + i, -1.0, -2.0], [2.0 + i, 1.0, -0.1]) for i in range(100)]
+    Clearance(far).require(trajectory)
+    assert len(calls) == 0
+    # beside the load as beside the rope
+    near = Obstacle("below", [0.0, -0.1, -2.0], [1.0, 0.1, -1.6])
+    over = Obstacle("through", [0.3, 0.05, -0.6], [0.5, 0.2, -0.5])
+    Clearance([*far, near, over]).require(trajectory)
+    assert len(calls) == 0
+    Clearance([*far, STACK]).require(trajectory)
+    assert len(calls) == 2

@@ -191,7 +191,7 @@ def _as_limited(
         trajectory = made()
         found = _measured_taut(crane, bounds, friction, trajectory)
         if clearance is not None and found is not None and found.passed:
-            clearance.require(trajectory)
+            clearance.require(trajectory, crane.gravity)
     except InfeasibleError as error:
         # slower plans, and others of free states, can keep the range and the clearance
         if bounds.known:

@@ -83,7 +83,7 @@ class Task:
     def require_path(self, trajectory: Trajectory) -> None:
         """Refuse a path that is not clear, or leaves the box of waypoints with free states."""
         if self.clearance is not None:
-            self.clearance.require(trajectory)
+            self.clearance.require(trajectory, self.crane.gravity)
         for interval, axis in self._led:
             found = excursion(trajectory, interval, axis)
             if found is not None:
@@ -95,7 +95,7 @@ class Task:
             return False
         try:
             if self.clearance is not None:
-                self.clearance.require(trajectory)
+                self.clearance.require(trajectory, self.crane.gravity)
         except InfeasibleError:
             return False
         return True

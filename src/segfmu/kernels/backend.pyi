@@ -9,6 +9,91 @@ Integers = NDArray[np.int64]
 
 COMPILED: bool
 
+def evaluate(
+    times: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    derivative: int,
+    values: Floats,
+    /,
+) -> None: ...
+
+def evaluate_orders(
+    time: float,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    values: Floats,
+    /,
+) -> None: ...
+
+def state_scale(
+    order: int,
+    duration: float,
+    limits: Floats,
+    /,
+) -> float: ...
+
+def check_plan(
+    states: Floats,
+    times: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    limits: Floats,
+    lower: Floats,
+    tolerance: float,
+    joints: float,
+    work: Floats,
+    /,
+) -> int: ...
+
+def check_rope(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    bounds: Floats,
+    work: Floats,
+    report: Floats,
+    /,
+) -> int: ...
+
+def clearance_spans(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    gravity: float,
+    work: Floats,
+    spans: Floats,
+    /,
+) -> int: ...
+
+def contact_times(
+    part: int,
+    until: float,
+    count: int,
+    box: Floats,
+    spans: Floats,
+    stack: Floats,
+    times: Floats,
+    place: Floats,
+    /,
+) -> int: ...
+
+def first_contact(
+    count: int,
+    boxes: Floats,
+    spans: Floats,
+    stack: Floats,
+    times: Floats,
+    ranges: Floats,
+    report: Floats,
+    /,
+) -> int: ...
+
 def feedback_correction(
     state: Floats,
     reference: Floats,
@@ -240,27 +325,6 @@ def flat_derivatives(
     /,
 ) -> None: ...
 
-def evaluate(
-    times: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    ends: Floats,
-    derivative: int,
-    values: Floats,
-    /,
-) -> None: ...
-
-def evaluate_orders(
-    time: float,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    ends: Floats,
-    values: Floats,
-    /,
-) -> None: ...
-
 def same_break(
     time: float,
     /,
@@ -386,37 +450,6 @@ def plant_advance(
     state: Floats,
     duration: float,
     tolerance: float,
-    work: Floats,
-    report: Floats,
-    /,
-) -> int: ...
-
-def state_scale(
-    order: int,
-    duration: float,
-    limits: Floats,
-    /,
-) -> float: ...
-
-def check_plan(
-    states: Floats,
-    times: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    limits: Floats,
-    lower: Floats,
-    tolerance: float,
-    joints: float,
-    work: Floats,
-    /,
-) -> int: ...
-
-def check_rope(
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    bounds: Floats,
     work: Floats,
     report: Floats,
     /,

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from segfmu.kernels.clearance.records import Box, Collision, Ranges, Span, Stack
 from segfmu.kernels.control.records import (
     AxisModel,
     Estimate,
@@ -94,8 +95,8 @@ from segfmu.kernels.trajectory.records import Check, Expansion, MotionWork, Timi
 
 Extent = int | str
 
-# without noise, changes of the payload, or times
-MAY_BE_EMPTY = ("sines", "changes", "samples")
+# without noise, changes of the payload, times, or obstacles
+MAY_BE_EMPTY = ("sines", "changes", "samples", "boxes")
 
 # first pieces of axes that may have none
 MAY_LACK_PIECES = ("lead_offsets", "plan_offsets")
@@ -227,6 +228,20 @@ ENTRY_POINTS = (
         "crane.rope", "check_rope", timing=("pieces", 2), coefficients=("pieces", "width"),
         offsets=4, bounds=RopeBounds.SIZE, work=(RopeWork.SIZE, "4 * width - 5"),
         report=RopeFault.SIZE,
+    ),
+    entry(
+        "clearance.spans", "clearance_spans", timing=("pieces", 2),
+        coefficients=("pieces", "width"), offsets=4, work=(RopeWork.SIZE, "4 * width - 5"),
+        spans=("pieces + 1", Span.SIZE, "2 * width - 3"),
+    ),
+    entry(
+        "clearance.contact", "contact_times", box=Box.SIZE, spans=("count", Span.SIZE, "columns"),
+        stack=(Stack.ROWS, Span.SIZE, "columns"), times=("rows", 2), place=3,
+    ),
+    entry(
+        "clearance.contact", "first_contact", boxes=("boxes", Box.SIZE),
+        spans=("count", Span.SIZE, "columns"), stack=(Stack.ROWS, Span.SIZE, "columns"),
+        times=(1, 2), ranges=(Ranges.SIZE, 3), report=Collision.SIZE,
     ),
     entry(
         "crane.failure", "plant_failure", state=State.SIZE, plant=Plant.SIZE,

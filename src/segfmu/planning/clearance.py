@@ -1,37 +1,45 @@
-"""Obstacles and workspace: checked exactly against the load's path.
+"""Obstacles and workspace: checked exactly against the path of the load and its rope.
 
 The load is a box with edges along the axes. It meets an obstacle while, in all three axes at once,
-the distance of the centres is below half of both sizes and the margin; so the times of contact are
-intersections of the intervals that passages.py finds for each axis.
+the distance of the centres is below half of both sizes and the margin. The rope is the line from
+the trolley, at z = 0, to the load; where the trolley is follows from the load's acceleration.
+contacts.py finds the times.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import reduce
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels.clearance.records import Box, Collision, Part
 from segfmu.planning.arrays import (
     FloatArray,
     Frozen,
     Range,
     as_tuple,
+    finite_number,
     finite_vector,
     range_bounds,
     shown,
 )
+from segfmu.planning.contacts import Path
 from segfmu.planning.messages import told_apart
-from segfmu.planning.passages import both, outside, rounding, within
+from segfmu.planning.passages import outside, rounding, within
 from segfmu.planning.trajectory import Trajectory, require_plan
+
+# [m/s2], that of `Crane` by default
+GRAVITY = 9.81
+# more of a thin box than this share on each side is no rounding
+EDGE = 0.25
 
 
 @dataclass(frozen=True, eq=False)
 class Obstacle(Frozen):
-    """A box that the load must not meet.
+    """A box that the load and its rope must not meet.
 
     Parameters
     ----------
@@ -40,7 +48,10 @@ class Obstacle(Frozen):
     minimum, maximum : array_like, shape (3,)
         Corners [m].
     margin : float
-        Distance that the load keeps along each axis [m].
+        Distance that load and rope keep along each axis [m].
+    rope : bool
+        Whether the rope must keep off it as well; False for a place that the load alone must not
+        enter.
 
     Raises
     ------
@@ -52,9 +63,11 @@ class Obstacle(Frozen):
     minimum: FloatArray
     maximum: FloatArray
     margin: float
+    rope: bool
 
     def __init__(
-        self, name: str, minimum: ArrayLike, maximum: ArrayLike, margin: float = 0.0
+        self, name: str, minimum: ArrayLike, maximum: ArrayLike, margin: float = 0.0,
+        rope: bool = True,
     ) -> None:
         if not isinstance(name, str):
             raise InputError(f"the name of an obstacle must be a text, got {shown(name)}")
@@ -70,15 +83,18 @@ class Obstacle(Frozen):
         gap = finite_vector(f"obstacle {name}: margin", margin)
         if gap.size != 1 or gap[0] < 0.0:
             raise InputError(f"obstacle {name}: margin must be a distance >= 0 m, got {margin!r}")
+        if not isinstance(rope, bool | np.bool_):
+            raise InputError(f"obstacle {name}: rope must be True or False, got {shown(rope)}")
         for key, value in (
-            ("name", name), ("minimum", low), ("maximum", high), ("margin", float(gap[0]))
+            ("name", name), ("minimum", low), ("maximum", high), ("margin", float(gap[0])),
+            ("rope", bool(rope)),
         ):
             object.__setattr__(self, key, value)
 
 
 @dataclass(frozen=True, eq=False)
 class Clearance(Frozen):
-    """Where the load may be.
+    """Where the load and its rope may be.
 
     Parameters
     ----------
@@ -136,67 +152,106 @@ class Clearance(Frozen):
         InputError
             For anything but a trajectory of exactly three axes, and an Obstacle.
         """
-        _require_axes(trajectory)
-        _require_obstacle(obstacle)
-        low, high = self._kept(obstacle)
-        # the load may touch
-        low, high = low + rounding(trajectory), high - rounding(trajectory)
-        times = (within(trajectory, axis, low[axis], high[axis]) for axis in range(3))
-        return reduce(both, times)
+        return self._times(Part.LOAD, trajectory, obstacle, GRAVITY)
 
-    def require(self, trajectory: Trajectory) -> None:
-        """Check that a trajectory of x, y and z keeps to the workspace and off all obstacles.
+    def rope_contact(
+        self, trajectory: Trajectory, obstacle: Obstacle, gravity: float = GRAVITY
+    ) -> FloatArray:
+        """Intervals of time [s] in which the rope is too close to an obstacle, (intervals, 2).
+
+        Whatever `Obstacle.rope` says. A load at or above the trolley's height, or one that falls
+        freely, has no rope.
 
         Raises
         ------
         InputError
-            For anything but a trajectory of exactly three axes.
+            As `contact`; also for a gravity [m/s2] that is not above 0.
+        """
+        return self._times(Part.ROPE, trajectory, obstacle, gravity)
+
+    def require(self, trajectory: Trajectory, gravity: float = GRAVITY) -> None:
+        """Check that a trajectory of x, y and z keeps to the workspace and off all obstacles.
+
+        Parameters
+        ----------
+        trajectory : Trajectory
+        gravity : float
+            Where the crane is [m/s2]; the rope's direction follows from it.
+
+        Raises
+        ------
+        InputError
+            For anything but a trajectory of exactly three axes, and a gravity that is not above 0.
         InfeasibleError
-            With the first contact: obstacle or axis, place, time, and the way out.
+            With the first contact of the load, or of the rope if the load is clear: obstacle or
+            axis, place, time, and the way out.
         """
         _require_axes(trajectory)
+        gravity = _gravity(gravity)
         self._require_range(trajectory)
-        met = [(self.contact(trajectory, box), box) for box in self.obstacles]
-        first = min(
-            ((times[0, 0], times[0, 1], box) for times, box in met if times.size),
-            key=lambda one: one[0], default=None,
-        )
-        if first is not None:
-            raise self._met(trajectory, *first)
+        if self.obstacles:
+            touch = rounding(trajectory)
+            boxes = np.array([self._box(obstacle, touch) for obstacle in self.obstacles])
+            part, report = Path(trajectory, gravity).first(boxes)
+            if part != Part.CLEAR:
+                raise self._met(trajectory, part, report)
 
-    def _kept(self, obstacle: Obstacle) -> tuple[FloatArray, FloatArray]:
-        """Corners of the box that the load's position must keep out of."""
-        reach = 0.5 * self.load_size + obstacle.margin
-        return (
-            obstacle.minimum - reach - self.load_centre,
-            obstacle.maximum + reach - self.load_centre,
-        )
+    def _times(
+        self, part: int, trajectory: Trajectory, obstacle: Obstacle, gravity: float
+    ) -> FloatArray:
+        _require_axes(trajectory)
+        _require_obstacle(obstacle)
+        path = Path(trajectory, _gravity(gravity))
+        return path.times(part, self._box(obstacle, rounding(trajectory)))
 
-    def _met(
-        self, trajectory: Trajectory, begin: float, end: float, obstacle: Obstacle
-    ) -> InfeasibleError:
-        place = trajectory(begin)
+    def _box(self, obstacle: Obstacle, touch: float) -> FloatArray:
+        """The obstacle as the kernels take it (Box), without what may be touched [m]."""
+        box = np.empty(Box.SIZE)
+        box[Box.ROPE] = float(obstacle.rope)
+        size = 0.5 * self.load_size
+        for first, reach, centre in (
+            (Box.LOAD_LOW, size, self.load_centre), (Box.ROPE_LOW, 0.0, 0.0),
+        ):
+            low = obstacle.minimum - obstacle.margin - reach - centre
+            high = obstacle.maximum + obstacle.margin + reach - centre
+            edge = np.minimum(touch, EDGE * (high - low))
+            box[first : first + 6] = np.concatenate([low + edge, high - edge])
+        return box
+
+    def _met(self, trajectory: Trajectory, part: int, report: FloatArray) -> InfeasibleError:
+        """The error for a contact (Collision) of a part (Part)."""
+        obstacle = self.obstacles[int(report[Collision.BOX])]
+        begin, end = report[[Collision.BEGIN, Collision.END]].tolist()
+        place = report[Collision.PLACE : Collision.PLACE + 3].tolist()
         first, last = trajectory.interval(begin), trajectory.interval(end)
-        height = self._kept(obstacle)[1][2]
+        height = float(obstacle.maximum[2] + obstacle.margin)
+        if part == Part.LOAD:
+            height += float(0.5 * self.load_size[2] - self.load_centre[2])
+        what = "load" if part == Part.LOAD else "rope"
+        way = "lead it past" if part == Part.LOAD else "lead the load past it at more distance"
+        # nothing is led above what reaches up to the trolley
+        way += f", or above z = {height:.4g} m" if height < 0.0 or part == Part.LOAD else ""
         at = ", ".join(f"{p:.4g}" for p in place)
         return InfeasibleError(
-            f"obstacle {obstacle.name}: the load meets it from {begin:.3f} s to {end:.3f} s, first "
-            f"at ({at}) m, between waypoints {first} and {last + 1}; lead it past, or above "
-            f"z = {height:.4g} m",
-            interval=first, limit=obstacle.name, value=float(place[2]), bound=float(height),
-            time=float(begin),
+            f"obstacle {obstacle.name}: the {what} meets it from {begin:.3f} s to {end:.3f} s, "
+            f"first at ({at}) m, between waypoints {first} and {last + 1}; {way}",
+            interval=first, limit=obstacle.name, value=place[2], bound=height, time=begin,
         )
 
     def _require_range(self, trajectory: Trajectory) -> None:
+        touch = rounding(trajectory)
+        least, most = trajectory.extrema(0)
         for axis in range(3):
             low, high = self.minimum[axis], self.maximum[axis]
-            touch = rounding(trajectory)
+            # fast, for most
+            if least[axis] >= low - touch and most[axis] <= high + touch:
+                continue
             allowed = within(trajectory, axis, low - touch, high + touch)
             beyond = outside(allowed, trajectory.duration)
             if beyond.size == 0:
                 continue
             begin = float(beyond[0, 0])
-            reached = [float(edge[axis]) for edge in trajectory.extrema(0)]
+            reached = [float(least[axis]), float(most[axis])]
             value, bound = (reached[0], low) if reached[0] < low else (reached[1], high)
             n = told_apart(value, float(bound), 6)
             raise InfeasibleError(
@@ -213,6 +268,13 @@ def _require_axes(trajectory: Trajectory) -> None:
     require_plan(trajectory)
     if trajectory.axes != 3:
         raise InputError(f"clearance needs axes x, y, z; got {trajectory.axes} axes")
+
+
+def _gravity(value: float) -> float:
+    gravity = finite_number("gravity", value)
+    if gravity <= 0.0:
+        raise InputError(f"gravity must be an acceleration > 0 m/s2, got {shown(value)}")
+    return gravity
 
 
 def _require_obstacle(box: object) -> None:

@@ -3,6 +3,58 @@
 
 #include <math.h>
 
+static int64_t row_range(double* result_0, double* result_1, array_double_2d span, int64_t row);
+static int64_t load_meeting(array_double_2d span, array_double_1d box);
+static bool is_beside(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box);
+static int64_t turn_range(double* result_0, double* result_1, int64_t corner, array_double_2d span, array_double_1d box);
+static bool passes_edges(array_double_2d span, array_double_1d box);
+static bool is_across(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box);
+static bool has_both_sides(array_double_2d span, array_double_1d box);
+static double value_about(double share, int64_t row, array_double_2d span);
+static double shared_height(double share, array_double_2d span, array_double_1d box);
+static bool is_within(double height, array_double_2d span, array_double_1d box);
+static int64_t rope_meeting(array_double_2d span, array_double_1d box);
+static bool part_moves(int64_t part, array_double_2d span);
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
+static void polynomial_clear(array_double_1d found);
+static void polynomial_shift(array_double_1d a, double offset, int64_t count);
+static void rope_pull(double gravity, int64_t width, array_double_2d work);
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
+static double local_time(double time, array_double_2d timing, int64_t row);
+static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull);
+static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
+static void split_hull(array_double_2d hull, int64_t row, int64_t count);
+static bool within(array_double_2d hull, int64_t count, double lowest, double highest);
+static double least_peak(int64_t order, array_double_1d limits);
+static double least_distance(array_double_1d limits);
+static double reached_limit(int64_t order, double duration, array_double_1d limits);
+static double rounding_error(int64_t order, array_double_1d limits);
+static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
+static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work);
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
+static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
+static double demand_bound(int64_t demand, array_double_1d bounds);
+static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work);
+static double first_negative(int64_t count, double length, array_double_2d work);
+static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
+static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span);
+static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span);
+static void note_rounding(array_double_2d span);
+static void halve_span(int64_t row, array_double_3d stack);
+static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d box);
+static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place);
+static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times);
+static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place);
+static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
+static void path_ranges(int64_t count, array_double_3d spans, array_double_2d ranges);
+static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
 static bool exceeds(double value, double bound);
 static double limited(double value, double bound);
 static double force_bound(array_double_1d plant, int64_t axis, double velocity);
@@ -89,13 +141,6 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
-static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
-static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
-static void polynomial_clear(array_double_1d found);
-static void polynomial_shift(array_double_1d a, double offset, int64_t count);
-static void rope_pull(double gravity, int64_t width, array_double_2d work);
-static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
-static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
 static double series_factorial(int64_t order);
 static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found);
 static double series_derivative(array_double_1d a, int64_t order);
@@ -121,9 +166,6 @@ static double friction_force(array_double_1d resistance, int64_t axis, double ve
 static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d resistance, int64_t axis, double velocity, double deflection);
 static double deflection_rate(array_double_1d resistance, int64_t axis, double velocity, double deflection);
 static double first_deflection(array_double_1d resistance, int64_t axis, double velocity);
-static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
-static double local_time(double time, array_double_2d timing, int64_t row);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static double release_time(array_double_1d resistance, int64_t axis);
 static int64_t axis_motion(double* result_0, double* result_1, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
@@ -180,25 +222,6 @@ static void first_stage(array_double_1d plant, array_double_2d components, doubl
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
-static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull);
-static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
-static void split_hull(array_double_2d hull, int64_t row, int64_t count);
-static bool within(array_double_2d hull, int64_t count, double lowest, double highest);
-static double least_peak(int64_t order, array_double_1d limits);
-static double least_distance(array_double_1d limits);
-static double reached_limit(int64_t order, double duration, array_double_1d limits);
-static double rounding_error(int64_t order, array_double_1d limits);
-static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
-static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work);
-static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
-static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
-static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
-static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
-static double demand_bound(int64_t demand, array_double_1d bounds);
-static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work);
-static double first_negative(int64_t count, double length, array_double_2d work);
-static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
-static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
@@ -670,6 +693,1600 @@ static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 
 
+static int64_t row_range(double* result_0, double* result_1, array_double_2d span, int64_t row)
+{
+    double least;
+    double most;
+    int64_t i;
+    least = (*cspan_at(&span, row, INT64_C(0)));
+    most = least;
+    for (i = INT64_C(1); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        least = span_min(least, (*cspan_at(&span, row, i)));
+        most = span_max(most, (*cspan_at(&span, row, i)));
+    }
+    (*result_0) = least;
+    (*result_1) = most;
+    return 0;
+}
+static int64_t load_meeting(array_double_2d span, array_double_1d box)
+{
+    int64_t axis;
+    double least;
+    double most;
+    double low;
+    double high;
+    int64_t meeting;
+    meeting = INT64_C(1);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        row_range(&least, &most, span, INT64_C(0) + axis);
+        low = (*cspan_at(&box, INT64_C(0) + axis));
+        high = (*cspan_at(&box, INT64_C(3) + axis));
+        if ((most <= low) || (least >= high))
+        {
+            return INT64_C(0);
+        }
+        if ((least <= low) || (most >= high))
+        {
+            meeting = INT64_C(2);
+        }
+    }
+    return meeting;
+}
+static bool is_beside(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box)
+{
+    double bottom;
+    bool below;
+    bool above;
+    int64_t i;
+    double reach;
+    double upwards;
+    double low;
+    double high;
+    double side;
+    double place;
+    bottom = (*cspan_at(&box, INT64_C(6) + INT64_C(2)));
+    below = 1;
+    above = 1;
+    for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        reach = (*cspan_at(&span, INT64_C(3) + axis, i));
+        upwards = (*cspan_at(&span, INT64_C(6) + INT64_C(2), i));
+        low = reach - (*cspan_at(&box, INT64_C(6) + axis)) * upwards;
+        high = reach - (*cspan_at(&box, INT64_C(9) + axis)) * upwards;
+        side = (*cspan_at(&span, INT64_C(6) + axis, i));
+        place = (*cspan_at(&span, INT64_C(0) + axis, i));
+        below = below && (low + top * side <= 0.0);
+        above = above && (high + top * side >= 0.0);
+        if (lowest < bottom)
+        {
+            below = below && (low + bottom * side <= 0.0);
+            above = above && (high + bottom * side >= 0.0);
+        }
+        if (highest > bottom)
+        {
+            below = below && (place <= (*cspan_at(&box, INT64_C(6) + axis)));
+            above = above && (place >= (*cspan_at(&box, INT64_C(9) + axis)));
+        }
+        if ((!below) && (!above))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static int64_t turn_range(double* result_0, double* result_1, int64_t corner, array_double_2d span, array_double_1d box)
+{
+    double x;
+    double y;
+    double least;
+    double most;
+    int64_t i;
+    double turn;
+    x = (*cspan_at(&box, INT64_C(6) + INT64_C(3) * (span_floor_mod(corner, INT64_C(2)))));
+    y = (*cspan_at(&box, INT64_C(6) + INT64_C(1) + INT64_C(3) * (span_floor_div(corner, INT64_C(2)))));
+    least = 1e+300;
+    most = -1e+300;
+    for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        turn = (*cspan_at(&span, INT64_C(5), i)) - x * (*cspan_at(&span, INT64_C(6) + INT64_C(1), i)) + y * (*cspan_at(&span, INT64_C(6), i));
+        least = span_min(least, turn);
+        most = span_max(most, turn);
+    }
+    (*result_0) = least;
+    (*result_1) = most;
+    return 0;
+}
+static bool passes_edges(array_double_2d span, array_double_1d box)
+{
+    double rounding;
+    bool left;
+    bool right;
+    int64_t corner;
+    double least;
+    double most;
+    rounding = (*cspan_at(&span, INT64_C(9), INT64_C(3)));
+    left = 1;
+    right = 1;
+    for (corner = INT64_C(0); corner < INT64_C(4); corner += INT64_C(1))
+    {
+        turn_range(&least, &most, corner, span, box);
+        left = left && (least > rounding);
+        right = right && (most < -rounding);
+    }
+    return left || right;
+}
+static bool is_across(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box)
+{
+    double bottom;
+    bool past_low;
+    bool past_high;
+    bool lower_past_low;
+    bool lower_past_high;
+    int64_t i;
+    double reach;
+    double upwards;
+    double low;
+    double high;
+    double side;
+    double place;
+    bottom = (*cspan_at(&box, INT64_C(6) + INT64_C(2)));
+    past_low = 1;
+    past_high = 1;
+    lower_past_low = 1;
+    lower_past_high = 1;
+    for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        reach = (*cspan_at(&span, INT64_C(3) + axis, i));
+        upwards = (*cspan_at(&span, INT64_C(6) + INT64_C(2), i));
+        low = reach - (*cspan_at(&box, INT64_C(6) + axis)) * upwards;
+        high = reach - (*cspan_at(&box, INT64_C(9) + axis)) * upwards;
+        side = (*cspan_at(&span, INT64_C(6) + axis, i));
+        place = (*cspan_at(&span, INT64_C(0) + axis, i));
+        past_low = past_low && (low + top * side > 0.0);
+        past_high = past_high && (high + top * side < 0.0);
+        if (lowest < bottom)
+        {
+            lower_past_low = lower_past_low && (low + bottom * side > 0.0);
+            lower_past_high = lower_past_high && (high + bottom * side < 0.0);
+        }
+        if (highest > bottom)
+        {
+            lower_past_low = lower_past_low && (place > (*cspan_at(&box, INT64_C(6) + axis)));
+            lower_past_high = lower_past_high && (place < (*cspan_at(&box, INT64_C(9) + axis)));
+        }
+    }
+    return (past_low || lower_past_low) && (past_high || lower_past_high);
+}
+static bool has_both_sides(array_double_2d span, array_double_1d box)
+{
+    double rounding;
+    bool left;
+    bool right;
+    int64_t corner;
+    double least;
+    double most;
+    rounding = (*cspan_at(&span, INT64_C(9), INT64_C(3)));
+    left = 0;
+    right = 0;
+    for (corner = INT64_C(0); corner < INT64_C(4); corner += INT64_C(1))
+    {
+        turn_range(&least, &most, corner, span, box);
+        left = left || (least > rounding);
+        right = right || (most < -rounding);
+    }
+    return left && right;
+}
+static double value_about(double share, int64_t row, array_double_2d span)
+{
+    double result;
+    result = (1.0 - share) * (*cspan_at(&span, row, INT64_C(0))) + share * (*cspan_at(&span, row, span.shape[INT64_C(1)] - INT64_C(1)));
+    return result;
+}
+static double shared_height(double share, array_double_2d span, array_double_1d box)
+{
+    double top;
+    double bottom;
+    double upwards;
+    int64_t axis;
+    double place;
+    double slope;
+    double near;
+    double far;
+    top = span_min((*cspan_at(&box, INT64_C(9) + INT64_C(2))), 0.0);
+    bottom = span_max((*cspan_at(&box, INT64_C(6) + INT64_C(2))), value_about(share, INT64_C(0) + INT64_C(2), span));
+    upwards = value_about(share, INT64_C(6) + INT64_C(2), span);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        place = value_about(share, INT64_C(3) + axis, span) / upwards;
+        slope = value_about(share, INT64_C(6) + axis, span) / upwards;
+        near = (*cspan_at(&box, INT64_C(6) + axis)) - place;
+        far = (*cspan_at(&box, INT64_C(9) + axis)) - place;
+        if (slope < 0.0)
+        {
+            near = (*cspan_at(&box, INT64_C(9) + axis)) - place;
+            far = (*cspan_at(&box, INT64_C(6) + axis)) - place;
+        }
+        if (fabs(slope) * 1000000000000.0 > fabs(near))
+        {
+            bottom = span_max(bottom, near / slope);
+        }
+        if (fabs(slope) * 1000000000000.0 > fabs(far))
+        {
+            top = span_min(top, far / slope);
+        }
+    }
+    return 0.5 * (bottom + top);
+}
+static bool is_within(double height, array_double_2d span, array_double_1d box)
+{
+    int64_t axis;
+    int64_t i;
+    double place;
+    double upwards;
+    bool result;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            place = (*cspan_at(&span, INT64_C(3) + axis, i)) + height * (*cspan_at(&span, INT64_C(6) + axis, i));
+            upwards = (*cspan_at(&span, INT64_C(6) + INT64_C(2), i));
+            if (!(place - (*cspan_at(&box, INT64_C(6) + axis)) * upwards > 0.0))
+            {
+                return 0;
+            }
+            if (!(place - (*cspan_at(&box, INT64_C(9) + axis)) * upwards < 0.0))
+            {
+                return 0;
+            }
+        }
+    }
+    result = ((*cspan_at(&box, INT64_C(6) + INT64_C(2))) < height) && (height < (*cspan_at(&box, INT64_C(9) + INT64_C(2)))) && (height < 0.0);
+    return result;
+}
+static int64_t rope_meeting(array_double_2d span, array_double_1d box)
+{
+    double least;
+    double most;
+    double top;
+    double lowest;
+    double highest;
+    int64_t axis;
+    double height;
+    row_range(&least, &most, span, INT64_C(6) + INT64_C(2));
+    top = span_min((*cspan_at(&box, INT64_C(9) + INT64_C(2))), 0.0);
+    if ((most <= 1e-09) || ((*cspan_at(&box, INT64_C(6) + INT64_C(2))) >= top))
+    {
+        return INT64_C(0);
+    }
+    row_range(&lowest, &highest, span, INT64_C(0) + INT64_C(2));
+    if (lowest >= top)
+    {
+        return INT64_C(0);
+    }
+    if (least <= 0.0)
+    {
+        return INT64_C(2);
+    }
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        if (is_beside(axis, lowest, highest, top, span, box))
+        {
+            return INT64_C(0);
+        }
+    }
+    if (passes_edges(span, box))
+    {
+        return INT64_C(0);
+    }
+    if (highest >= top)
+    {
+        return INT64_C(2);
+    }
+    if (is_across(INT64_C(0), lowest, highest, top, span, box) && is_across(INT64_C(1), lowest, highest, top, span, box) && has_both_sides(span, box))
+    {
+        return INT64_C(1);
+    }
+    height = shared_height(0.5, span, box);
+    if ((highest < height) && is_within(height, span, box))
+    {
+        return INT64_C(1);
+    }
+    return INT64_C(2);
+}
+static bool part_moves(int64_t part, array_double_2d span)
+{
+    double rounding;
+    int64_t axis;
+    double least;
+    double most;
+    double slowest;
+    double fastest;
+    rounding = (*cspan_at(&span, INT64_C(9), INT64_C(4)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        row_range(&least, &most, span, INT64_C(0) + axis);
+        if (most - least > rounding)
+        {
+            return 1;
+        }
+    }
+    if (part == INT64_C(1))
+    {
+        return 0;
+    }
+    row_range(&slowest, &fastest, span, INT64_C(6) + INT64_C(2));
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        row_range(&least, &most, span, INT64_C(3) + axis);
+        if (most - least > rounding * slowest)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
+{
+    int64_t i;
+    double factor;
+    int64_t j;
+    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
+    {
+        factor = 1.0;
+        for (j = INT64_C(0); j < order; j += INT64_C(1))
+        {
+            factor = factor * (i + j + INT64_C(1));
+        }
+        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
+    }
+}
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
+        {
+            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
+        }
+    }
+}
+static void polynomial_clear(array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = 0.0;
+    }
+}
+static void polynomial_shift(array_double_1d a, double offset, int64_t count)
+{
+    int64_t i;
+    int64_t j;
+    int64_t k;
+    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
+        {
+            k = count - INT64_C(2) - j;
+            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
+        }
+    }
+}
+static void rope_pull(double gravity, int64_t width, array_double_2d work)
+{
+    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
+    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
+}
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
+{
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d margin;
+    array_double_1d product_0;
+    array_double_1d product_1;
+    array_double_1d product_2;
+    int64_t i;
+    double sign;
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    margin = span_row(&work, INT64_C(6));
+    product_0 = span_row(&work, INT64_C(7));
+    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
+    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width - INT64_C(2);
+    }
+    polynomial_clear(product_0);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
+    polynomial_clear(product_1);
+    polynomial_add_product(z, width, z, width, product_1);
+    polynomial_clear(product_2);
+    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
+    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
+    polynomial_clear(margin);
+    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
+    }
+    return INT64_C(4) * width - INT64_C(7);
+}
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
+{
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - w_z;
+    }
+    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
+}
+static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
+{
+    int64_t upper;
+    int64_t middle;
+    int64_t lower;
+    lower = first;
+    upper = last;
+    while(upper - lower > INT64_C(1))
+    {
+        middle = span_floor_div((lower + upper), INT64_C(2));
+        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return lower;
+}
+static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * t + factor * (*cspan_at(&coefficients, row, i));
+    }
+    return value;
+}
+static double local_time(double time, array_double_2d timing, int64_t row)
+{
+    double result;
+    result = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
+    return result;
+}
+void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double t;
+    bool behind;
+    double local;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = first;
+        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
+            behind = (row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))));
+            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || behind)
+            {
+                row = find_piece(t, timing, first, last);
+            }
+            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
+            {
+                (*cspan_at(&values, i, axis)) = 0.0;
+            }
+            else
+            {
+                local = local_time(t, timing, row);
+                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
+{
+    int64_t width;
+    int64_t axis;
+    double t;
+    int64_t row;
+    double local;
+    int64_t derivative;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
+        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
+        local = local_time(t, timing, row);
+        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
+        {
+            if ((derivative > INT64_C(0)) && (t != time))
+            {
+                (*cspan_at(&values, derivative, axis)) = 0.0;
+            }
+            else
+            {
+                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull)
+{
+    double power;
+    double binomial;
+    int64_t i;
+    int64_t r;
+    int64_t j;
+    power = 1.0;
+    binomial = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&coefficients, row, i)) * power / binomial;
+        power = power * length;
+        binomial = binomial * (count - INT64_C(1) - i) / (i + INT64_C(1));
+    }
+    for (r = INT64_C(1); r < count; r += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - r; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), i)) + (*cspan_at(&hull, INT64_C(0), i - INT64_C(1)));
+        }
+    }
+}
+static double integrate_hull(int64_t count, double start, double length, array_double_1d values)
+{
+    double value;
+    double step;
+    int64_t i;
+    double gain;
+    double largest;
+    value = start;
+    largest = fabs(start);
+    step = length / span_max_int(count, INT64_C(1));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        gain = step * (*cspan_at(&values, i));
+        (*cspan_at(&values, i)) = value;
+        value = value + gain;
+        largest = span_max(largest, fabs(value));
+    }
+    (*cspan_at(&values, count)) = value;
+    return largest;
+}
+static void split_hull(array_double_2d hull, int64_t row, int64_t count)
+{
+    int64_t i;
+    int64_t r;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&hull, row + INT64_C(1), i)) = (*cspan_at(&hull, row, i));
+    }
+    for (r = INT64_C(1); r < count; r += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < count - r; i += INT64_C(1))
+        {
+            (*cspan_at(&hull, row + INT64_C(1), i)) = 0.5 * ((*cspan_at(&hull, row + INT64_C(1), i)) + (*cspan_at(&hull, row + INT64_C(1), i + INT64_C(1))));
+        }
+        (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
+    }
+}
+static bool within(array_double_2d hull, int64_t count, double lowest, double highest)
+{
+    int64_t rows;
+    int64_t row;
+    bool inside;
+    int64_t i;
+    double depth;
+    double last;
+    bool ends;
+    rows = INT64_C(1);
+    (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        inside = 1;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            inside = inside && (lowest <= (*cspan_at(&hull, row, i))) && ((*cspan_at(&hull, row, i)) <= highest);
+        }
+        if (inside)
+        {
+            rows = rows - INT64_C(1);
+            continue;
+        }
+        depth = (*cspan_at(&hull, row, INT64_C(13)));
+        last = (*cspan_at(&hull, row, count - INT64_C(1)));
+        ends = (lowest <= (*cspan_at(&hull, row, INT64_C(0)))) && ((*cspan_at(&hull, row, INT64_C(0))) <= highest);
+        ends = ends && (lowest <= last) && (last <= highest);
+        if ((!ends) || (depth > 34.0))
+        {
+            return 0;
+        }
+        split_hull(hull, row, count);
+        (*cspan_at(&hull, row, INT64_C(13))) = depth + 1.0;
+        (*cspan_at(&hull, row + INT64_C(1), INT64_C(13))) = depth + 1.0;
+        rows = rows + INT64_C(1);
+    }
+    return 1;
+}
+static double least_peak(int64_t order, array_double_1d limits)
+{
+    double below;
+    double limit;
+    int64_t i;
+    double before;
+    below = (*cspan_at(&limits, INT64_C(0)));
+    limit = (*cspan_at(&limits, INT64_C(0)));
+    for (i = INT64_C(1); i < order; i += INT64_C(1))
+    {
+        before = limit;
+        limit = (*cspan_at(&limits, i));
+        if (limit <= 0.0)
+        {
+            limit = before * before / below;
+        }
+        below = before;
+    }
+    return 1e-05 * limit;
+}
+static double least_distance(array_double_1d limits)
+{
+    double scale;
+    double ramp;
+    int64_t order;
+    double square;
+    scale = (*cspan_at(&limits, INT64_C(0))) * (*cspan_at(&limits, INT64_C(0))) / (*cspan_at(&limits, INT64_C(1)));
+    ramp = 0.0;
+    for (order = INT64_C(2); order < span_min_int(limits.shape[INT64_C(0)], INT64_C(4)); order += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, order)) > 0.0)
+        {
+            square = (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, order));
+            if (order == INT64_C(2))
+            {
+                square = square * square;
+            }
+            ramp = span_max(ramp, (*cspan_at(&limits, INT64_C(1))) * square);
+        }
+    }
+    if (ramp > 0.0)
+    {
+        scale = span_min(scale, 1000.0 * ramp);
+    }
+    return 1e-09 * scale;
+}
+static double reached_limit(int64_t order, double duration, array_double_1d limits)
+{
+    int64_t j;
+    double change;
+    double reached;
+    reached = 0.0;
+    for (j = INT64_C(0); j < limits.shape[INT64_C(0)] - order + INT64_C(1); j += INT64_C(1))
+    {
+        change = reached * duration;
+        reached = (*cspan_at(&limits, limits.shape[INT64_C(0)] - INT64_C(1) - j));
+        if ((reached <= 0.0) || ((change > 0.0) && (change < reached)))
+        {
+            reached = change;
+        }
+    }
+    return reached;
+}
+double segfmu_state_scale(int64_t order, double duration, array_double_1d limits)
+{
+    double result;
+    if (order == INT64_C(0))
+    {
+        result = reached_limit(INT64_C(1), duration, limits) * duration + least_distance(limits);
+        return result;
+    }
+    result = span_max(least_peak(order, limits), reached_limit(order, duration, limits));
+    return result;
+}
+static double rounding_error(int64_t order, array_double_1d limits)
+{
+    double result;
+    result = 4e-10 * least_peak(order, limits);
+    return result;
+}
+static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
+{
+    double jump;
+    (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), largest);
+    if (joined)
+    {
+        jump = fabs(start - (*cspan_at(&work, INT64_C(40), d)));
+        (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), jump);
+    }
+    (*cspan_at(&work, INT64_C(40), d)) = end;
+}
+static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work)
+{
+    int64_t order;
+    array_double_1d values;
+    int64_t degree;
+    int64_t d;
+    array_double_1d starts;
+    double factorial;
+    int64_t count;
+    double start;
+    double largest;
+    double highest;
+    double lowest;
+    array_double_2d hull;
+    int64_t i;
+    double share;
+    order = limits.shape[INT64_C(0)];
+    values = span_row(&work, INT64_C(43));
+    degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
+    while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
+    {
+        degree = degree - INT64_C(1);
+    }
+    for (d = degree + INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
+    {
+        note_ends(d, joined, 0.0, 0.0, 0.0, work);
+    }
+    starts = span_row(&work, INT64_C(44));
+    factorial = 1.0;
+    for (d = INT64_C(0); d < degree + INT64_C(1); d += INT64_C(1))
+    {
+        if (d > INT64_C(1))
+        {
+            factorial = factorial * d;
+        }
+        (*cspan_at(&starts, d)) = (*cspan_at(&coefficients, row, d)) * factorial;
+    }
+    for (count = INT64_C(0); count < degree + INT64_C(1); count += INT64_C(1))
+    {
+        d = degree - count;
+        start = (*cspan_at(&starts, d));
+        largest = integrate_hull(count, start, length, values);
+        if (!(fabs((*cspan_at(&values, count))) < 1e+300))
+        {
+            return 0;
+        }
+        if (d <= order)
+        {
+            note_ends(d, joined, start, (*cspan_at(&values, count)), largest, work);
+            if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0))
+            {
+                highest = (*cspan_at(&limits, d - INT64_C(1)));
+                lowest = -highest;
+                if ((d <= INT64_C(2)) && ((*cspan_at(&lower, d - INT64_C(1))) > 0.0))
+                {
+                    lowest = -(*cspan_at(&lower, d - INT64_C(1)));
+                }
+                if (largest > span_min(-lowest, highest) * (1.0 + tolerance))
+                {
+                    hull = span_rows(&work, INT64_C(0), INT64_C(40));
+                    for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
+                    {
+                        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&values, i));
+                    }
+                    share = 1.0 + tolerance;
+                    if (!within(hull, count + INT64_C(1), lowest * share, highest * share))
+                    {
+                        return 0;
+                    }
+                }
+            }
+        }
+    }
+    return 1;
+}
+static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work)
+{
+    int64_t order;
+    int64_t i;
+    double low;
+    double high;
+    int64_t row;
+    double length;
+    double least;
+    int64_t d;
+    bool result;
+    order = limits.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(41), i)) = 0.0;
+        (*cspan_at(&work, INT64_C(42), i)) = 0.0;
+    }
+    low = (*cspan_at(&coefficients, first, INT64_C(0)));
+    high = low;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
+        high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        if (!check_piece(row, row > first, length, coefficients, limits, lower, tolerance, work))
+        {
+            return 0;
+        }
+    }
+    low = span_min(low, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
+    high = span_max(high, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
+    least = least_distance(limits);
+    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(span_max(high - low, least), 1e-05 * span_max(-low, high));
+    for (d = INT64_C(1); d < order; d += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), least_peak(d, limits));
+    }
+    for (d = INT64_C(0); d < order; d += INT64_C(1))
+    {
+        if (!((*cspan_at(&work, INT64_C(42), d)) <= joints * (*cspan_at(&work, INT64_C(41), d))))
+        {
+            return 0;
+        }
+    }
+    result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
+    return result;
+}
+static double switching_time(double time, double duration, array_double_2d timing, int64_t row)
+{
+    double length;
+    double same;
+    double local;
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    local = local_time(time, timing, row);
+    same = 1e-12 * duration;
+    if (local < length - local)
+    {
+        if (local < same)
+        {
+            local = 0.0;
+        }
+    }
+    else if (local > length - same)
+    {
+        local = length;
+    }
+    return local;
+}
+int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
+{
+    int64_t width;
+    int64_t points;
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    double duration;
+    int64_t j;
+    int64_t point;
+    int64_t row;
+    double local;
+    int64_t d;
+    double value;
+    double scale;
+    width = coefficients.shape[INT64_C(1)];
+    points = states.shape[INT64_C(0)];
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), span_row(&lower, axis), tolerance, joints, work))
+        {
+            return INT64_C(1) + axis;
+        }
+        duration = (*cspan_at(&times, points, axis)) - (*cspan_at(&times, INT64_C(0), axis));
+        for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
+        {
+            point = span_min_int(j, points - INT64_C(1));
+            row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
+            local = switching_time((*cspan_at(&times, j, axis)), (*cspan_at(&times, points, axis)), timing, row);
+            for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
+            {
+                value = evaluate_piece(coefficients, row, width, local, d);
+                scale = (*cspan_at(&work, INT64_C(41), d));
+                if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
+                {
+                    scale = span_max(scale, segfmu_state_scale(d, duration, span_row(&limits, axis)));
+                }
+                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
+                {
+                    return INT64_C(1) + axis;
+                }
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
+{
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    double end;
+    double until;
+    until = time;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
+        end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
+        if (row + INT64_C(1) < last)
+        {
+            end = (*cspan_at(&timing, row + INT64_C(1), INT64_C(0)));
+        }
+        if ((end > time) && ((until == time) || (end < until)))
+        {
+            until = end;
+        }
+    }
+    return until;
+}
+static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
+{
+    int64_t width;
+    double middle;
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    array_double_1d piece;
+    int64_t i;
+    width = coefficients.shape[INT64_C(1)];
+    middle = 0.5 * (time + until);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        piece = span_row(&work, INT64_C(0) + axis);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&piece, i)) = (*cspan_at(&coefficients, row, i));
+        }
+        if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
+        {
+            (*cspan_at(&piece, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            {
+                (*cspan_at(&piece, i)) = 0.0;
+            }
+        }
+        else
+        {
+            polynomial_shift(piece, time - (*cspan_at(&timing, row, INT64_C(0))), width);
+        }
+    }
+    rope_pull(gravity, width, work);
+}
+static double demand_bound(int64_t demand, array_double_1d bounds)
+{
+    double result;
+    if (demand == INT64_C(2))
+    {
+        result = (*cspan_at(&bounds, INT64_C(0)));
+        return result;
+    }
+    if (demand == INT64_C(3))
+    {
+        result = (*cspan_at(&bounds, INT64_C(2)));
+        return result;
+    }
+    if (demand == INT64_C(4))
+    {
+        result = (*cspan_at(&bounds, INT64_C(1)));
+        return result;
+    }
+    return 0.0;
+}
+static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work)
+{
+    double tolerance;
+    double bound;
+    int64_t result;
+    tolerance = 1e-09;
+    bound = demand_bound(demand, bounds);
+    if (demand == INT64_C(1))
+    {
+        result = rope_margin(demand, tolerance, width, work);
+        return result;
+    }
+    if (demand == INT64_C(2))
+    {
+        result = rope_margin(demand, tolerance * bound, width, work);
+        return result;
+    }
+    if (bound <= 0.0)
+    {
+        return INT64_C(0);
+    }
+    if (demand == INT64_C(3))
+    {
+        result = rope_margin(demand, bound * (1.0 + tolerance), width, work);
+        return result;
+    }
+    result = rope_margin(demand, bound * (1.0 - tolerance), width, work);
+    return result;
+}
+static double first_negative(int64_t count, double length, array_double_2d work)
+{
+    int64_t start;
+    int64_t depth;
+    array_double_2d hull;
+    int64_t i;
+    double swapped;
+    int64_t rows;
+    int64_t row;
+    double smallest;
+    double result;
+    start = work.shape[INT64_C(1)] - INT64_C(2);
+    depth = work.shape[INT64_C(1)] - INT64_C(1);
+    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
+    bernstein_coefficients(work, INT64_C(6), count, length, hull);
+    for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
+    {
+        swapped = (*cspan_at(&hull, INT64_C(0), i));
+        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i));
+        (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i)) = swapped;
+    }
+    (*cspan_at(&hull, INT64_C(0), start)) = 0.0;
+    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
+    rows = INT64_C(1);
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        smallest = (*cspan_at(&hull, row, INT64_C(0)));
+        for (i = INT64_C(1); i < count; i += INT64_C(1))
+        {
+            smallest = span_min(smallest, (*cspan_at(&hull, row, i)));
+        }
+        if (smallest >= 0.0)
+        {
+            rows = row;
+        }
+        else if (((*cspan_at(&hull, row, count - INT64_C(1))) < 0.0) || ((*cspan_at(&hull, row, depth)) > 39.5))
+        {
+            result = (*cspan_at(&hull, row, start));
+            return result;
+        }
+        else
+        {
+            split_hull(hull, row, count);
+            (*cspan_at(&hull, row + INT64_C(1), start)) = (*cspan_at(&hull, row, start));
+            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
+            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
+            (*cspan_at(&hull, row, start)) = (*cspan_at(&hull, row, start)) + pow(0.5, (*cspan_at(&hull, row, depth)));
+            rows = rows + INT64_C(1);
+        }
+    }
+    return -1.0;
+}
+static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work)
+{
+    double z;
+    double w_x;
+    double w_y;
+    double w_z;
+    z = evaluate_piece(work, INT64_C(0) + INT64_C(2), width, local, INT64_C(0));
+    w_x = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
+    w_y = evaluate_piece(work, INT64_C(3) + INT64_C(1), width - INT64_C(2), local, INT64_C(0));
+    w_z = evaluate_piece(work, INT64_C(3) + INT64_C(2), width - INT64_C(2), local, INT64_C(0));
+    return rope_value(demand, gravity, z, w_x, w_y, w_z);
+}
+static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
+{
+    double gravity;
+    int64_t width;
+    double sign;
+    double worst;
+    double time;
+    double until;
+    int64_t intervals;
+    int64_t i;
+    double local;
+    gravity = (*cspan_at(&bounds, INT64_C(0)));
+    width = coefficients.shape[INT64_C(1)];
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    worst = -1e+300;
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    intervals = INT64_C(0);
+    while((until > time) || (intervals == INT64_C(0)))
+    {
+        intervals = intervals + INT64_C(1);
+        if (until >= first)
+        {
+            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+            for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
+            {
+                local = span_max((until - time) * i / 32.0, first - time);
+                worst = span_max(worst, sign * value_at(demand, local, gravity, width, work));
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return sign * worst;
+}
+int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report)
+{
+    int64_t none;
+    double time;
+    double until;
+    int64_t intervals;
+    int64_t demand;
+    int64_t count;
+    double share;
+    int64_t failed;
+    none = INT64_C(4) + INT64_C(1);
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    failed = none;
+    intervals = INT64_C(0);
+    while((until > time) || (intervals == INT64_C(0)))
+    {
+        intervals = intervals + INT64_C(1);
+        interval_pieces(time, until, timing, coefficients, offsets, (*cspan_at(&bounds, INT64_C(0))), work);
+        for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
+        {
+            count = rope_demand(demand, bounds, coefficients.shape[INT64_C(1)], work);
+            if (count > INT64_C(0))
+            {
+                share = first_negative(count, until - time, work);
+                if (share >= 0.0)
+                {
+                    failed = demand;
+                    (*cspan_at(&report, INT64_C(0))) = time + share * (until - time);
+                    break;
+                }
+            }
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    if (failed == none)
+    {
+        return INT64_C(0);
+    }
+    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, bounds, work);
+    (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
+    return failed;
+}
+static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span)
+{
+    int64_t columns;
+    array_double_2d part;
+    int64_t i;
+    columns = span.shape[INT64_C(1)];
+    part = span_rows(&span, row, row + INT64_C(1));
+    for (i = INT64_C(0); i < columns; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&work, source, i));
+    }
+    bernstein_coefficients(work, INT64_C(6), columns, length, part);
+}
+static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span)
+{
+    int64_t width;
+    array_double_1d product;
+    array_double_1d taken;
+    int64_t i;
+    width = span_floor_div((span.shape[INT64_C(1)] + INT64_C(3)), INT64_C(2));
+    product = span_row(&work, INT64_C(7));
+    taken = span_row(&work, INT64_C(7) + INT64_C(1));
+    polynomial_clear(product);
+    polynomial_clear(taken);
+    polynomial_add_product(span_row(&work, INT64_C(0) + first), width, span_row(&work, INT64_C(3) + pull), width - INT64_C(2), product);
+    polynomial_add_product(span_row(&work, INT64_C(0) + second), width, span_row(&work, INT64_C(3) + other), width - INT64_C(2), taken);
+    for (i = INT64_C(0); i < INT64_C(2) * width - INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&product, i)) = (*cspan_at(&product, i)) - (*cspan_at(&taken, i));
+    }
+    write_row(INT64_C(7), INT64_C(2) * width - INT64_C(3), length, row, work, span);
+}
+static void note_rounding(array_double_2d span)
+{
+    double place;
+    double pull;
+    int64_t i;
+    int64_t axis;
+    place = 0.0;
+    pull = 0.0;
+    for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            place = span_max(place, fabs((*cspan_at(&span, INT64_C(0) + axis, i))));
+        }
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            pull = span_max(pull, fabs((*cspan_at(&span, INT64_C(6) + axis, i))));
+        }
+    }
+    (*cspan_at(&span, INT64_C(9), INT64_C(3))) = 1e-14 * place * pull;
+    (*cspan_at(&span, INT64_C(9), INT64_C(4))) = 1e-12 * place;
+}
+int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans)
+{
+    int64_t width;
+    double time;
+    double until;
+    int64_t axis;
+    int64_t i;
+    double pull;
+    array_double_2d span;
+    int64_t count;
+    width = coefficients.shape[INT64_C(1)];
+    count = INT64_C(0);
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    while((until > time) || (count == INT64_C(0)))
+    {
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+            {
+                pull = (*cspan_at(&work, INT64_C(3) + axis, i));
+                (*cspan_at(&work, INT64_C(3) + axis, i)) = pull / gravity;
+            }
+        }
+        span = span_matrix(&spans, count);
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            write_row(INT64_C(0) + axis, width, until - time, INT64_C(0) + axis, work, span);
+            write_row(INT64_C(3) + axis, width - INT64_C(2), until - time, INT64_C(6) + axis, work, span);
+        }
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            write_difference(axis, INT64_C(2), INT64_C(2), axis, until - time, INT64_C(3) + axis, work, span);
+        }
+        write_difference(INT64_C(0), INT64_C(1), INT64_C(1), INT64_C(0), until - time, INT64_C(5), work, span);
+        (*cspan_at(&span, INT64_C(9), INT64_C(0))) = time;
+        (*cspan_at(&span, INT64_C(9), INT64_C(1))) = until - time;
+        (*cspan_at(&span, INT64_C(9), INT64_C(2))) = 0.0;
+        note_rounding(span);
+        count = count + INT64_C(1);
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return count;
+}
+static void halve_span(int64_t row, array_double_3d stack)
+{
+    int64_t count;
+    array_double_2d span;
+    array_double_2d first;
+    int64_t k;
+    int64_t r;
+    int64_t i;
+    double half;
+    count = stack.shape[INT64_C(2)];
+    span = span_matrix(&stack, row);
+    first = span_matrix(&stack, row + INT64_C(1));
+    for (k = INT64_C(0); k < INT64_C(9); k += INT64_C(1))
+    {
+        for (r = INT64_C(0); r < count; r += INT64_C(1))
+        {
+            (*cspan_at(&first, k, r)) = (*cspan_at(&span, k, INT64_C(0)));
+            for (i = INT64_C(0); i < count - INT64_C(1) - r; i += INT64_C(1))
+            {
+                (*cspan_at(&span, k, i)) = 0.5 * ((*cspan_at(&span, k, i)) + (*cspan_at(&span, k, i + INT64_C(1))));
+            }
+        }
+    }
+    half = 0.5 * (*cspan_at(&span, INT64_C(9), INT64_C(1)));
+    (*cspan_at(&first, INT64_C(9), INT64_C(0))) = (*cspan_at(&span, INT64_C(9), INT64_C(0)));
+    (*cspan_at(&span, INT64_C(9), INT64_C(0))) = (*cspan_at(&span, INT64_C(9), INT64_C(0))) + half;
+    (*cspan_at(&span, INT64_C(9), INT64_C(2))) = (*cspan_at(&span, INT64_C(9), INT64_C(2))) + 1.0;
+    for (i = INT64_C(2); i < INT64_C(4) + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&first, INT64_C(9), i)) = (*cspan_at(&span, INT64_C(9), i));
+    }
+    (*cspan_at(&span, INT64_C(9), INT64_C(1))) = half;
+    (*cspan_at(&first, INT64_C(9), INT64_C(1))) = half;
+}
+static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d box)
+{
+    int64_t result;
+    if (part == INT64_C(1))
+    {
+        result = load_meeting(span, box);
+        return result;
+    }
+    result = rope_meeting(span, box);
+    return result;
+}
+static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place)
+{
+    int64_t axis;
+    double upwards;
+    double height;
+    double rope;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&place, axis)) = (*cspan_at(&span, INT64_C(0) + axis, INT64_C(0)));
+    }
+    upwards = (*cspan_at(&span, INT64_C(6) + INT64_C(2), INT64_C(0)));
+    if ((part == INT64_C(2)) && (upwards > 0.0))
+    {
+        height = shared_height(0.0, span, box);
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            rope = (*cspan_at(&span, INT64_C(3) + axis, INT64_C(0))) + height * (*cspan_at(&span, INT64_C(6) + axis, INT64_C(0)));
+            (*cspan_at(&place, axis)) = rope / upwards;
+        }
+        (*cspan_at(&place, INT64_C(2))) = height;
+    }
+}
+static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times)
+{
+    double begin;
+    double end;
+    int64_t rows;
+    begin = (*cspan_at(&span, INT64_C(9), INT64_C(0)));
+    end = begin + (*cspan_at(&span, INT64_C(9), INT64_C(1)));
+    rows = times.shape[INT64_C(0)];
+    if ((INT64_C(0) < found) && (found <= rows) && (begin <= (*cspan_at(&times, found - INT64_C(1), INT64_C(1))) + 1e-11 * end))
+    {
+        (*cspan_at(&times, found - INT64_C(1), INT64_C(1))) = end;
+        return found;
+    }
+    if (found < rows)
+    {
+        (*cspan_at(&times, found, INT64_C(0))) = begin;
+        (*cspan_at(&times, found, INT64_C(1))) = end;
+    }
+    return found + INT64_C(1);
+}
+static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place)
+{
+    int64_t rows;
+    int64_t halvings;
+    array_double_2d span;
+    int64_t meeting;
+    bool deep;
+    rows = INT64_C(1);
+    halvings = INT64_C(0);
+    while(rows > INT64_C(0))
+    {
+        span = span_matrix(&stack, rows - INT64_C(1));
+        meeting = part_meeting(part, span, box);
+        deep = (*cspan_at(&span, INT64_C(9), INT64_C(2))) > 39.5;
+        if ((meeting == INT64_C(2)) && (!deep) && (halvings < INT64_C(20000)) && part_moves(part, span))
+        {
+            halve_span(rows - INT64_C(1), stack);
+            rows = rows + INT64_C(1);
+            halvings = halvings + INT64_C(1);
+            continue;
+        }
+        rows = rows - INT64_C(1);
+        if (meeting == INT64_C(0))
+        {
+            if ((found > INT64_C(0)) && (times.shape[INT64_C(0)] == INT64_C(1)))
+            {
+                return found;
+            }
+            continue;
+        }
+        if (found == INT64_C(0))
+        {
+            note_place(part, span, box, place);
+        }
+        found = note_time(found, span, times);
+    }
+    return found;
+}
+int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_double_1d box, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_1d place)
+{
+    int64_t row;
+    array_double_2d span;
+    int64_t meeting;
+    int64_t k;
+    int64_t i;
+    int64_t found;
+    found = INT64_C(0);
+    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    {
+        span = span_matrix(&spans, row);
+        if (((*cspan_at(&span, INT64_C(9), INT64_C(0))) >= until) || (found > times.shape[INT64_C(0)]))
+        {
+            break;
+        }
+        meeting = part_meeting(part, span, box);
+        if (meeting == INT64_C(0))
+        {
+            if ((found > INT64_C(0)) && (times.shape[INT64_C(0)] == INT64_C(1)))
+            {
+                break;
+            }
+            continue;
+        }
+        for (k = INT64_C(0); k < INT64_C(10); k += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+            {
+                (*cspan_at(&stack, INT64_C(0), k, i)) = (*cspan_at(&span, k, i));
+            }
+        }
+        found = halved_contacts(part, found, box, stack, times, place);
+    }
+    return found;
+}
+static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
+{
+    (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
+    (*cspan_at(&ranges, row + INT64_C(1), axis)) = span_max((*cspan_at(&ranges, row + INT64_C(1), axis)), most);
+}
+static void path_ranges(int64_t count, array_double_3d spans, array_double_2d ranges)
+{
+    int64_t axis;
+    int64_t row;
+    int64_t k;
+    array_double_2d span;
+    double slowest;
+    double fastest;
+    double least;
+    double most;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
+        {
+            (*cspan_at(&ranges, row, axis)) = 1e+300;
+            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
+        }
+    }
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        span = span_matrix(&spans, k);
+        row_range(&slowest, &fastest, span, INT64_C(6) + INT64_C(2));
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            row_range(&least, &most, span, INT64_C(0) + axis);
+            widen_range(INT64_C(0), axis, least, most, ranges);
+            widen_range(INT64_C(2), axis, least, most, ranges);
+            if (axis == INT64_C(2))
+            {
+                widen_range(INT64_C(2), axis, 0.0, 0.0, ranges);
+            }
+            else if (slowest > 0.0)
+            {
+                row_range(&least, &most, span, INT64_C(3) + axis);
+                least = span_min(least / slowest, least / fastest);
+                most = span_max(most / slowest, most / fastest);
+                widen_range(INT64_C(2), axis, least, most, ranges);
+            }
+            else
+            {
+                widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
+            }
+        }
+    }
+}
+static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
+{
+    int64_t low;
+    int64_t row;
+    int64_t axis;
+    low = INT64_C(0);
+    row = INT64_C(0);
+    if (part == INT64_C(2))
+    {
+        low = INT64_C(6);
+        row = INT64_C(2);
+        if ((*cspan_at(&box, INT64_C(12))) < 0.5)
+        {
+            return 0;
+        }
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, low + INT64_C(3) + axis))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_2d ranges, array_double_1d report)
+{
+    array_double_1d place;
+    int64_t part;
+    int64_t number;
+    array_double_1d box;
+    double until;
+    int64_t found;
+    int64_t axis;
+    int64_t first;
+    first = INT64_C(0);
+    (*cspan_at(&report, INT64_C(0))) = 1e+300;
+    path_ranges(count, spans, ranges);
+    place = span_row(&ranges, INT64_C(4));
+    for (part = INT64_C(1); part < INT64_C(2) + INT64_C(1); part += INT64_C(1))
+    {
+        if (first != INT64_C(0))
+        {
+            break;
+        }
+        for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
+        {
+            box = span_row(&boxes, number);
+            if (!is_near(part, box, ranges))
+            {
+                continue;
+            }
+            until = (*cspan_at(&report, INT64_C(0)));
+            found = segfmu_contact_times(part, until, count, box, spans, stack, times, place);
+            if ((found > INT64_C(0)) && ((*cspan_at(&times, INT64_C(0), INT64_C(0))) < until))
+            {
+                first = part;
+                (*cspan_at(&report, INT64_C(0))) = (*cspan_at(&times, INT64_C(0), INT64_C(0)));
+                (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&times, INT64_C(0), INT64_C(1)));
+                (*cspan_at(&report, INT64_C(5))) = number;
+                for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+                {
+                    (*cspan_at(&report, INT64_C(2) + axis)) = (*cspan_at(&place, axis));
+                }
+            }
+        }
+    }
+    return first;
+}
 static bool exceeds(double value, double bound)
 {
     return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
@@ -4604,133 +6221,6 @@ void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses,
     (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
     (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
 }
-static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
-{
-    int64_t i;
-    double factor;
-    int64_t j;
-    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
-    {
-        factor = 1.0;
-        for (j = INT64_C(0); j < order; j += INT64_C(1))
-        {
-            factor = factor * (i + j + INT64_C(1));
-        }
-        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
-    }
-}
-static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
-{
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
-        {
-            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
-        }
-    }
-}
-static void polynomial_clear(array_double_1d found)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = 0.0;
-    }
-}
-static void polynomial_shift(array_double_1d a, double offset, int64_t count)
-{
-    int64_t i;
-    int64_t j;
-    int64_t k;
-    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
-        {
-            k = count - INT64_C(2) - j;
-            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
-        }
-    }
-}
-static void rope_pull(double gravity, int64_t width, array_double_2d work)
-{
-    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
-    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
-    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
-    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
-}
-static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
-{
-    array_double_1d z;
-    array_double_1d w_x;
-    array_double_1d w_y;
-    array_double_1d w_z;
-    array_double_1d margin;
-    array_double_1d product_0;
-    array_double_1d product_1;
-    array_double_1d product_2;
-    int64_t i;
-    double sign;
-    z = span_row(&work, INT64_C(0) + INT64_C(2));
-    w_x = span_row(&work, INT64_C(3));
-    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
-    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
-    margin = span_row(&work, INT64_C(6));
-    product_0 = span_row(&work, INT64_C(7));
-    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
-    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
-    if (demand == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
-        }
-        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
-        return width;
-    }
-    if (demand == INT64_C(2))
-    {
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
-        }
-        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
-        return width - INT64_C(2);
-    }
-    polynomial_clear(product_0);
-    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
-    polynomial_clear(product_1);
-    polynomial_add_product(z, width, z, width, product_1);
-    polynomial_clear(product_2);
-    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
-    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
-    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
-    polynomial_clear(margin);
-    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
-    sign = 1.0;
-    if (demand == INT64_C(4))
-    {
-        sign = -1.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
-    {
-        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
-    }
-    return INT64_C(4) * width - INT64_C(7);
-}
-static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
-{
-    if (demand == INT64_C(1))
-    {
-        return z;
-    }
-    if (demand == INT64_C(2))
-    {
-        return gravity - w_z;
-    }
-    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
-}
 static double series_factorial(int64_t order)
 {
     int64_t i;
@@ -5156,117 +6646,6 @@ static double first_deflection(array_double_1d resistance, int64_t axis, double 
     share = velocity / (*cspan_at(&resistance, INT64_C(16)));
     result = (*cspan_at(&resistance, INT64_C(17))) * span_min(span_max(share, -1.0), 1.0);
     return result;
-}
-static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
-{
-    int64_t upper;
-    int64_t middle;
-    int64_t lower;
-    lower = first;
-    upper = last;
-    while(upper - lower > INT64_C(1))
-    {
-        middle = span_floor_div((lower + upper), INT64_C(2));
-        if (time >= (*cspan_at(&timing, middle, INT64_C(0))))
-        {
-            lower = middle;
-        }
-        else
-        {
-            upper = middle;
-        }
-    }
-    return lower;
-}
-static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < width - derivative; j += INT64_C(1))
-    {
-        i = width - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < derivative; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * t + factor * (*cspan_at(&coefficients, row, i));
-    }
-    return value;
-}
-static double local_time(double time, array_double_2d timing, int64_t row)
-{
-    double result;
-    result = span_min(time - (*cspan_at(&timing, row, INT64_C(0))), (*cspan_at(&timing, row, INT64_C(1))));
-    return result;
-}
-void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values)
-{
-    int64_t width;
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    int64_t row;
-    int64_t i;
-    double t;
-    bool behind;
-    double local;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = first;
-        for (i = INT64_C(0); i < times.shape[INT64_C(0)]; i += INT64_C(1))
-        {
-            t = span_min(span_max((*cspan_at(&times, i)), (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
-            behind = (row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))));
-            if ((t < (*cspan_at(&timing, row, INT64_C(0)))) || behind)
-            {
-                row = find_piece(t, timing, first, last);
-            }
-            if ((derivative > INT64_C(0)) && (t != (*cspan_at(&times, i))))
-            {
-                (*cspan_at(&values, i, axis)) = 0.0;
-            }
-            else
-            {
-                local = local_time(t, timing, row);
-                (*cspan_at(&values, i, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
-            }
-        }
-    }
-}
-void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
-{
-    int64_t width;
-    int64_t axis;
-    double t;
-    int64_t row;
-    double local;
-    int64_t derivative;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        t = span_min(span_max(time, (*cspan_at(&timing, (*cspan_at(&offsets, axis)), INT64_C(0)))), (*cspan_at(&ends, axis)));
-        row = find_piece(t, timing, (*cspan_at(&offsets, axis)), (*cspan_at(&offsets, axis + INT64_C(1))));
-        local = local_time(t, timing, row);
-        for (derivative = INT64_C(0); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
-        {
-            if ((derivative > INT64_C(0)) && (t != time))
-            {
-                (*cspan_at(&values, derivative, axis)) = 0.0;
-            }
-            else
-            {
-                (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
-            }
-        }
-    }
 }
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
@@ -6955,638 +8334,6 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         reuse_last_stage(work);
     }
     return INT64_C(3);
-}
-static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull)
-{
-    double power;
-    double binomial;
-    int64_t i;
-    int64_t r;
-    int64_t j;
-    power = 1.0;
-    binomial = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&coefficients, row, i)) * power / binomial;
-        power = power * length;
-        binomial = binomial * (count - INT64_C(1) - i) / (i + INT64_C(1));
-    }
-    for (r = INT64_C(1); r < count; r += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < count - r; j += INT64_C(1))
-        {
-            i = count - INT64_C(1) - j;
-            (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), i)) + (*cspan_at(&hull, INT64_C(0), i - INT64_C(1)));
-        }
-    }
-}
-static double integrate_hull(int64_t count, double start, double length, array_double_1d values)
-{
-    double value;
-    double step;
-    int64_t i;
-    double gain;
-    double largest;
-    value = start;
-    largest = fabs(start);
-    step = length / span_max_int(count, INT64_C(1));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        gain = step * (*cspan_at(&values, i));
-        (*cspan_at(&values, i)) = value;
-        value = value + gain;
-        largest = span_max(largest, fabs(value));
-    }
-    (*cspan_at(&values, count)) = value;
-    return largest;
-}
-static void split_hull(array_double_2d hull, int64_t row, int64_t count)
-{
-    int64_t i;
-    int64_t r;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&hull, row + INT64_C(1), i)) = (*cspan_at(&hull, row, i));
-    }
-    for (r = INT64_C(1); r < count; r += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < count - r; i += INT64_C(1))
-        {
-            (*cspan_at(&hull, row + INT64_C(1), i)) = 0.5 * ((*cspan_at(&hull, row + INT64_C(1), i)) + (*cspan_at(&hull, row + INT64_C(1), i + INT64_C(1))));
-        }
-        (*cspan_at(&hull, row, r)) = (*cspan_at(&hull, row + INT64_C(1), INT64_C(0)));
-    }
-}
-static bool within(array_double_2d hull, int64_t count, double lowest, double highest)
-{
-    int64_t rows;
-    int64_t row;
-    bool inside;
-    int64_t i;
-    double depth;
-    double last;
-    bool ends;
-    rows = INT64_C(1);
-    (*cspan_at(&hull, INT64_C(0), INT64_C(13))) = 0.0;
-    while(rows > INT64_C(0))
-    {
-        row = rows - INT64_C(1);
-        inside = 1;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            inside = inside && (lowest <= (*cspan_at(&hull, row, i))) && ((*cspan_at(&hull, row, i)) <= highest);
-        }
-        if (inside)
-        {
-            rows = rows - INT64_C(1);
-            continue;
-        }
-        depth = (*cspan_at(&hull, row, INT64_C(13)));
-        last = (*cspan_at(&hull, row, count - INT64_C(1)));
-        ends = (lowest <= (*cspan_at(&hull, row, INT64_C(0)))) && ((*cspan_at(&hull, row, INT64_C(0))) <= highest);
-        ends = ends && (lowest <= last) && (last <= highest);
-        if ((!ends) || (depth > 34.0))
-        {
-            return 0;
-        }
-        split_hull(hull, row, count);
-        (*cspan_at(&hull, row, INT64_C(13))) = depth + 1.0;
-        (*cspan_at(&hull, row + INT64_C(1), INT64_C(13))) = depth + 1.0;
-        rows = rows + INT64_C(1);
-    }
-    return 1;
-}
-static double least_peak(int64_t order, array_double_1d limits)
-{
-    double below;
-    double limit;
-    int64_t i;
-    double before;
-    below = (*cspan_at(&limits, INT64_C(0)));
-    limit = (*cspan_at(&limits, INT64_C(0)));
-    for (i = INT64_C(1); i < order; i += INT64_C(1))
-    {
-        before = limit;
-        limit = (*cspan_at(&limits, i));
-        if (limit <= 0.0)
-        {
-            limit = before * before / below;
-        }
-        below = before;
-    }
-    return 1e-05 * limit;
-}
-static double least_distance(array_double_1d limits)
-{
-    double scale;
-    double ramp;
-    int64_t order;
-    double square;
-    scale = (*cspan_at(&limits, INT64_C(0))) * (*cspan_at(&limits, INT64_C(0))) / (*cspan_at(&limits, INT64_C(1)));
-    ramp = 0.0;
-    for (order = INT64_C(2); order < span_min_int(limits.shape[INT64_C(0)], INT64_C(4)); order += INT64_C(1))
-    {
-        if ((*cspan_at(&limits, order)) > 0.0)
-        {
-            square = (*cspan_at(&limits, INT64_C(1))) / (*cspan_at(&limits, order));
-            if (order == INT64_C(2))
-            {
-                square = square * square;
-            }
-            ramp = span_max(ramp, (*cspan_at(&limits, INT64_C(1))) * square);
-        }
-    }
-    if (ramp > 0.0)
-    {
-        scale = span_min(scale, 1000.0 * ramp);
-    }
-    return 1e-09 * scale;
-}
-static double reached_limit(int64_t order, double duration, array_double_1d limits)
-{
-    int64_t j;
-    double change;
-    double reached;
-    reached = 0.0;
-    for (j = INT64_C(0); j < limits.shape[INT64_C(0)] - order + INT64_C(1); j += INT64_C(1))
-    {
-        change = reached * duration;
-        reached = (*cspan_at(&limits, limits.shape[INT64_C(0)] - INT64_C(1) - j));
-        if ((reached <= 0.0) || ((change > 0.0) && (change < reached)))
-        {
-            reached = change;
-        }
-    }
-    return reached;
-}
-double segfmu_state_scale(int64_t order, double duration, array_double_1d limits)
-{
-    double result;
-    if (order == INT64_C(0))
-    {
-        result = reached_limit(INT64_C(1), duration, limits) * duration + least_distance(limits);
-        return result;
-    }
-    result = span_max(least_peak(order, limits), reached_limit(order, duration, limits));
-    return result;
-}
-static double rounding_error(int64_t order, array_double_1d limits)
-{
-    double result;
-    result = 4e-10 * least_peak(order, limits);
-    return result;
-}
-static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
-{
-    double jump;
-    (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), largest);
-    if (joined)
-    {
-        jump = fabs(start - (*cspan_at(&work, INT64_C(40), d)));
-        (*cspan_at(&work, INT64_C(42), d)) = span_max((*cspan_at(&work, INT64_C(42), d)), jump);
-    }
-    (*cspan_at(&work, INT64_C(40), d)) = end;
-}
-static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work)
-{
-    int64_t order;
-    array_double_1d values;
-    int64_t degree;
-    int64_t d;
-    array_double_1d starts;
-    double factorial;
-    int64_t count;
-    double start;
-    double largest;
-    double highest;
-    double lowest;
-    array_double_2d hull;
-    int64_t i;
-    double share;
-    order = limits.shape[INT64_C(0)];
-    values = span_row(&work, INT64_C(43));
-    degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
-    while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
-    {
-        degree = degree - INT64_C(1);
-    }
-    for (d = degree + INT64_C(1); d < order + INT64_C(1); d += INT64_C(1))
-    {
-        note_ends(d, joined, 0.0, 0.0, 0.0, work);
-    }
-    starts = span_row(&work, INT64_C(44));
-    factorial = 1.0;
-    for (d = INT64_C(0); d < degree + INT64_C(1); d += INT64_C(1))
-    {
-        if (d > INT64_C(1))
-        {
-            factorial = factorial * d;
-        }
-        (*cspan_at(&starts, d)) = (*cspan_at(&coefficients, row, d)) * factorial;
-    }
-    for (count = INT64_C(0); count < degree + INT64_C(1); count += INT64_C(1))
-    {
-        d = degree - count;
-        start = (*cspan_at(&starts, d));
-        largest = integrate_hull(count, start, length, values);
-        if (!(fabs((*cspan_at(&values, count))) < 1e+300))
-        {
-            return 0;
-        }
-        if (d <= order)
-        {
-            note_ends(d, joined, start, (*cspan_at(&values, count)), largest, work);
-            if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0))
-            {
-                highest = (*cspan_at(&limits, d - INT64_C(1)));
-                lowest = -highest;
-                if ((d <= INT64_C(2)) && ((*cspan_at(&lower, d - INT64_C(1))) > 0.0))
-                {
-                    lowest = -(*cspan_at(&lower, d - INT64_C(1)));
-                }
-                if (largest > span_min(-lowest, highest) * (1.0 + tolerance))
-                {
-                    hull = span_rows(&work, INT64_C(0), INT64_C(40));
-                    for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
-                    {
-                        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&values, i));
-                    }
-                    share = 1.0 + tolerance;
-                    if (!within(hull, count + INT64_C(1), lowest * share, highest * share))
-                    {
-                        return 0;
-                    }
-                }
-            }
-        }
-    }
-    return 1;
-}
-static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work)
-{
-    int64_t order;
-    int64_t i;
-    double low;
-    double high;
-    int64_t row;
-    double length;
-    double least;
-    int64_t d;
-    bool result;
-    order = limits.shape[INT64_C(0)];
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(41), i)) = 0.0;
-        (*cspan_at(&work, INT64_C(42), i)) = 0.0;
-    }
-    low = (*cspan_at(&coefficients, first, INT64_C(0)));
-    high = low;
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
-        high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
-        length = (*cspan_at(&timing, row, INT64_C(1)));
-        if (!check_piece(row, row > first, length, coefficients, limits, lower, tolerance, work))
-        {
-            return 0;
-        }
-    }
-    low = span_min(low, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
-    high = span_max(high, (*cspan_at(&work, INT64_C(40), INT64_C(0))));
-    least = least_distance(limits);
-    (*cspan_at(&work, INT64_C(41), INT64_C(0))) = span_max(span_max(high - low, least), 1e-05 * span_max(-low, high));
-    for (d = INT64_C(1); d < order; d += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(41), d)) = span_max((*cspan_at(&work, INT64_C(41), d)), least_peak(d, limits));
-    }
-    for (d = INT64_C(0); d < order; d += INT64_C(1))
-    {
-        if (!((*cspan_at(&work, INT64_C(42), d)) <= joints * (*cspan_at(&work, INT64_C(41), d))))
-        {
-            return 0;
-        }
-    }
-    result = (*cspan_at(&work, INT64_C(41), INT64_C(0))) < 1e+300;
-    return result;
-}
-static double switching_time(double time, double duration, array_double_2d timing, int64_t row)
-{
-    double length;
-    double same;
-    double local;
-    length = (*cspan_at(&timing, row, INT64_C(1)));
-    local = local_time(time, timing, row);
-    same = 1e-12 * duration;
-    if (local < length - local)
-    {
-        if (local < same)
-        {
-            local = 0.0;
-        }
-    }
-    else if (local > length - same)
-    {
-        local = length;
-    }
-    return local;
-}
-int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
-{
-    int64_t width;
-    int64_t points;
-    int64_t axis;
-    int64_t first;
-    int64_t last;
-    double duration;
-    int64_t j;
-    int64_t point;
-    int64_t row;
-    double local;
-    int64_t d;
-    double value;
-    double scale;
-    width = coefficients.shape[INT64_C(1)];
-    points = states.shape[INT64_C(0)];
-    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), span_row(&lower, axis), tolerance, joints, work))
-        {
-            return INT64_C(1) + axis;
-        }
-        duration = (*cspan_at(&times, points, axis)) - (*cspan_at(&times, INT64_C(0), axis));
-        for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
-        {
-            point = span_min_int(j, points - INT64_C(1));
-            row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
-            local = switching_time((*cspan_at(&times, j, axis)), (*cspan_at(&times, points, axis)), timing, row);
-            for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
-            {
-                value = evaluate_piece(coefficients, row, width, local, d);
-                scale = (*cspan_at(&work, INT64_C(41), d));
-                if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
-                {
-                    scale = span_max(scale, segfmu_state_scale(d, duration, span_row(&limits, axis)));
-                }
-                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
-                {
-                    return INT64_C(1) + axis;
-                }
-            }
-        }
-    }
-    return INT64_C(0);
-}
-static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
-{
-    int64_t axis;
-    int64_t last;
-    int64_t row;
-    double end;
-    double until;
-    until = time;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
-        end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
-        if (row + INT64_C(1) < last)
-        {
-            end = (*cspan_at(&timing, row + INT64_C(1), INT64_C(0)));
-        }
-        if ((end > time) && ((until == time) || (end < until)))
-        {
-            until = end;
-        }
-    }
-    return until;
-}
-static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work)
-{
-    int64_t width;
-    double middle;
-    int64_t axis;
-    int64_t last;
-    int64_t row;
-    array_double_1d piece;
-    int64_t i;
-    width = coefficients.shape[INT64_C(1)];
-    middle = 0.5 * (time + until);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
-        piece = span_row(&work, INT64_C(0) + axis);
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&piece, i)) = (*cspan_at(&coefficients, row, i));
-        }
-        if (middle > (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))))
-        {
-            (*cspan_at(&piece, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
-            for (i = INT64_C(1); i < width; i += INT64_C(1))
-            {
-                (*cspan_at(&piece, i)) = 0.0;
-            }
-        }
-        else
-        {
-            polynomial_shift(piece, time - (*cspan_at(&timing, row, INT64_C(0))), width);
-        }
-    }
-    rope_pull(gravity, width, work);
-}
-static double demand_bound(int64_t demand, array_double_1d bounds)
-{
-    double result;
-    if (demand == INT64_C(2))
-    {
-        result = (*cspan_at(&bounds, INT64_C(0)));
-        return result;
-    }
-    if (demand == INT64_C(3))
-    {
-        result = (*cspan_at(&bounds, INT64_C(2)));
-        return result;
-    }
-    if (demand == INT64_C(4))
-    {
-        result = (*cspan_at(&bounds, INT64_C(1)));
-        return result;
-    }
-    return 0.0;
-}
-static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work)
-{
-    double tolerance;
-    double bound;
-    int64_t result;
-    tolerance = 1e-09;
-    bound = demand_bound(demand, bounds);
-    if (demand == INT64_C(1))
-    {
-        result = rope_margin(demand, tolerance, width, work);
-        return result;
-    }
-    if (demand == INT64_C(2))
-    {
-        result = rope_margin(demand, tolerance * bound, width, work);
-        return result;
-    }
-    if (bound <= 0.0)
-    {
-        return INT64_C(0);
-    }
-    if (demand == INT64_C(3))
-    {
-        result = rope_margin(demand, bound * (1.0 + tolerance), width, work);
-        return result;
-    }
-    result = rope_margin(demand, bound * (1.0 - tolerance), width, work);
-    return result;
-}
-static double first_negative(int64_t count, double length, array_double_2d work)
-{
-    int64_t start;
-    int64_t depth;
-    array_double_2d hull;
-    int64_t i;
-    double swapped;
-    int64_t rows;
-    int64_t row;
-    double smallest;
-    double result;
-    start = work.shape[INT64_C(1)] - INT64_C(2);
-    depth = work.shape[INT64_C(1)] - INT64_C(1);
-    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
-    bernstein_coefficients(work, INT64_C(6), count, length, hull);
-    for (i = INT64_C(0); i < span_floor_div(count, INT64_C(2)); i += INT64_C(1))
-    {
-        swapped = (*cspan_at(&hull, INT64_C(0), i));
-        (*cspan_at(&hull, INT64_C(0), i)) = (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i));
-        (*cspan_at(&hull, INT64_C(0), count - INT64_C(1) - i)) = swapped;
-    }
-    (*cspan_at(&hull, INT64_C(0), start)) = 0.0;
-    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
-    rows = INT64_C(1);
-    while(rows > INT64_C(0))
-    {
-        row = rows - INT64_C(1);
-        smallest = (*cspan_at(&hull, row, INT64_C(0)));
-        for (i = INT64_C(1); i < count; i += INT64_C(1))
-        {
-            smallest = span_min(smallest, (*cspan_at(&hull, row, i)));
-        }
-        if (smallest >= 0.0)
-        {
-            rows = row;
-        }
-        else if (((*cspan_at(&hull, row, count - INT64_C(1))) < 0.0) || ((*cspan_at(&hull, row, depth)) > 39.5))
-        {
-            result = (*cspan_at(&hull, row, start));
-            return result;
-        }
-        else
-        {
-            split_hull(hull, row, count);
-            (*cspan_at(&hull, row + INT64_C(1), start)) = (*cspan_at(&hull, row, start));
-            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
-            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
-            (*cspan_at(&hull, row, start)) = (*cspan_at(&hull, row, start)) + pow(0.5, (*cspan_at(&hull, row, depth)));
-            rows = rows + INT64_C(1);
-        }
-    }
-    return -1.0;
-}
-static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work)
-{
-    double z;
-    double w_x;
-    double w_y;
-    double w_z;
-    z = evaluate_piece(work, INT64_C(0) + INT64_C(2), width, local, INT64_C(0));
-    w_x = evaluate_piece(work, INT64_C(3), width - INT64_C(2), local, INT64_C(0));
-    w_y = evaluate_piece(work, INT64_C(3) + INT64_C(1), width - INT64_C(2), local, INT64_C(0));
-    w_z = evaluate_piece(work, INT64_C(3) + INT64_C(2), width - INT64_C(2), local, INT64_C(0));
-    return rope_value(demand, gravity, z, w_x, w_y, w_z);
-}
-static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
-{
-    double gravity;
-    int64_t width;
-    double sign;
-    double worst;
-    double time;
-    double until;
-    int64_t i;
-    double local;
-    gravity = (*cspan_at(&bounds, INT64_C(0)));
-    width = coefficients.shape[INT64_C(1)];
-    sign = 1.0;
-    if (demand == INT64_C(4))
-    {
-        sign = -1.0;
-    }
-    worst = -1e+300;
-    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
-    until = interval_end(time, timing, offsets);
-    while(until > time)
-    {
-        if (until >= first)
-        {
-            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
-            for (i = INT64_C(0); i < INT64_C(33); i += INT64_C(1))
-            {
-                local = span_max((until - time) * i / 32.0, first - time);
-                worst = span_max(worst, sign * value_at(demand, local, gravity, width, work));
-            }
-        }
-        time = until;
-        until = interval_end(time, timing, offsets);
-    }
-    return sign * worst;
-}
-int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report)
-{
-    int64_t none;
-    double time;
-    double until;
-    int64_t demand;
-    int64_t count;
-    double share;
-    int64_t failed;
-    none = INT64_C(4) + INT64_C(1);
-    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
-    until = interval_end(time, timing, offsets);
-    failed = none;
-    while(until > time)
-    {
-        interval_pieces(time, until, timing, coefficients, offsets, (*cspan_at(&bounds, INT64_C(0))), work);
-        for (demand = INT64_C(1); demand < failed; demand += INT64_C(1))
-        {
-            count = rope_demand(demand, bounds, coefficients.shape[INT64_C(1)], work);
-            if (count > INT64_C(0))
-            {
-                share = first_negative(count, until - time, work);
-                if (share >= 0.0)
-                {
-                    failed = demand;
-                    (*cspan_at(&report, INT64_C(0))) = time + share * (until - time);
-                    break;
-                }
-            }
-        }
-        time = until;
-        until = interval_end(time, timing, offsets);
-    }
-    if (failed == none)
-    {
-        return INT64_C(0);
-    }
-    (*cspan_at(&report, INT64_C(1))) = worst_value(failed, (*cspan_at(&report, INT64_C(0))), timing, coefficients, offsets, bounds, work);
-    (*cspan_at(&report, INT64_C(2))) = demand_bound(failed, bounds);
-    return failed;
 }
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
 {

@@ -8,6 +8,14 @@
 #include "span.h"
 #include "visible.h"
 
+SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
+SEGFMU_API void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
+SEGFMU_API double segfmu_state_scale(int64_t order, double duration, array_double_1d limits);
+SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
+SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
+SEGFMU_API int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans);
+SEGFMU_API int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_double_1d box, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_1d place);
+SEGFMU_API int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_2d ranges, array_double_1d report);
 SEGFMU_API void segfmu_feedback_correction(array_double_1d state, array_double_1d reference, array_double_1d added, array_double_3d gains, array_double_1d correction);
 SEGFMU_API double segfmu_feedback_bandwidth(double ratio, double length, double gravity, double delay, double largest);
 SEGFMU_API void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidth, double pendulum, double hoist_bandwidth, double damping, array_double_2d gains);
@@ -36,8 +44,6 @@ SEGFMU_API void segfmu_crane_energy(array_double_1d state, array_double_1d masse
 SEGFMU_API void segfmu_crane_load_partials(array_double_1d state, array_double_2d partials);
 SEGFMU_API void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials);
 SEGFMU_API void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
-SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
-SEGFMU_API void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 SEGFMU_API double segfmu_same_break(double time);
 SEGFMU_API double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 SEGFMU_API double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
@@ -53,9 +59,6 @@ SEGFMU_API void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API void segfmu_turbulence_components(double speed, double length, double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
-SEGFMU_API double segfmu_state_scale(int64_t order, double duration, array_double_1d limits);
-SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
-SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault);
 SEGFMU_API double segfmu_begin_time(double given, double start);
 SEGFMU_API int64_t segfmu_ramp_duration(double* result_0, double* result_1, double change, array_double_1d axis);

@@ -1,6 +1,350 @@
 /* Generated from the kernels in Python by `python -m segfmu.codegen`; never edited. */
 #include "arguments.h"
 
+static PyObject *call_evaluate(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    int64_t in_derivative;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_int(&call, 5, &in_derivative)
+        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 0, in_values->shape[0], in_times->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_evaluate(
+            (array_double_1d){in_times->buf, {in_times->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            in_derivative,
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_evaluate_orders(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "evaluate_orders", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_values;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "values", 0, in_values->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_evaluate_orders(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_state_scale(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "state_scale", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_order;
+    double in_duration;
+    Py_buffer *in_limits;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_int(&call, 0, &in_order)
+        && take_float(&call, 1, &in_duration)
+        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_order + 2))) {
+        answer = PyFloat_FromDouble(segfmu_state_scale(
+            in_order,
+            in_duration,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
+    double in_tolerance;
+    double in_joints;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
+        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
+        && take_float(&call, 7, &in_tolerance)
+        && take_float(&call, 8, &in_joints)
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 45)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 14)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_check_plan(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            in_tolerance,
+            in_joints,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_rope(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_rope", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_bounds;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_check_rope(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_clearance_spans(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "clearance_spans", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    double in_gravity;
+    Py_buffer *in_work;
+    Py_buffer *in_spans;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 3, &in_gravity)
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_spans = take_array(&call, 5, 3, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "spans", 0, in_spans->shape[0], (in_timing->shape[0] + 1))
+        && has_at_least(&call, "spans", 1, in_spans->shape[1], 10)
+        && has_at_least(&call, "spans", 2, in_spans->shape[2], ((2 * in_coefficients->shape[1]) - 3))
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_clearance_spans(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            in_gravity,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_3d){in_spans->buf, {in_spans->shape[0], in_spans->shape[1], in_spans->shape[2]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_contact_times(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "contact_times", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_part;
+    double in_until;
+    int64_t in_count;
+    Py_buffer *in_box;
+    Py_buffer *in_spans;
+    Py_buffer *in_stack;
+    Py_buffer *in_times;
+    Py_buffer *in_place;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && take_int(&call, 0, &in_part)
+        && take_float(&call, 1, &in_until)
+        && take_int(&call, 2, &in_count)
+        && (in_box = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_spans = take_array(&call, 4, 3, 'd', false)) != NULL
+        && (in_stack = take_array(&call, 5, 3, 'd', true)) != NULL
+        && (in_times = take_array(&call, 6, 2, 'd', false)) != NULL
+        && (in_place = take_array(&call, 7, 1, 'd', false)) != NULL
+        && has_at_least(&call, "spans", 2, in_spans->shape[2], 1)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
+        && has_extent(&call, "stack", 2, in_stack->shape[2], in_spans->shape[2])
+        && has_at_least(&call, "box", 0, in_box->shape[0], 13)
+        && has_at_least(&call, "spans", 0, in_spans->shape[0], in_count)
+        && has_at_least(&call, "spans", 1, in_spans->shape[1], 10)
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 42)
+        && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 2)
+        && has_at_least(&call, "place", 0, in_place->shape[0], 3)) {
+        answer = PyLong_FromLongLong(segfmu_contact_times(
+            in_part,
+            in_until,
+            in_count,
+            (array_double_1d){in_box->buf, {in_box->shape[0]}},
+            (array_double_3d){in_spans->buf, {in_spans->shape[0], in_spans->shape[1], in_spans->shape[2]}},
+            (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_first_contact(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "first_contact", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_count;
+    Py_buffer *in_boxes;
+    Py_buffer *in_spans;
+    Py_buffer *in_stack;
+    Py_buffer *in_times;
+    Py_buffer *in_ranges;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_int(&call, 0, &in_count)
+        && (in_boxes = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_spans = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_stack = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_times = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_ranges = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "spans", 2, in_spans->shape[2], 1)
+        && has_extent(&call, "stack", 2, in_stack->shape[2], in_spans->shape[2])
+        && has_at_least(&call, "boxes", 1, in_boxes->shape[1], 13)
+        && has_at_least(&call, "spans", 0, in_spans->shape[0], in_count)
+        && has_at_least(&call, "spans", 1, in_spans->shape[1], 10)
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 42)
+        && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 2)
+        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 5)
+        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 6)) {
+        answer = PyLong_FromLongLong(segfmu_first_contact(
+            in_count,
+            (array_double_2d){in_boxes->buf, {in_boxes->shape[0], in_boxes->shape[1]}},
+            (array_double_3d){in_spans->buf, {in_spans->shape[0], in_spans->shape[1], in_spans->shape[2]}},
+            (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_feedback_correction(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -855,91 +1199,6 @@ static PyObject *call_flat_derivatives(
     return answer;
 }
 
-static PyObject *call_evaluate(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "evaluate", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    int64_t in_derivative;
-    Py_buffer *in_values;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_times = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && take_int(&call, 5, &in_derivative)
-        && (in_values = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "values", 0, in_values->shape[0], in_times->shape[0])
-        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        segfmu_evaluate(
-            (array_double_1d){in_times->buf, {in_times->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            in_derivative,
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_evaluate_orders(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "evaluate_orders", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_values;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_time)
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_values = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "values", 0, in_values->shape[0], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "values", 1, in_values->shape[1], in_ends->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        segfmu_evaluate_orders(
-            in_time,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_same_break(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1407,130 +1666,6 @@ static PyObject *call_plant_advance(
             (array_double_1d){in_state->buf, {in_state->shape[0]}},
             in_duration,
             in_tolerance,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_state_scale(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "state_scale", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_order;
-    double in_duration;
-    Py_buffer *in_limits;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && take_int(&call, 0, &in_order)
-        && take_float(&call, 1, &in_duration)
-        && (in_limits = take_array(&call, 2, 1, 'd', false)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], (in_order + 2))) {
-        answer = PyFloat_FromDouble(segfmu_state_scale(
-            in_order,
-            in_duration,
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_check_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_limits;
-    Py_buffer *in_lower;
-    double in_tolerance;
-    double in_joints;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
-        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
-        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
-        && take_float(&call, 7, &in_tolerance)
-        && take_float(&call, 8, &in_joints)
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
-        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
-        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
-        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 45)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 14)
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_check_plan(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
-            in_tolerance,
-            in_joints,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_check_rope(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_rope", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_bounds;
-    Py_buffer *in_work;
-    Py_buffer *in_report;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 5, 1, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
-        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
-        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
-        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_check_rope(
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_1d){in_report->buf, {in_report->shape[0]}}));
     }
@@ -3236,6 +3371,14 @@ static PyObject *call_expand_motion(
 }
 
 static PyMethodDef methods[] = {
+    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
+    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
+    {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
+    {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
+    {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
+    {"clearance_spans", (PyCFunction)(void (*)(void))call_clearance_spans, METH_FASTCALL, NULL},
+    {"contact_times", (PyCFunction)(void (*)(void))call_contact_times, METH_FASTCALL, NULL},
+    {"first_contact", (PyCFunction)(void (*)(void))call_first_contact, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -3264,8 +3407,6 @@ static PyMethodDef methods[] = {
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
-    {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
-    {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
@@ -3281,9 +3422,6 @@ static PyMethodDef methods[] = {
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
-    {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
-    {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
-    {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},

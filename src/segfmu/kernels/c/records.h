@@ -2,6 +2,67 @@
 #ifndef SEGFMU_RECORDS_H
 #define SEGFMU_RECORDS_H
 
+/* kernels/clearance/records.py */
+
+enum {
+    SPAN_LOAD = 0,
+    SPAN_REACH = 3,
+    SPAN_TURN = 5,
+    SPAN_PULL = 6,
+    SPAN_MOMENT = 9,
+    SPAN_SIZE = 10
+};
+
+enum {
+    MOMENT_START = 0,
+    MOMENT_LENGTH = 1,
+    MOMENT_DEPTH = 2,
+    MOMENT_TURN_ROUNDING = 3,
+    MOMENT_ROUNDING = 4
+};
+
+enum {
+    BOX_LOAD_LOW = 0,
+    BOX_LOAD_HIGH = 3,
+    BOX_ROPE_LOW = 6,
+    BOX_ROPE_HIGH = 9,
+    BOX_ROPE = 12,
+    BOX_SIZE = 13
+};
+
+enum {
+    PART_CLEAR = 0,
+    PART_LOAD = 1,
+    PART_ROPE = 2
+};
+
+enum {
+    MEETING_NEVER = 0,
+    MEETING_ALWAYS = 1,
+    MEETING_OPEN = 2
+};
+
+enum {
+    COLLISION_BEGIN = 0,
+    COLLISION_END = 1,
+    COLLISION_PLACE = 2,
+    COLLISION_BOX = 5,
+    COLLISION_SIZE = 6
+};
+
+enum {
+    STACK_ROWS = 42
+};
+
+enum {
+    RANGES_LOAD_LOW = 0,
+    RANGES_LOAD_HIGH = 1,
+    RANGES_ROPE_LOW = 2,
+    RANGES_ROPE_HIGH = 3,
+    RANGES_PLACE = 4,
+    RANGES_SIZE = 5
+};
+
 /* kernels/control/records.py */
 
 enum {

@@ -34,7 +34,10 @@ def check_rope(
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     failed = none
-    while until > time:
+    intervals = 0
+    # a plan of no duration is one interval as well
+    while until > time or intervals == 0:
+        intervals = intervals + 1
         interval_pieces(
             time, until, timing, coefficients, offsets, bounds[RopeBounds.GRAVITY], work
         )
@@ -188,7 +191,9 @@ def worst_value(
     worst = -1e300
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
-    while until > time:
+    intervals = 0
+    while until > time or intervals == 0:
+        intervals = intervals + 1
         if until >= first:
             interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
             for i in range(33):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, StrictBool
 
 from segfmu.validation.files.keys import (
     AXES,
@@ -29,7 +29,7 @@ class WorkspaceTable(Table):
 
 
 class ObstacleEntry(Table):
-    """A box that the load must not meet."""
+    """A box that load and rope must not meet."""
 
     name: Annotated[
         Annotated[str, Field(min_length=1, max_length=100), AfterValidator(printable)],
@@ -37,4 +37,9 @@ class ObstacleEntry(Table):
     ]
     minimum: Annotated[Place, Key("least coordinates", "m", parts=AXES)]
     maximum: Annotated[Place, Key("greatest coordinates", "m", parts=AXES)]
-    margin: Annotated[NotNegative, Key("distance that the load keeps along each axis", "m")] = 0.0
+    margin: Annotated[
+        NotNegative, Key("distance that load and rope keep along each axis", "m")
+    ] = 0.0
+    rope: Annotated[
+        StrictBool, Key("false: the load alone must not meet it, the rope may")
+    ] = True

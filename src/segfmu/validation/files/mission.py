@@ -10,7 +10,15 @@ from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from segfmu.crane import ActuatorBounds, Crane, Friction, plan_actuated
 from segfmu.errors import InputError
-from segfmu.planning import Clearance, Limits, Obstacle, Trajectory, Waypoint, plan
+from segfmu.planning import (
+    Clearance,
+    Limits,
+    Obstacle,
+    Trajectory,
+    Waypoint,
+    plan,
+    read_waypoints,
+)
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.clearance_tables import ObstacleEntry, WorkspaceTable
 from segfmu.validation.files.crane_file import CraneFile
@@ -60,7 +68,7 @@ class Mission(Table):
     ] = None
     waypoints: Annotated[
         list[WaypointEntry],
-        Key("waypoints of the load"),
+        Key("waypoints of the load; or the name of a table in a CSV file (`read_waypoints`)"),
         Field(min_length=2, max_length=MOST_WAYPOINTS),
     ]
     smoothness: Annotated[
@@ -89,7 +97,7 @@ class Mission(Table):
         WorkspaceTable, Key("range of the load's position")
     ] = WorkspaceTable()
     obstacles: Annotated[
-        list[ObstacleEntry], Key("boxes that the load must not meet"), Field(max_length=1000)
+        list[ObstacleEntry], Key("boxes that load and rope must not meet"), Field(max_length=1000)
     ] = []
     load_size: Annotated[
         NotNegativeTriple,
@@ -194,7 +202,7 @@ class Mission(Table):
                 "[limits] to the mission, or bounds such as bridge.velocity_max to the crane file"
             )
         trajectory = plan(points, limits, **options)
-        clearance.require(trajectory)
+        clearance.require(trajectory, self.crane.gravity)
         return trajectory
 
 
@@ -203,14 +211,15 @@ Source = str | Path | Mapping[str, Any] | Mission
 
 
 def load_mission(source: Source, changes: Mapping[str, Any] | None = None) -> Mission:
-    """Read a mission file and the crane file that it names, or make a mission of Python objects.
+    """Read a mission file and the files that it names, or make a mission of Python objects.
 
     Parameters
     ----------
     source : path, mapping or Mission
         A mission file (TOML); or what it would say, as a dict. In a dict the crane may be a
-        `Crane`, the limits `Limits`, waypoints `Waypoint` and obstacles `Obstacle`. A crane that
-        is a string names a file, which is relative to the mission file or to the current folder.
+        `Crane`, the limits `Limits`, waypoints `Waypoint` and obstacles `Obstacle`. A crane or
+        waypoints that are a string name a file, which is relative to the mission file or to the
+        current folder.
     changes : mapping, optional
         Keys that replace those of the source; tables are merged.
 
@@ -248,21 +257,21 @@ def load_mission(source: Source, changes: Mapping[str, Any] | None = None) -> Mi
         data = read_mission(Path(source))
     elif isinstance(source, Mapping | Mission):
         file = source.file if isinstance(source, Mission) else None
-        data = _with_crane(None, plain(source))
+        data = _with_files(None, plain(source))
     else:
         raise InputError(f"a mission is a file or a dict, got {type(source).__name__}")
     return build_mission(file, merged(data, plain(changes or {})))
 
 
 def read_mission(path: Path) -> dict[str, Any]:
-    """The content of a mission file, with that of the crane file that it names.
+    """The content of a mission file, with that of the files that it names.
 
     Raises
     ------
     InputError
-        For files that cannot be read, and a crane file that is wrong.
+        For files that cannot be read, and a crane file or a table that is wrong.
     """
-    return _with_crane(path, read(path))
+    return _with_files(path, read(path))
 
 
 def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
@@ -286,19 +295,36 @@ def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
     return mission
 
 
-def _with_crane(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
-    """The content of a mission with that of the crane file that it names."""
+def _with_files(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
+    """The content of a mission with that of the files that it names."""
     require_kind("mission", data, path or "mission")
+    found = dict(data)
     if isinstance(data.get("crane"), str):
-        return {**data, "crane": _crane_data(path, data["crane"])}
-    return data
+        found["crane"] = _crane_data(path, data["crane"])
+    if isinstance(data.get("waypoints"), str):
+        found["waypoints"] = _waypoint_data(path, data["waypoints"])
+    return found
+
+
+def _named(mission: Path | None, key: str, name: str) -> Path:
+    """A file that a mission names."""
+    if not name.strip():
+        raise InputError(f"{mission or 'mission'}: {key}: no file is named, got {name!r}")
+    return Path(name) if mission is None else mission.parent / name
+
+
+def _waypoint_data(mission: Path | None, name: str) -> list[Any]:
+    """The waypoints of the table that a mission names."""
+    path = _named(mission, "waypoints", name)
+    try:
+        return [plain(point) for point in read_waypoints(path, AXES)]
+    except InputError as error:
+        raise InputError(f"{mission or 'mission'}: waypoints: {error}") from None
 
 
 def _crane_data(mission: Path | None, name: str) -> dict[str, Any]:
     """The content of the crane file that a mission names, checked."""
-    if not name.strip():
-        raise InputError(f"{mission or 'mission'}: crane: no file is named, got {name!r}")
-    path = Path(name) if mission is None else mission.parent / name
+    path = _named(mission, "crane", name)
     try:
         data = read(path)
         require_kind("crane", data, path)

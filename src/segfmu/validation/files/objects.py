@@ -78,7 +78,7 @@ def _waypoint(point: Waypoint) -> dict[str, Any]:
 def _obstacle(box: Obstacle) -> dict[str, Any]:
     return {
         "name": box.name, "minimum": box.minimum.tolist(), "maximum": box.maximum.tolist(),
-        "margin": box.margin,
+        "margin": box.margin, "rope": box.rope,
     }
 
 

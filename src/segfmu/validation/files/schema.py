@@ -33,6 +33,11 @@ def schema(kind: str) -> dict[str, Any]:
         keys["crane"] = {
             "description": crane["description"], "anyOf": [name, {"$ref": crane["$ref"]}],
         }
+        points = keys["waypoints"]
+        name = {"type": "string", "minLength": 1, "description": "name of a CSV file"}
+        keys["waypoints"] = {
+            "description": points.pop("description"), "anyOf": [name, points],
+        }
     if kind == "scenario":
         found["properties"]["base"] = {
             "type": "string", "minLength": 1,

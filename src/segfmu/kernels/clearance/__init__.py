@@ -1,0 +1,1 @@
+"""Load and rope against obstacles."""

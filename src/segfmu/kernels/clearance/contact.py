@@ -1,0 +1,194 @@
+"""When load or rope meet boxes: spans are halved until the coefficients tell.
+
+What is still open where nothing moves by more than rounding counts as a contact: boxes are taken
+smaller by the distance that counts as a touch.
+"""
+
+from segfmu.kernels.clearance.meeting import (
+    load_meeting,
+    part_moves,
+    rope_meeting,
+    row_range,
+    shared_height,
+)
+from segfmu.kernels.clearance.records import Box, Collision, Meeting, Moment, Part, Ranges, Span
+from segfmu.kernels.clearance.spans import halve_span
+
+
+def part_meeting(part: int, span: 'float[:,:]', box: 'float[:]') -> int:
+    """Meeting of a part and a box."""
+    if part == Part.LOAD:
+        return load_meeting(span, box)
+    return rope_meeting(span, box)
+
+
+def contact_times(
+    part: int,
+    until: float,
+    count: int,
+    box: 'float[:]',
+    spans: 'float[:,:,:]',
+    stack: 'float[:,:,:]',
+    times: 'float[:,:]',
+    place: 'float[:]',
+) -> int:
+    """Intervals in which a part (Part) meets a box, in order; returns their number.
+
+    Those that begin before a time [s], among the first `count` spans; stack (Stack.ROWS, Span.SIZE,
+    columns of a span). Written: times (rows, 2), as many as there are rows, and the place (3,)
+    where the first contact begins. With one row, only the first interval is looked for.
+    """
+    found = 0
+    for row in range(count):
+        span = spans[row, :, :]
+        if span[Span.MOMENT, Moment.START] >= until or found > times.shape[0]:
+            break
+        meeting = part_meeting(part, span, box)
+        if meeting == Meeting.NEVER:
+            if found > 0 and times.shape[0] == 1:
+                break
+            continue
+        for k in range(Span.SIZE):
+            for i in range(span.shape[1]):
+                stack[0, k, i] = span[k, i]
+        found = halved_contacts(part, found, box, stack, times, place)
+    return found
+
+
+def halved_contacts(
+    part: int, found: int, box: 'float[:]', stack: 'float[:,:,:]', times: 'float[:,:]',
+    place: 'float[:]',
+) -> int:
+    """Add the contacts of the first span of the stack to those found; returns their number."""
+    rows = 1
+    halvings = 0
+    while rows > 0:
+        span = stack[rows - 1, :, :]
+        meeting = part_meeting(part, span, box)
+        deep = span[Span.MOMENT, Moment.DEPTH] > 39.5
+        # a contact takes about 100 halvings; more than this only follow a face within rounding
+        if meeting == Meeting.OPEN and not deep and halvings < 20000 and part_moves(part, span):
+            halve_span(rows - 1, stack)
+            rows = rows + 1
+            halvings = halvings + 1
+            continue
+        rows = rows - 1
+        if meeting == Meeting.NEVER:
+            if found > 0 and times.shape[0] == 1:
+                return found
+            continue
+        if found == 0:
+            note_place(part, span, box, place)
+        found = note_time(found, span, times)
+    return found
+
+
+def note_time(found: int, span: 'float[:,:]', times: 'float[:,:]') -> int:
+    """Prolong the last contact by a span, or begin another one; returns the number of contacts."""
+    begin = span[Span.MOMENT, Moment.START]
+    end = begin + span[Span.MOMENT, Moment.LENGTH]
+    rows = times.shape[0]
+    # the clock rounds, and so does what was halved
+    if 0 < found <= rows and begin <= times[found - 1, 1] + 1e-11 * end:
+        times[found - 1, 1] = end
+        return found
+    if found < rows:
+        times[found, 0] = begin
+        times[found, 1] = end
+    return found + 1
+
+
+def note_place(part: int, span: 'float[:,:]', box: 'float[:]', place: 'float[:]') -> None:
+    """Where a part meets a box at the start of a span in which it does."""
+    for axis in range(3):
+        place[axis] = span[Span.LOAD + axis, 0]
+    upwards = span[Span.PULL + 2, 0]
+    if part == Part.ROPE and upwards > 0.0:
+        height = shared_height(0.0, span, box)
+        for axis in range(2):
+            rope = span[Span.REACH + axis, 0] + height * span[Span.PULL + axis, 0]
+            place[axis] = rope / upwards
+        place[2] = height
+
+
+def path_ranges(count: int, spans: 'float[:,:,:]', ranges: 'float[:,:]') -> None:
+    """Ranges of the load and of its rope during all spans, in ranges (Ranges, 3)."""
+    for axis in range(3):
+        for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
+            ranges[row, axis] = 1e300
+            ranges[row + 1, axis] = -1e300
+    for k in range(count):
+        span = spans[k, :, :]
+        slowest, fastest = row_range(span, Span.PULL + 2)
+        for axis in range(3):
+            least, most = row_range(span, Span.LOAD + axis)
+            widen_range(Ranges.LOAD_LOW, axis, least, most, ranges)
+            widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
+            if axis == 2:
+                # up to the trolley
+                widen_range(Ranges.ROPE_LOW, axis, 0.0, 0.0, ranges)
+            elif slowest > 0.0:
+                least, most = row_range(span, Span.REACH + axis)
+                least = min(least / slowest, least / fastest)
+                most = max(most / slowest, most / fastest)
+                widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
+            else:
+                widen_range(Ranges.ROPE_LOW, axis, -1e300, 1e300, ranges)
+
+
+def widen_range(row: int, axis: int, least: float, most: float, ranges: 'float[:,:]') -> None:
+    """Widen the range of an axis in two rows so that it has what is between two values."""
+    ranges[row, axis] = min(ranges[row, axis], least)
+    ranges[row + 1, axis] = max(ranges[row + 1, axis], most)
+
+
+def is_near(part: int, box: 'float[:]', ranges: 'float[:,:]') -> bool:
+    """Whether the range of a part overlaps a box."""
+    low = Box.LOAD_LOW
+    row = Ranges.LOAD_LOW
+    if part == Part.ROPE:
+        low = Box.ROPE_LOW
+        row = Ranges.ROPE_LOW
+        if box[Box.ROPE] < 0.5:
+            return False
+    for axis in range(3):
+        if ranges[row + 1, axis] <= box[low + axis] or ranges[row, axis] >= box[low + 3 + axis]:
+            return False
+    return True
+
+
+def first_contact(
+    count: int,
+    boxes: 'float[:,:]',
+    spans: 'float[:,:,:]',
+    stack: 'float[:,:,:]',
+    times: 'float[:,:]',
+    ranges: 'float[:,:]',
+    report: 'float[:]',
+) -> int:
+    """The part (Part) that meets one of the boxes first, with a report (Collision); or CLEAR.
+
+    boxes (.., Box); count, spans and stack as in `contact_times`; times (1, 2) and ranges (Ranges,
+    3) are work space. The rope counts where the load meets nothing: it has to follow that.
+    """
+    first = Part.CLEAR
+    report[Collision.BEGIN] = 1e300
+    path_ranges(count, spans, ranges)
+    place = ranges[Ranges.PLACE, :]
+    for part in range(Part.LOAD, Part.ROPE + 1):
+        if first != Part.CLEAR:
+            break
+        for number in range(boxes.shape[0]):
+            box = boxes[number, :]
+            if not is_near(part, box, ranges):
+                continue
+            until = report[Collision.BEGIN]
+            found = contact_times(part, until, count, box, spans, stack, times, place)
+            if found > 0 and times[0, 0] < until:
+                first = part
+                report[Collision.BEGIN] = times[0, 0]
+                report[Collision.END] = times[0, 1]
+                report[Collision.BOX] = number
+                for axis in range(3):
+                    report[Collision.PLACE + axis] = place[axis]
+    return first

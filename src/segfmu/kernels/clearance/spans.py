@@ -1,0 +1,121 @@
+"""A trajectory of the load as spans between changes of piece, with what its rope follows from.
+
+The load's acceleration gives the rope's direction w = p'' / g + e_z (crane/flatness.py). So the
+rope at a height h is beside the load by (h - z) w / w_z: products with w_z are polynomials in time,
+linear in h, and those that a box needs are sums of the rows of a `Span`.
+"""
+
+from segfmu.kernels.clearance.records import Moment, Span
+from segfmu.kernels.crane.records import RopeWork
+from segfmu.kernels.crane.rope import interval_end, interval_pieces
+from segfmu.kernels.numerics.polynomials import polynomial_add_product, polynomial_clear
+from segfmu.kernels.trajectory.check import bernstein_coefficients
+from segfmu.kernels.trajectory.records import Timing
+
+
+def clearance_spans(
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    gravity: float,
+    work: 'float[:,:]',
+    spans: 'float[:,:,:]',
+) -> int:
+    """Write the spans of a trajectory x, y, z of any duration; returns their number.
+
+    Pieces as for `check_rope`, of `width` coefficients; work (RopeWork.SIZE, 4 width - 5 or more),
+    spans (pieces + 1 or more, Span.SIZE, 2 width - 3).
+    """
+    width = coefficients.shape[1]
+    count = 0
+    time = timing[offsets[0], Timing.START]
+    until = interval_end(time, timing, offsets)
+    while until > time or count == 0:
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
+        for axis in range(3):
+            for i in range(width - 2):
+                pull = work[RopeWork.PULL + axis, i]
+                work[RopeWork.PULL + axis, i] = pull / gravity
+        span = spans[count, :, :]
+        for axis in range(3):
+            write_row(RopeWork.LOAD + axis, width, until - time, Span.LOAD + axis, work, span)
+            write_row(RopeWork.PULL + axis, width - 2, until - time, Span.PULL + axis, work, span)
+        for axis in range(2):
+            write_difference(axis, 2, 2, axis, until - time, Span.REACH + axis, work, span)
+        write_difference(0, 1, 1, 0, until - time, Span.TURN, work, span)
+        span[Span.MOMENT, Moment.START] = time
+        span[Span.MOMENT, Moment.LENGTH] = until - time
+        span[Span.MOMENT, Moment.DEPTH] = 0.0
+        note_rounding(span)
+        count = count + 1
+        time = until
+        until = interval_end(time, timing, offsets)
+    return count
+
+
+def write_row(
+    source: int, count: int, length: float, row: int, work: 'float[:,:]', span: 'float[:,:]'
+) -> None:
+    """Bernstein coefficients of `count` ascending ones of a row of `work`, in a row of a span."""
+    columns = span.shape[1]
+    part = span[row:row + 1, :]
+    for i in range(columns):
+        work[RopeWork.DEMAND, i] = 0.0
+    for i in range(count):
+        work[RopeWork.DEMAND, i] = work[source, i]
+    bernstein_coefficients(work, RopeWork.DEMAND, columns, length, part)
+
+
+def write_difference(
+    first: int, pull: int, second: int, other: int, length: float, row: int,
+    work: 'float[:,:]', span: 'float[:,:]',
+) -> None:
+    """position `first` times pull `pull` less position `second` times pull `other`, in a row."""
+    width = (span.shape[1] + 3) // 2
+    product = work[RopeWork.PRODUCTS, :]
+    taken = work[RopeWork.PRODUCTS + 1, :]
+    polynomial_clear(product)
+    polynomial_clear(taken)
+    polynomial_add_product(
+        work[RopeWork.LOAD + first, :], width, work[RopeWork.PULL + pull, :], width - 2, product
+    )
+    polynomial_add_product(
+        work[RopeWork.LOAD + second, :], width, work[RopeWork.PULL + other, :], width - 2, taken
+    )
+    for i in range(2 * width - 3):
+        product[i] = product[i] - taken[i]
+    write_row(RopeWork.PRODUCTS, 2 * width - 3, length, row, work, span)
+
+
+def note_rounding(span: 'float[:,:]') -> None:
+    """Write what is rounding of the TURN of a span, and of positions."""
+    place = 0.0
+    pull = 0.0
+    for i in range(span.shape[1]):
+        for axis in range(3):
+            place = max(place, abs(span[Span.LOAD + axis, i]))
+        for axis in range(2):
+            pull = max(pull, abs(span[Span.PULL + axis, i]))
+    span[Span.MOMENT, Moment.TURN_ROUNDING] = 1e-14 * place * pull
+    # a thousandth of what is a touch
+    span[Span.MOMENT, Moment.ROUNDING] = 1e-12 * place
+
+
+def halve_span(row: int, stack: 'float[:,:,:]') -> None:
+    """Halve the span of a row: the second half stays, the first one follows."""
+    count = stack.shape[2]
+    span = stack[row, :, :]
+    first = stack[row + 1, :, :]
+    for k in range(Span.MOMENT):
+        for r in range(count):
+            first[k, r] = span[k, 0]
+            for i in range(count - 1 - r):
+                span[k, i] = 0.5 * (span[k, i] + span[k, i + 1])
+    half = 0.5 * span[Span.MOMENT, Moment.LENGTH]
+    first[Span.MOMENT, Moment.START] = span[Span.MOMENT, Moment.START]
+    span[Span.MOMENT, Moment.START] = span[Span.MOMENT, Moment.START] + half
+    span[Span.MOMENT, Moment.DEPTH] = span[Span.MOMENT, Moment.DEPTH] + 1.0
+    for i in range(Moment.DEPTH, Moment.ROUNDING + 1):
+        first[Span.MOMENT, i] = span[Span.MOMENT, i]
+    span[Span.MOMENT, Moment.LENGTH] = half
+    first[Span.MOMENT, Moment.LENGTH] = half

@@ -1,0 +1,154 @@
+"""Waypoints from a table: a CSV file whose columns have names."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import as_tuple, shown
+from segfmu.planning.waypoint import Waypoint
+
+# before an underscore and the name of an axis
+STATES = ("velocity", "acceleration")
+DWELL = "dwell"
+USUAL = ("x", "y", "z")
+FREE = "free"
+# between columns, what the first line has
+DELIMITERS = (";", "\t", ",")
+LARGEST = 64_000_000
+
+
+def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[Waypoint]:
+    """Read waypoints from a table in a CSV file, one a row.
+
+    The first line names the columns: the position of each axis by the name of the axis, and, if
+    wanted, `velocity_x`, `acceleration_x` and so on, and `dwell`. Units are m, m/s, m/s2 and s. A
+    velocity or acceleration can be `free`. An empty one, or one without a column, is 0, as is an
+    empty dwell. Columns are separated by commas, semicolons or tabs. Empty lines and those that
+    begin with # are skipped.
+
+    Parameters
+    ----------
+    path : str or Path
+    axes : sequence of str, optional
+        Names of the axes in the order of the waypoints' values. By default x, y, z in this order
+        where these are the axes of the table, else the axes in the order of their columns.
+
+    Returns
+    -------
+    list of Waypoint
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, a column is missing, unknown or there twice, or a value is no
+        number. The message names file, line, column and value.
+    """
+    file = _path(path)
+    lines = _lines(file)
+    number, names = lines[0]
+    where = f"{file}, line {number}"
+    found = _axes(where, names) if axes is None else as_tuple("axes", axes)
+    _require_columns(where, names, found)
+    points = []
+    for number, cells in lines[1:]:
+        if len(cells) != len(names):
+            raise InputError(
+                f"{file}, line {number}: {len(cells)} values for {len(names)} columns"
+            )
+        points.append(_waypoint(f"{file}, line {number}", dict(zip(names, cells, strict=True)),
+                                found))
+    return points
+
+
+def _path(path: str | Path) -> Path:
+    if not isinstance(path, str | Path):
+        raise InputError(f"a table of waypoints is a file, got {shown(path)}")
+    return Path(path)
+
+
+def _lines(file: Path) -> list[tuple[int, list[str]]]:
+    """Numbers and cells of the lines that are not empty; the first one names the columns."""
+    try:
+        if file.stat().st_size > LARGEST:
+            raise InputError(f"{file}: larger than {LARGEST // 1_000_000} MB")
+        text = file.read_text(encoding="utf-8-sig")
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "it is not text in UTF-8"
+        raise InputError(f"{file}: {reason}") from None
+    rows = [
+        (number, line) for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not rows:
+        raise InputError(f"{file}: empty; the first line names the columns, such as x,y,z,dwell")
+    delimiter = next((d for d in DELIMITERS if d in rows[0][1]), ",")
+    found = []
+    for number, line in rows:
+        try:
+            cells = next(csv.reader([line], delimiter=delimiter, strict=True))
+        except csv.Error as error:
+            raise InputError(f"{file}, line {number}: {error}") from None
+        found.append((number, [cell.strip() for cell in cells]))
+    return found
+
+
+def _axes(where: str, names: list[str]) -> tuple[str, ...]:
+    """The axes that the columns name."""
+    prefixes = tuple(f"{state}_" for state in STATES)
+    found = tuple(n for n in names if n and n != DWELL and not n.startswith(prefixes))
+    if not found:
+        raise InputError(f"{where}: no column has a position; name one by its axis, such as x")
+    return USUAL if set(found) == set(USUAL) else found
+
+
+def _require_columns(where: str, names: list[str], axes: tuple[str, ...]) -> None:
+    """InputError for columns that are missing, unknown, or there twice."""
+    known = [*axes, *(f"{state}_{axis}" for state in STATES for axis in axes), DWELL]
+    for number, name in enumerate(names, 1):
+        if name not in known:
+            called = shown(name) if name else f"{number} has no name"
+            raise InputError(f"{where}: column {called}: known are {', '.join(map(str, known))}")
+        if names.index(name) != number - 1:
+            raise InputError(f"{where}: column {name} is there twice")
+    for axis in axes:
+        if axis not in names:
+            raise InputError(f"{where}: no column {axis}, the position of axis {axis}")
+
+
+def _waypoint(where: str, row: dict[str, str], axes: tuple[str, ...]) -> Waypoint:
+    position = [_number(where, axis, row[axis]) for axis in axes]
+    states: list[list[float | None]] = [
+        [_state(where, f"{state}_{axis}", row.get(f"{state}_{axis}", "")) for axis in axes]
+        for state in STATES
+    ]
+    dwell = _number(where, DWELL, row.get(DWELL) or "0")
+    if dwell < 0.0:
+        raise InputError(f"{where}, column dwell: must be a time >= 0 s, got {row[DWELL]}")
+    velocity, acceleration = (_free(values) for values in states)
+    return Waypoint(position, velocity, acceleration, dwell=dwell)
+
+
+def _free(values: list[float | None]) -> Any:
+    return FREE if all(v is None for v in values) else values
+
+
+def _state(where: str, column: str, cell: str) -> float | None:
+    """A velocity or acceleration; None where free."""
+    return None if cell == FREE else _number(where, column, cell or "0", ' or "free"')
+
+
+def _number(where: str, column: str, cell: str, other: str = "") -> float:
+    try:
+        value = float(cell)
+    except ValueError:
+        value = float("nan")
+    if not isfinite(value):
+        raise InputError(
+            f"{where}, column {column}: must be a finite number{other}, got {shown(cell)}"
+        )
+    return value
