@@ -292,9 +292,9 @@ ENTRY_POINTS = (
     entry("control.setting", "set_walks", plant=Plant.SIZE, uncertainty=Uncertainty.SIZE),
     entry("control.design", "set_steps", sensors=Sensors.SIZE, uncertainty=Uncertainty.SIZE),
     entry("control.setting", "signal_age"),
-    entry("control.setting", "drive_bound", plant=Plant.VISCOUS),
+    entry("control.setting", "drive_bound", plant=Plant.SIZE),
     entry(
-        "control.setting", "set_tracking", plant=Plant.VISCOUS, design=TrackingDesign.SIZE,
+        "control.setting", "set_tracking", plant=Plant.SIZE, design=TrackingDesign.SIZE,
         tracking=Tracking.SIZE,
     ),
     entry("control.setting", "set_fading", tracking=Tracking.SIZE),

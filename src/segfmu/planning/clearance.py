@@ -28,7 +28,7 @@ from segfmu.planning.arrays import (
 )
 from segfmu.planning.contacts import Path
 from segfmu.planning.messages import told_apart
-from segfmu.planning.passages import outside, rounding, within
+from segfmu.planning.passages import outside, reach, rounding, within
 from segfmu.planning.trajectory import Trajectory, require_plan
 
 # [m/s2], that of `Crane` by default
@@ -190,8 +190,7 @@ class Clearance(Frozen):
         gravity = _gravity(gravity)
         self._require_range(trajectory)
         if self.obstacles:
-            touch = rounding(trajectory)
-            boxes = np.array([self._box(obstacle, touch) for obstacle in self.obstacles])
+            boxes = self._boxes(self.obstacles, rounding(trajectory))
             part, report = Path(trajectory, gravity).first(boxes)
             if part != Part.CLEAR:
                 raise self._met(trajectory, part, report)
@@ -202,21 +201,23 @@ class Clearance(Frozen):
         _require_axes(trajectory)
         _require_obstacle(obstacle)
         path = Path(trajectory, _gravity(gravity))
-        return path.times(part, self._box(obstacle, rounding(trajectory)))
+        return path.times(part, self._boxes([obstacle], rounding(trajectory))[0])
 
-    def _box(self, obstacle: Obstacle, touch: float) -> FloatArray:
-        """The obstacle as the kernels take it (Box), without what may be touched [m]."""
-        box = np.empty(Box.SIZE)
-        box[Box.ROPE] = float(obstacle.rope)
+    def _boxes(self, obstacles: Sequence[Obstacle], touch: float) -> FloatArray:
+        """Obstacles as the kernels take them (obstacles, Box), without what may be touched [m]."""
+        boxes = np.empty((len(obstacles), Box.SIZE))
+        boxes[:, Box.ROPE] = [obstacle.rope for obstacle in obstacles]
+        margin = np.array([[obstacle.margin] for obstacle in obstacles])
+        least = np.array([obstacle.minimum for obstacle in obstacles]) - margin
+        most = np.array([obstacle.maximum for obstacle in obstacles]) + margin
         size = 0.5 * self.load_size
-        for first, reach, centre in (
+        for first, half, centre in (
             (Box.LOAD_LOW, size, self.load_centre), (Box.ROPE_LOW, 0.0, 0.0),
         ):
-            low = obstacle.minimum - obstacle.margin - reach - centre
-            high = obstacle.maximum + obstacle.margin + reach - centre
+            low, high = least - half - centre, most + half - centre
             edge = np.minimum(touch, EDGE * (high - low))
-            box[first : first + 6] = np.concatenate([low + edge, high - edge])
-        return box
+            boxes[:, first : first + 6] = np.hstack([low + edge, high - edge])
+        return boxes
 
     def _met(self, trajectory: Trajectory, part: int, report: FloatArray) -> InfeasibleError:
         """The error for a contact (Collision) of a part (Part)."""
@@ -240,7 +241,7 @@ class Clearance(Frozen):
 
     def _require_range(self, trajectory: Trajectory) -> None:
         touch = rounding(trajectory)
-        least, most = trajectory.extrema(0)
+        least, most = reach(trajectory)
         for axis in range(3):
             low, high = self.minimum[axis], self.maximum[axis]
             # fast, for most
@@ -251,7 +252,7 @@ class Clearance(Frozen):
             if beyond.size == 0:
                 continue
             begin = float(beyond[0, 0])
-            reached = [float(least[axis]), float(most[axis])]
+            reached = [float(values[axis]) for values in trajectory.extrema(0)]
             value, bound = (reached[0], low) if reached[0] < low else (reached[1], high)
             n = told_apart(value, float(bound), 6)
             raise InfeasibleError(

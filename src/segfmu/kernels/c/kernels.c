@@ -784,8 +784,16 @@ static int64_t turn_range(double* result_0, double* result_1, int64_t corner, ar
     double most;
     int64_t i;
     double turn;
-    x = (*cspan_at(&box, INT64_C(6) + INT64_C(3) * (span_floor_mod(corner, INT64_C(2)))));
-    y = (*cspan_at(&box, INT64_C(6) + INT64_C(1) + INT64_C(3) * (span_floor_div(corner, INT64_C(2)))));
+    x = (*cspan_at(&box, INT64_C(6)));
+    y = (*cspan_at(&box, INT64_C(6) + INT64_C(1)));
+    if (span_floor_mod(corner, INT64_C(2)) == INT64_C(1))
+    {
+        x = (*cspan_at(&box, INT64_C(9)));
+    }
+    if (span_floor_div(corner, INT64_C(2)) == INT64_C(1))
+    {
+        y = (*cspan_at(&box, INT64_C(9) + INT64_C(1)));
+    }
     least = 1e+300;
     most = -1e+300;
     for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
@@ -2221,13 +2229,16 @@ static void path_ranges(int64_t count, array_double_3d spans, array_double_2d ra
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
 {
     int64_t low;
+    int64_t high;
     int64_t row;
     int64_t axis;
     low = INT64_C(0);
+    high = INT64_C(3);
     row = INT64_C(0);
     if (part == INT64_C(2))
     {
         low = INT64_C(6);
+        high = INT64_C(9);
         row = INT64_C(2);
         if ((*cspan_at(&box, INT64_C(12))) < 0.5)
         {
@@ -2236,7 +2247,7 @@ static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
     }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, low + INT64_C(3) + axis))))
+        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, high + axis))))
         {
             return 0;
         }

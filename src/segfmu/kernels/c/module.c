@@ -772,7 +772,7 @@ static PyObject *call_drive_bound(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 4)) {
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)) {
         answer = PyFloat_FromDouble(segfmu_drive_bound(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_axis));
@@ -840,7 +840,7 @@ static PyObject *call_set_tracking(
         && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 4)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
         && has_at_least(&call, "design", 0, in_design->shape[0], 10)
         && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
         segfmu_set_tracking(

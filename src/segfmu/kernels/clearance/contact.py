@@ -145,14 +145,16 @@ def widen_range(row: int, axis: int, least: float, most: float, ranges: 'float[:
 def is_near(part: int, box: 'float[:]', ranges: 'float[:,:]') -> bool:
     """Whether the range of a part overlaps a box."""
     low = Box.LOAD_LOW
+    high = Box.LOAD_HIGH
     row = Ranges.LOAD_LOW
     if part == Part.ROPE:
         low = Box.ROPE_LOW
+        high = Box.ROPE_HIGH
         row = Ranges.ROPE_LOW
         if box[Box.ROPE] < 0.5:
             return False
     for axis in range(3):
-        if ranges[row + 1, axis] <= box[low + axis] or ranges[row, axis] >= box[low + 3 + axis]:
+        if ranges[row + 1, axis] <= box[low + axis] or ranges[row, axis] >= box[high + axis]:
             return False
     return True
 

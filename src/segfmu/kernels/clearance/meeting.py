@@ -154,8 +154,12 @@ def has_both_sides(span: 'float[:,:]', box: 'float[:]') -> bool:
 
 def turn_range(corner: int, span: 'float[:,:]', box: 'float[:]') -> 'tuple[float, float]':
     """Range of the side on which an edge of the box is: above 0 left of the rope's line."""
-    x = box[Box.ROPE_LOW + 3 * (corner % 2)]
-    y = box[Box.ROPE_LOW + 1 + 3 * (corner // 2)]
+    x = box[Box.ROPE_LOW]
+    y = box[Box.ROPE_LOW + 1]
+    if corner % 2 == 1:
+        x = box[Box.ROPE_HIGH]
+    if corner // 2 == 1:
+        y = box[Box.ROPE_HIGH + 1]
     least = 1e300
     most = -1e300
     for i in range(span.shape[1]):
