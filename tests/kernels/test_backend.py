@@ -237,9 +237,9 @@ def test_flat_gains_agree(driven: bool) -> None:
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_friction_along_a_plan_agrees(axis: int) -> None:
-    """History of a contact, friction, its derivatives and events."""
+    """History of a contact, friction, its derivatives and events; every axis turns round."""
     found = plan([Waypoint([0.0, 0.0, -1.0]), Waypoint([0.1, 0.3, -0.6]),
-                  Waypoint([0.2, 0.0, -0.9])], Limits(0.5, 0.4, 1.0))
+                  Waypoint([-0.1, 0.0, -0.9])], Limits(0.5, 0.4, 1.0))
     plan_of = found.timing, found.coefficients, found.offsets, found.axis_durations
     known = everything().parameters(LAB, True)[: Resistance.SIZE].copy()
     known[Resistance.COULOMB : Resistance.STATIC] = 4.0
