@@ -30,6 +30,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "s": ("obstacles", ()),
     "l": ("braking", ()),
     "o": ("directions", ()),
+    "t": ("coming_inside", ("ruckig",)),
     "r": ("replanning", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),

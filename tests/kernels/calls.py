@@ -75,7 +75,7 @@ from segfmu.kernels.rig.records import (
     StartFault,
 )
 from segfmu.kernels.settling.records import LeadRows, LeadWork
-from segfmu.kernels.trajectory.records import Check, Expansion, Judging, MotionWork, Timing
+from segfmu.kernels.trajectory.records import Brake, Check, Expansion, Judging, MotionWork, Timing
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 from tests.problems import packed_axis
 
@@ -183,11 +183,15 @@ def trajectory_calls() -> dict[str, Call]:
     boxes[:, Box.ROPE] = 1.0
     lead = zeros(LeadWork.SIZE, LeadWork.COLUMNS)
     lead[LeadWork.NOW, 1] = 0.3
-    leads = zeros(2 * LeadRows.PIECES, Timing.SIZE), zeros(2 * LeadRows.PIECES, width)
+    leads = zeros(LeadRows.ALL, Timing.SIZE), zeros(LeadRows.ALL, width)
     return {
         "find_lead": (
             1, 0.0, 0, found.offsets, found.timing, found.coefficients,
             np.array([1.0, 0.5, 10.0, 20.0, 0.0]), lead, *leads,
+        ),
+        "find_brake": (
+            False, np.array([0.2, 0.5, 10.0, 20.0, 0.0]), lead.copy(),
+            *(array.copy() for array in leads),
         ),
         "cut_plan": (
             0.3, *pieces, zeros(rows + 4, Timing.SIZE), zeros(rows + 4, width),
@@ -205,6 +209,10 @@ def trajectory_calls() -> dict[str, Call]:
         "check_plan": (
             states, np.vstack([times, ends]), *pieces, bounds, zeros(len(bounds), 2), 1e-9, 5e-10,
             zeros(Check.SIZE, Check.COLUMNS),
+        ),
+        "check_braked_plan": (
+            states, np.vstack([times, ends]), *pieces, bounds, zeros(len(bounds), 2),
+            zeros(len(bounds), Brake.SIZE), 1e-9, 5e-10, zeros(Check.SIZE, Check.COLUMNS),
         ),
         "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),
         "clearance_spans": (*pieces, 9.81, rope.copy(), spans.copy()),

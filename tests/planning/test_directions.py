@@ -137,6 +137,26 @@ def test_stops_and_new_targets_keep_both_directions() -> None:
         reach_velocity(moving, -0.6, 1.0)
 
 
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
+def test_a_state_outside_the_limit_of_its_direction_is_brought_inside(n: int) -> None:
+    limits = Limits(1.0, 2.0, 4.0, velocity_min=-0.5, acceleration_min=-1.0)
+    # within the limit upwards, beyond the one downwards
+    for start in (Waypoint(0.0, -0.8), Waypoint(0.0, -0.2, -1.5)):
+        for found in (
+            stop(start, limits=limits, smoothness=n),
+            reach_velocity(start, -0.4, limits=limits, smoothness=n),
+            replan(start, 0.0, Waypoint(2.0), limits, smoothness=n),
+        ):
+            told = verify(found)
+            assert told.passed
+            assert 0.0 < found.outside[0] <= told.outside[0] * (1.0 + 1e-9)
+            after = found.outside[0] * (1.0 + 1e-9) + np.linspace(0.0, found.duration, 500)
+            assert float(found(after, 1).min()) >= -0.5 * (1.0 + 1e-8)
+            assert float(found(after, 2).min()) >= -1.0 * (1.0 + 1e-8)
+    # the same speed upwards is inside
+    assert not stop(Waypoint(0.0, 0.8), limits=limits, smoothness=n).outside.any()
+
+
 def test_refusals_name_the_direction() -> None:
     with pytest.raises(InfeasibleError, match=r"limits\.velocity_min") as found:
         plan([Waypoint(0.0), Waypoint(1.0, -0.6)], HOIST)

@@ -5,11 +5,22 @@ The optimum is that of linear programming, computed here beside the stop.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from benchmarks.stopping import shortest_stop
 
-from segfmu import InfeasibleError, Limits, Waypoint, plan, reach_velocity, stop, verify
+from segfmu import (
+    InfeasibleError,
+    Limits,
+    Waypoint,
+    plan,
+    reach_velocity,
+    replan,
+    stop,
+    verify,
+)
 
 # limits c_1 .. c_n, and velocity, acceleration and so on; smoothness n
 STATES = (
@@ -79,15 +90,46 @@ def test_another_velocity_is_reached_as_well(
     (([1.5], [0.0]), "velocity", 1.5, 1.0), (([0.5], [1.5]), "acceleration", 1.5, 1.0),
     (([0.5], [0.5], [5.0]), "jerk", 5.0, 4.0), (([0.5], [0.5], [1.0], [30.0]), "snap", 30.0, 20.0),
 ])
-def test_a_state_beyond_a_limit_is_named(
+def test_a_state_beyond_a_limit_is_named_by_plan_and_else_brought_inside(
     state: tuple[list[float], ...], limit: str, value: float, bound: float
 ) -> None:
     start, limits = Waypoint([0.0], *state), Limits(1.0, 1.0, 4.0, 20.0)
-    for call in (
-        lambda: stop(start, limits=limits), lambda: reach_velocity(start, 0.1, limits=limits),
-        lambda: plan([start, Waypoint([3.0])], limits),
+    with pytest.raises(InfeasibleError, match=rf"{limit} {value:g} m.* exceeds") as refused:
+        plan([start, Waypoint([3.0])], limits)
+    found = refused.value
+    assert (found.limit, found.value, found.bound) == (limit, value, bound)
+    for braked in (
+        stop(start, limits=limits), reach_velocity(start, 0.1, limits=limits),
+        replan(start, 0.0, Waypoint([3.0]), limits),
     ):
-        with pytest.raises(InfeasibleError, match=rf"{limit} {value:g} m.* exceeds") as refused:
-            call()
-        found = refused.value
-        assert (found.limit, found.value, found.bound) == (limit, value, bound)
+        judged = verify(braked)
+        assert judged.passed
+        assert 0.0 < float(braked.outside[0]) <= judged.outside[0]
+        assert f"outside limits for {braked.outside[0]:.6g} s" in repr(braked)
+        # what is left of it is kept, outside for the rest of that time
+        half = 0.5 * float(braked.outside[0])
+        rest = replan(braked, half, braked.waypoints[-1])
+        assert verify(rest).passed
+        assert rest.outside[0] == pytest.approx(half, rel=1e-6)
+
+
+def test_lower_limits_may_be_broken_at_the_start_alone() -> None:
+    old = plan([Waypoint([0.0, 0.0]), Waypoint([3.0, 1.0])], Limits(1.0, 1.0, 4.0, 20.0))
+    low = Limits([0.5, 0.9], 1.0, 4.0, 20.0)
+    slow = replan(old, 1.7, Waypoint([3.0, 1.0]), low)
+    assert verify(slow).passed
+    assert slow.outside[0] > 0.0
+    assert slow.outside[1] == 0.0
+    # not longer, not farther, not in a plan that begins inside, not later
+    starts, lengths, _ = slow.pieces(0)
+    first = int(np.flatnonzero(lengths > 1e-3)[0])
+    timing = slow.timing.copy()
+    timing[first, 1] *= 1.01
+    timing[first + 1 : slow.offsets[1], 0] += 0.01 * lengths[first]
+    within = plan([Waypoint([0.0, 0.0]), Waypoint([3.0, 1.0])], Limits(1.0, 1.0, 4.0, 20.0))
+    lower = Limits([0.45, 0.9], 1.0, 4.0, 20.0)
+    for changed in (
+        replace(slow, timing=timing), replace(slow, limits=lower), replace(within, limits=low),
+    ):
+        assert not verify(changed).passed
+    assert starts[0] == 0.0

@@ -51,6 +51,21 @@ def check_plan(
     /,
 ) -> int: ...
 
+def check_braked_plan(
+    states: Floats,
+    times: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    limits: Floats,
+    lower: Floats,
+    brakes: Floats,
+    tolerance: float,
+    joints: float,
+    work: Floats,
+    /,
+) -> int: ...
+
 def check_rope(
     timing: Floats,
     coefficients: Floats,
@@ -789,20 +804,6 @@ def expand_phases(
     /,
 ) -> int: ...
 
-def find_lead(
-    order: int,
-    within: float,
-    axis: int,
-    plan_offsets: Integers,
-    plan_timing: Floats,
-    plan_coefficients: Floats,
-    limits: Floats,
-    lead: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    /,
-) -> bool: ...
-
 def cut_plan(
     time: float,
     timing: Floats,
@@ -843,6 +844,29 @@ def join_plans(
     joined_offsets: Integers,
     /,
 ) -> int: ...
+
+def find_brake(
+    whole: bool,
+    limits: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    /,
+) -> int: ...
+
+def find_lead(
+    order: int,
+    within: float,
+    axis: int,
+    plan_offsets: Integers,
+    plan_timing: Floats,
+    plan_coefficients: Floats,
+    limits: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    /,
+) -> bool: ...
 
 def count_pieces(
     axes: Floats,

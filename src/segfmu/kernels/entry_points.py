@@ -91,7 +91,7 @@ from segfmu.kernels.rig.records import (
     Target,
 )
 from segfmu.kernels.settling.records import LeadRows, LeadWork
-from segfmu.kernels.trajectory.records import Check, Expansion, MotionWork, Timing
+from segfmu.kernels.trajectory.records import Brake, Check, Expansion, MotionWork, Timing
 
 Extent = int | str
 
@@ -197,14 +197,23 @@ ENTRY_POINTS = (
         lower=("axes", Lower.SIZE),
         work=(Check.SIZE, Check.COLUMNS),
     ),
+    entry(
+        "trajectory.check", "check_braked_plan", states=("points", "axes", WaypointState.SIZE),
+        times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
+        lower=("axes", Lower.SIZE), brakes=("axes", Brake.SIZE), work=(Check.SIZE, Check.COLUMNS),
+    ),
     entry("trajectory.motion", "plan_motion", **MOTION),
     entry("trajectory.motion", "expand_motion", **MOTION),
     entry(
         "settling.lead", "find_lead", plan_offsets="axis + 2", plan_timing=("pieces", Timing.SIZE),
         plan_coefficients=("pieces", "width"), limits="limits",
         lead=(LeadWork.SIZE, LeadWork.COLUMNS),
-        timing=(2 * LeadRows.PIECES, Timing.SIZE),
-        coefficients=(2 * LeadRows.PIECES, "width"),
+        timing=(LeadRows.ALL, Timing.SIZE), coefficients=(LeadRows.ALL, "width"),
+    ),
+    entry(
+        "settling.brake", "find_brake", limits="limits", lead=(LeadWork.SIZE, LeadWork.COLUMNS),
+        timing=(LeadRows.ALL, Timing.SIZE), coefficients=(LeadRows.ALL, "width"),
     ),
     entry(
         "trajectory.cut", "cut_plan", timing=("pieces", Timing.SIZE),

@@ -183,22 +183,22 @@ class _Search:
 
     def __init__(
         self, order: int, now: FloatArray, targets: FloatArray, limits: FloatArray,
-        lower: FloatArray, shape: str,
-        follow: Pieces,
+        lower: FloatArray, shape: str, follow: Pieces, brakes: bool,
     ) -> None:
         self.order, self.now, self.targets = order, now, targets
-        self.limits, self.lower = limits, lower
+        self.limits, self.lower, self.brakes = limits, lower, float(brakes)
         self.shape, self.follow = SHAPES.index(shape), follow
         width = 2 * (now.shape[1] - 1)
         self.work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
-        self.timing = np.zeros((2 * LeadRows.PIECES, Timing.SIZE))
-        self.coefficients = np.zeros((2 * LeadRows.PIECES, width))
+        self.timing = np.zeros((LeadRows.ALL, Timing.SIZE))
+        self.coefficients = np.zeros((LeadRows.ALL, width))
 
     def lead(self, axis: int, within: float) -> _Lead | None:
         """The shortest lead of an axis, over levels where others take longer than `within` [s]."""
         work, target, limits = self.work, self.targets[axis], self.limits[axis]
         work[LeadWork.AXIS, Axis.SHAPE] = self.shape
         work[LeadWork.LOWER, : Lower.SIZE] = self.lower[axis]
+        work[LeadWork.BEST, Lead.BRAKES] = self.brakes
         work[LeadWork.NOW] = 0.0
         work[LeadWork.NOW, : self.now.shape[1]] = self.now[axis]
         work[LeadWork.TARGET, Problem.W] = target[WaypointState.VELOCITY]
@@ -224,7 +224,7 @@ class _Search:
 
 def find_leads(
     order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, lower: FloatArray,
-    shape: str, follow: Pieces, meeting: float | None = None,
+    shape: str, follow: Pieces, meeting: float | None = None, *, brakes: bool = True,
 ) -> Leads:
     """The shortest lead of every axis.
 
@@ -243,9 +243,11 @@ def find_leads(
     meeting : float, optional
         The axes meet at the target, after this time or later [s]: only those that are late make
         haste, so that the planner can slow the others down.
+    brakes : bool
+        A state that cannot keep the limits is brought inside first; else it has no lead.
     """
     axes = len(now)
-    search = _Search(order, now, targets, limits, lower, shape, follow)
+    search = _Search(order, now, targets, limits, lower, shape, follow, brakes)
     haste = meeting is None or axes == 1
     found = []
     for axis in range(axes):

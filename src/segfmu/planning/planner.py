@@ -105,12 +105,14 @@ def _within(allowed: FloatArray, trajectory: Trajectory, request: Request) -> Tr
     return trajectory
 
 
-def planned(request: Request, follow: Pieces | None = None) -> Trajectory:
+def planned(
+    request: Request, follow: Pieces | None = None, *, brakes: bool = False
+) -> Trajectory:
     """The verified trajectory of a request without free states.
 
-    follow: a plan from its start, which it may follow at first.
+    follow: a plan from its start, which it may follow at first. brakes: as for `solve`.
     """
-    trajectory, proved = solve(request, follow)
+    trajectory, proved = solve(request, follow, brakes=brakes)
     if not proved:
         require(trajectory)
     return trajectory

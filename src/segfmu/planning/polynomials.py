@@ -78,3 +78,48 @@ def extrema(coefficients: FloatArray, lengths: FloatArray, derivative: int) -> t
             least, most = piece_extrema(pieces[i], float(lengths[i]))
             low, high = min(low, least), max(high, most)
     return low, high
+
+
+def inside_from(
+    starts: FloatArray, lengths: FloatArray, coefficients: FloatArray, derivative: int,
+    least: float, most: float,
+) -> float:
+    """Time from which on a derivative of one axis is within least .. most; 0 if always."""
+    pieces = derivative_pieces(coefficients, derivative)
+    hull = hulls(pieces, lengths)
+    for i in np.flatnonzero((hull.min(axis=1) < least) | (hull.max(axis=1) > most))[::-1].tolist():
+        shares, values = piece_turns(pieces[i], float(lengths[i]))
+        order = np.argsort(shares)
+        shares, values = shares[order], values[order]
+        beyond = np.flatnonzero((values < least) | (values > most))
+        if beyond.size == 0:
+            continue
+        last = int(beyond[-1])
+        scaled = pieces[i] * lengths[i] ** np.arange(pieces.shape[1])
+        # from its last turn beyond the limit the derivative is monotonic to the next one
+        low, high = float(shares[last]), float(shares[min(last + 1, shares.size - 1)])
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            if least <= float(np.polynomial.polynomial.polyval(middle, scaled)) <= most:
+                high = middle
+            else:
+                low = middle
+        return float(starts[i] + high * lengths[i])
+    return 0.0
+
+
+def split(
+    starts: FloatArray, lengths: FloatArray, coefficients: FloatArray, time: float
+) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
+    """Lengths and coefficients of the pieces of one axis before a time [s], and of those after."""
+    before = np.clip(time - starts, 0.0, lengths)
+    first, width = before > 0.0, coefficients.shape[1]
+    rest = coefficients.copy()
+    for i in np.flatnonzero(first):
+        for j in range(width):
+            shifted = derivative_pieces(coefficients[i : i + 1], j)[0] / float(perm(j, j))
+            rest[i, j] = np.polynomial.polynomial.polyval(before[i], shifted)
+    behind = before < lengths
+    return (
+        (before[first], coefficients[first]), ((lengths - before)[behind], rest[behind]),
+    )

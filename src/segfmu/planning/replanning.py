@@ -31,14 +31,19 @@ SHORTER = 0.95
 
 
 def replan(
-    trajectory: Trajectory,
+    trajectory: Trajectory | Waypoint,
     time: float,
     targets: Waypoint | Sequence[Waypoint],
     limits: Limits | None = None,
     *,
+    smoothness: int = 4,
     synchronize: str | None = None,
+    axis_names: Sequence[str] | None = None,
 ) -> Trajectory:
-    """Plan from the state of a trajectory at a time to other waypoints.
+    """Plan from the state of a trajectory at a time, or from a measured one, to other waypoints.
+
+    A state that cannot keep the limits, as with limits that are lowered while an axis moves, is
+    brought inside them as soon as possible; `Trajectory.outside` tells how long that takes.
 
     A trajectory does not remember `sample_time`, `duration`, the range of positions and the
     clearance that it was planned with, nor `overshoot`. So durations are no multiples of a sample
@@ -47,16 +52,19 @@ def replan(
 
     Parameters
     ----------
-    trajectory : Trajectory
+    trajectory : Trajectory or Waypoint
+        Trajectory to leave at a time, or the state to begin from, without free parts and dwell.
     time : float
-        Time of the trajectory [s], which becomes time 0 of the new one.
+        Time of the trajectory [s], which becomes time 0 of the new one; 0 with a state.
     targets : Waypoint or sequence of Waypoint
         Waypoints to pass.
     limits : Limits, optional
-        Those of the trajectory by default. With them there is always a plan, as the trajectory can
-        be followed to its end first.
+        Those of the trajectory by default; required with a state. With those of the trajectory
+        there is always a plan, as the trajectory can be followed to its end first.
     synchronize : str, optional
         As for `plan`; that of the trajectory by default.
+    smoothness, axis_names
+        As for `plan`; those of the trajectory, if there is one.
 
     Returns
     -------
@@ -70,12 +78,18 @@ def replan(
     InputError
         For invalid arguments.
     InfeasibleError
-        If no plan keeps the limits: other limits that the state breaks, or cannot keep.
+        If no plan keeps the limits.
     """
-    time, rest, start = left(trajectory, time)
     points = (targets,) if isinstance(targets, Waypoint) else as_tuple("targets", targets)
     if not points:
         raise InputError("targets must have at least one waypoint")
+    if isinstance(trajectory, Waypoint):
+        request = checked_request(
+            (trajectory, *points), state_limits(trajectory, time, limits), smoothness, "plateau",
+            synchronize or "waypoints", None, None, axis_names,
+        )
+        return planned(choose_states(request), brakes=True)
+    time, rest, start = left(trajectory, time)
     request = checked_request(
         (start, *points), trajectory.limits if limits is None else limits, trajectory.smoothness,
         trajectory.shape, trajectory.synchronize if synchronize is None else synchronize, None,
@@ -91,6 +105,23 @@ def replan(
     if kept is not None and not found.duration < kept.duration * SHORTER:
         return kept
     return found
+
+
+def state_limits(start: Waypoint, time: float, limits: Limits | None) -> Limits:
+    """The limits of a plan from a state; InputError unless it can begin there at once."""
+    if limits is None:
+        raise InputError("start must be a trajectory, or a segfmu.Waypoint with limits")
+    if start.free:
+        raise InputError("start has a free velocity or acceleration; give numbers")
+    if finite_number("time", time) != 0.0:
+        raise InputError(
+            f"time is {shown(time)}, but a state has no times; omit time or start from a trajectory"
+        )
+    if start.dwell > 0.0:
+        raise InputError(
+            f"start has a dwell of {start.dwell:.6g} s; the motion begins at once: omit the dwell"
+        )
+    return limits
 
 
 def left(trajectory: Trajectory, time: float) -> tuple[float, Pieces, Waypoint]:
@@ -158,7 +189,7 @@ def _kept(
 def _planned(request: Request, rest: Pieces) -> Trajectory:
     """The plan of a request; behind all that is left of the old plan if there is no other."""
     try:
-        return planned(choose_states(request), rest)
+        return planned(choose_states(request), rest, brakes=True)
     except InfeasibleError:
         states = rest.all_ends()
         # with rounding errors in its velocity an axis at rest would count as moving

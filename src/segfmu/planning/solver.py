@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
-from segfmu.kernels.planner.records import DelayedState, PlanStatus, WaypointState
+from segfmu.kernels.planner.records import DelayedState, PlanStatus, Refusal, WaypointState
 from segfmu.kernels.trajectory.records import Check
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.brake import find_brakes
 from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.messages import refusal, told_apart
@@ -19,11 +20,20 @@ from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE
 
+# refusals of a first state
+STARTS = (
+    PlanStatus.START_BRAKING, PlanStatus.WAYPOINT_VELOCITY, PlanStatus.WAYPOINT_ACCELERATION,
+    PlanStatus.NO_PROFILE,
+)
 
-def solve(request: Request, follow: Pieces | None = None) -> tuple[Trajectory, bool]:
+
+def solve(
+    request: Request, follow: Pieces | None = None, *, brakes: bool = False
+) -> tuple[Trajectory, bool]:
     """Plan and expand a trajectory; True if the kernels prove that it keeps the tolerance.
 
     follow: a plan that begins in the state of the first waypoint, and that can be followed.
+    brakes: a first state that cannot keep the limits is brought inside; else it is refused.
 
     Raises
     ------
@@ -32,11 +42,12 @@ def solve(request: Request, follow: Pieces | None = None) -> tuple[Trajectory, b
     """
     if follow is None and request.waypoints[0].settled:
         status, report, timing, coefficients, offsets, times = plan_motion(request.problem)
-        if report is not None:
+        if report is None:
+            found = _trajectory(request, timing, coefficients, offsets, times)
+            return found, status == PlanStatus.PLANNED
+        if not (brakes and status in STARTS and report[Refusal.INTERVAL] == 0.0):
             raise refusal(status, report, request.axis_names, request.limits)
-        found = _trajectory(request, timing, coefficients, offsets, times)
-        return found, status == PlanStatus.PLANNED
-    return solve_after(request, _leads(request, follow))
+    return solve_after(request, _leads(request, follow, brakes))
 
 
 def solve_after(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
@@ -52,7 +63,7 @@ def solve_after(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
     return judged(request, full, pieces.after(leads.pieces), times)
 
 
-def _leads(request: Request, follow: Pieces | None) -> Leads:
+def _leads(request: Request, follow: Pieces | None, brakes: bool) -> Leads:
     problem = request.problem
     options = problem.options
     axes = problem.states.shape[1]
@@ -60,7 +71,7 @@ def _leads(request: Request, follow: Pieces | None) -> Leads:
     leads = find_leads(
         TO_PLAN, request.start, problem.states[1], problem.limits, problem.lower, options.shape,
         follow or Pieces.none(axes, options.smoothness),
-        None if apart else options.duration or 0.0,
+        None if apart else options.duration or 0.0, brakes=brakes,
     )
     if leads.failed >= 0:
         # from rest the target may be refused for itself
@@ -113,10 +124,14 @@ def judged(
 
     states (waypoints, axes, 3 or more) are those that it has to reach at the times.
     """
-    wrong = backend.check_plan(
-        states, times, pieces.timing, pieces.coefficients, pieces.offsets, request.problem.limits,
-        request.problem.lower, TOLERANCE, 0.5 * TOLERANCE, np.empty((Check.SIZE, Check.COLUMNS)),
-    )
+    limits, lower = request.problem.limits, request.problem.lower
+    work = np.empty((Check.SIZE, Check.COLUMNS))
+    found = states, times, pieces.timing, pieces.coefficients, pieces.offsets, limits, lower
+    wrong = backend.check_plan(*found, TOLERANCE, 0.5 * TOLERANCE, work)
+    if wrong > 0:
+        brakes = find_brakes(np.ascontiguousarray(states[0]), limits, lower)
+        if brakes.any():
+            wrong = backend.check_braked_plan(*found, brakes, TOLERANCE, 0.5 * TOLERANCE, work)
     timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
     return _trajectory(request, timing, coefficients, pieces.offsets, times), wrong == 0
 

@@ -11,7 +11,7 @@ from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.planning.arrays import FloatArray, as_index, finite_number, numbers
 from segfmu.planning.limits import Limits
-from segfmu.planning.polynomials import extrema
+from segfmu.planning.polynomials import extrema, inside_from
 from segfmu.planning.sketch import sketch
 from segfmu.planning.waypoint import Waypoint
 
@@ -62,9 +62,11 @@ class Trajectory:
         )
 
     def __repr__(self) -> str:
+        outside = float(self.outside.max())
+        beyond = f", outside limits for {outside:.6g} s" if outside > 0.0 else ""
         return (
             f"<Trajectory of {', '.join(self.axis_names)}: {len(self.waypoints)} waypoints, "
-            f"{self.duration:.6g} s, smoothness {self.smoothness}, {self.shape}>"
+            f"{self.duration:.6g} s, smoothness {self.smoothness}, {self.shape}{beyond}>"
         )
 
     def _repr_svg_(self) -> str:
@@ -85,6 +87,26 @@ class Trajectory:
     def waypoint_times(self) -> FloatArray:
         """Time at which the last axis arrives at each waypoint [s], shape (waypoints,)."""
         times: FloatArray = self.axis_waypoint_times.max(axis=1)
+        return times
+
+    @property
+    def outside(self) -> FloatArray:
+        """Time from which on each axis is inside its limits, to 1e-9 [s], shape (axes,).
+
+        It is 0 but for plans that begin in a state which cannot keep them.
+        """
+        limits = self.limits.table(self.axes, self.smoothness)
+        lower = limits.copy()
+        lower[:, :2] = self.limits.lower(self.axes)
+        share = 1.0 + 1e-9
+        times = np.zeros(self.axes)
+        for axis in range(self.axes):
+            starts, lengths, coefficients = self.pieces(axis)
+            for order, limit in enumerate(limits[axis].tolist(), 1):
+                if limit > 0.0:
+                    least, most = -share * float(lower[axis, order - 1]), share * limit
+                    found = inside_from(starts, lengths, coefficients, order, least, most)
+                    times[axis] = max(times[axis], found)
         return times
 
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:

@@ -9,12 +9,12 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.planner.records import DelayedState
-from segfmu.planning.arrays import FloatArray, finite_number, finite_vector, shown
+from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.demands import require
 from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
 from segfmu.planning.limits import Limits
 from segfmu.planning.messages import told_apart
-from segfmu.planning.replanning import left
+from segfmu.planning.replanning import left, state_limits
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, no_lead
 from segfmu.planning.trajectory import Trajectory
@@ -63,6 +63,9 @@ def reach_velocity(
 ) -> Trajectory:
     """Reach a velocity as soon as possible, wherever that is.
 
+    A state that cannot keep the limits, as with limits that are lowered while an axis moves, is
+    brought inside them first; `Trajectory.outside` tells how long that takes.
+
     Parameters
     ----------
     start : Trajectory or Waypoint
@@ -87,14 +90,14 @@ def reach_velocity(
     InputError
         For invalid arguments.
     InfeasibleError
-        If the state cannot keep the limits, or the velocity exceeds them.
+        If the velocity exceeds the limits.
     """
     if isinstance(start, Trajectory):
         _, rest, state = left(start, time)
         limits = start.limits if limits is None else limits
         smoothness, shape, axis_names = start.smoothness, start.shape, start.axis_names
-    elif isinstance(start, Waypoint) and limits is not None:
-        _require_state(start, time)
+    elif isinstance(start, Waypoint):
+        limits = state_limits(start, time, limits)
         rest, state, shape = None, start, "plateau"
     else:
         raise InputError("start must be a trajectory, or a segfmu.Waypoint with limits")
@@ -126,19 +129,6 @@ def _reached(request: Request, shape: str, rest: Pieces) -> Trajectory:
     if leads.failed >= 0:
         raise no_lead(request, leads.failed)
     return _held(request, leads, rest)
-
-
-def _require_state(start: Waypoint, time: float) -> None:
-    if start.free:
-        raise InputError("start has a free velocity or acceleration; give numbers")
-    if finite_number("time", time) != 0.0:
-        raise InputError(
-            f"time is {shown(time)}, but a state has no times; omit time or start from a trajectory"
-        )
-    if start.dwell > 0.0:
-        raise InputError(
-            f"start has a dwell of {start.dwell:.6g} s; the motion begins at once: omit the dwell"
-        )
 
 
 def _require_velocity(request: Request, wanted: FloatArray) -> None:

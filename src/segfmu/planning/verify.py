@@ -1,6 +1,8 @@
 """Independent verification of a trajectory: exact extrema, waypoints, continuity and times.
 
-It reads only the polynomial pieces, nothing from the planner.
+It reads only the polynomial pieces, nothing from the planner. Outside the limits may be only the
+first moments of a plan whose first state cannot keep them: no longer and no farther than the brake
+of that state (kernels/settling/brake.py).
 """
 
 from __future__ import annotations
@@ -9,8 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from segfmu.kernels.planner.records import Lower
+from segfmu.kernels.trajectory.records import Brake
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.polynomials import derivative_pieces, extrema
+from segfmu.planning.brake import find_brakes
+from segfmu.planning.polynomials import derivative_pieces, extrema, split
 from segfmu.planning.trajectory import Trajectory, require_plan
 from segfmu.planning.whole import require_whole
 
@@ -28,8 +33,15 @@ class Verification:
     Attributes
     ----------
     peaks : ndarray, shape (smoothness + 1, axes)
-        Largest magnitude of the derivatives 1 .. smoothness + 1, in the direction that uses more of
-        its limit.
+        Largest magnitude of the derivatives 1 .. smoothness + 1, from `outside` on, in the
+        direction that uses more of its limit.
+    outside : ndarray, shape (axes,)
+        Time in which a first state that cannot keep the limits is brought inside [s], else 0. It
+        follows from that state alone, not from the trajectory.
+    excess : ndarray, shape (smoothness + 1, axes)
+        Largest magnitude of the derivatives until then, over that which they have while the state
+        is brought inside as soon as possible, or over their limit if that is larger; in the
+        direction in which this is more.
     limits : ndarray, shape (smoothness + 1, axes)
         Magnitudes of their limits in that direction, infinite where absent.
     waypoint_errors : ndarray, shape (waypoints, axes)
@@ -47,6 +59,8 @@ class Verification:
     """
 
     peaks: FloatArray
+    outside: FloatArray
+    excess: FloatArray
     limits: FloatArray
     waypoint_errors: FloatArray
     jumps: FloatArray
@@ -69,6 +83,7 @@ class Verification:
         """Whether limits, waypoints and smoothness hold to 1e-9, times to 1e-12."""
         return bool(
             (self.usage <= 1.0 + TOLERANCE).all()
+            and (self.excess <= 1.0 + TOLERANCE).all()
             and self.waypoint_error <= TOLERANCE
             and (self.jumps <= TOLERANCE).all()
             and self.time_error <= TIME_TOLERANCE
@@ -111,20 +126,64 @@ def _measured(trajectory: Trajectory) -> Verification:
     lower[:2] = trajectory.limits.lower(trajectory.axes).T
     extremes = [trajectory.extrema(d) for d in range(1, order + 2)]
     lows, highs = (np.array([pair[end] for pair in extremes]) for end in (0, 1))
-    absent = ~np.isfinite(upper)
-    below = -lows * np.where(absent, 1.0, upper) > highs * np.where(absent, 1.0, lower)
-    peaks = np.where(np.isnan(lows), lows, np.where(below, -lows, highs))
-    limits = np.where(below, lower, upper)
+    peaks, limits = _fuller(lows, highs, lower, upper)
+    outside, excess = np.zeros(trajectory.axes), np.zeros_like(peaks)
+    counted = peaks
+    if not (peaks <= limits * (1.0 + TOLERANCE)).all():
+        outside, excess = _braked(trajectory, lows, highs)
+        peaks, limits = _fuller(lows, highs, lower, upper)
     low, high = trajectory.extrema(0)
     # where the position is large, its rounding is a part of the distance that counts
     rounding = ROUNDING / TOLERANCE * np.maximum(np.abs(low), np.abs(high))
     distance = np.maximum.reduce([high - low, rounding, _least_distance(limits)])
-    counted = np.maximum(peaks, ROUNDING / TOLERANCE * _implied(limits))
+    counted = np.maximum(counted, ROUNDING / TOLERANCE * _implied(limits))
     scales = np.vstack([distance, np.minimum(limits, counted)])
     return Verification(
-        peaks, limits, _waypoint_errors(trajectory, limits, scales), _jumps(trajectory, scales),
+        peaks, outside, excess, limits, _waypoint_errors(trajectory, limits, scales),
+        _jumps(trajectory, scales),
         time_error(trajectory),
     )
+
+
+def _fuller(
+    lows: FloatArray, highs: FloatArray, lower: FloatArray, upper: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Peaks and their limits (Verification) from the extrema and the limits in both directions."""
+    absent = ~np.isfinite(upper)
+    below = -lows * np.where(absent, 1.0, upper) > highs * np.where(absent, 1.0, lower)
+    peaks: FloatArray = np.where(np.isnan(lows), lows, np.where(below, -lows, highs))
+    return peaks, np.where(below, lower, upper)
+
+
+def _braked(
+    trajectory: Trajectory, lows: FloatArray, highs: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Times outside and excess (Verification) of a first state outside its limits.
+
+    The extrema of the derivatives, each (smoothness + 1, axes), become those from then on.
+    """
+    table = trajectory.limits.table(trajectory.axes, trajectory.smoothness)
+    lower = trajectory.limits.lower(trajectory.axes)
+    states = trajectory.waypoints[0].state(trajectory.smoothness)
+    brakes = find_brakes(states, table, lower)
+    outside, excess = brakes[:, Brake.UNTIL], np.zeros_like(lows)
+    for axis in np.flatnonzero(outside > 0.0).tolist():
+        first, rest = split(*trajectory.pieces(axis), float(outside[axis]))
+        for order, limit in enumerate(table[axis].tolist(), 1):
+            below = float(lower[axis, order - 1]) if order <= Lower.SIZE else limit
+            least = min(-below, float(brakes[axis, Brake.LOWEST + order]))
+            most = max(limit, float(brakes[axis, Brake.HIGHEST + order]))
+            low, high = _range(first, order)
+            lows[order - 1, axis], highs[order - 1, axis] = _range(rest, order)
+            if limit > 0.0:
+                excess[order - 1, axis] = max(low / least, high / most)
+    return outside, excess
+
+
+def _range(pieces: tuple[FloatArray, FloatArray], order: int) -> tuple[float, float]:
+    """Minimum and maximum of a derivative in some pieces, 0 without a piece."""
+    lengths, coefficients = pieces
+    return extrema(coefficients, lengths, order) if lengths.size > 0 else (0.0, 0.0)
 
 
 def _least_distance(limits: FloatArray) -> FloatArray:

@@ -43,7 +43,7 @@ class Trajectory(ctypes.Structure):
         ("duration", ctypes.c_double),
         *((name, Pointer) for name in ("timing", "coefficients")),
         ("offsets", ctypes.POINTER(ctypes.c_int64)),
-        *((name, Pointer) for name in ("times", "ends")),
+        *((name, Pointer) for name in ("times", "ends", "outside")),
         ("report", ctypes.c_double * REPORT),
     ]
 

@@ -34,8 +34,8 @@ def found(
     work[LeadWork.NOW, : n + 1] = state[: n + 1]
     work[LeadWork.TARGET, Problem.W] = velocity
     work[LeadWork.TARGET, Problem.DISTANCE] = 1.0
-    timing = np.zeros((2 * LeadRows.PIECES, 2))
-    coefficients = np.zeros((2 * LeadRows.PIECES, 2 * n))
+    timing = np.zeros((LeadRows.ALL, 2))
+    coefficients = np.zeros((LeadRows.ALL, 2 * n))
     none = np.zeros(2, dtype=np.int64)
     limits = np.array(LIMITS[n])
     ok = find_lead(

@@ -33,10 +33,13 @@ static double least_peak(int64_t order, array_double_1d limits);
 static double least_distance(array_double_1d limits);
 static double reached_limit(int64_t order, double duration, array_double_1d limits);
 static double rounding_error(int64_t order, array_double_1d limits);
+static void keep_inside(array_double_2d work);
+static void set_bounds(double middle, array_double_1d limits, array_double_1d lower, array_double_2d work);
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work);
-static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work);
+static bool check_piece(int64_t order, int64_t row, bool joined, double length, array_double_2d coefficients, double tolerance, array_double_2d work);
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
+static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -654,6 +657,37 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void drop_rounding(int64_t order, array_double_2d lead);
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double outside_by(double value, int64_t order, array_double_2d lead);
+static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients);
+static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients);
+static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
+static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
+static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
+static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
+static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
+static bool is_outside(array_double_1d limits, array_double_2d lead);
+static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double level_limit(int64_t order, double side, array_double_2d lead);
+static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void clip_reached(array_double_2d lead);
+static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t level_order(int64_t order, array_double_2d lead);
 static double lead_end(int64_t order, array_double_2d lead);
 static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -682,11 +716,10 @@ static bool permits_levels(int64_t order, array_double_2d lead);
 static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
-static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
-static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
-static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
-static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
+static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
+static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
@@ -1453,6 +1486,38 @@ static double rounding_error(int64_t order, array_double_1d limits)
     result = 4e-10 * least_peak(order, limits);
     return result;
 }
+static void keep_inside(array_double_2d work)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(47), i)) = 0.0;
+    }
+}
+static void set_bounds(double middle, array_double_1d limits, array_double_1d lower, array_double_2d work)
+{
+    array_double_1d report;
+    int64_t d;
+    double lowest;
+    double highest;
+    report = span_row(&work, INT64_C(47));
+    for (d = INT64_C(1); d < limits.shape[INT64_C(0)] + INT64_C(1); d += INT64_C(1))
+    {
+        lowest = -(*cspan_at(&limits, d - INT64_C(1)));
+        highest = (*cspan_at(&limits, d - INT64_C(1)));
+        if ((d <= INT64_C(2)) && ((*cspan_at(&lower, d - INT64_C(1))) > 0.0))
+        {
+            lowest = -(*cspan_at(&lower, d - INT64_C(1)));
+        }
+        if ((highest > 0.0) && (middle < (*cspan_at(&report, INT64_C(0)))))
+        {
+            lowest = span_min(lowest, (*cspan_at(&report, INT64_C(11) + d)));
+            highest = span_max(highest, (*cspan_at(&report, INT64_C(19) + d)));
+        }
+        (*cspan_at(&work, INT64_C(45), d)) = lowest;
+        (*cspan_at(&work, INT64_C(46), d)) = highest;
+    }
+}
 static void note_ends(int64_t d, bool joined, double start, double end, double largest, array_double_2d work)
 {
     double jump;
@@ -1464,9 +1529,8 @@ static void note_ends(int64_t d, bool joined, double start, double end, double l
     }
     (*cspan_at(&work, INT64_C(40), d)) = end;
 }
-static bool check_piece(int64_t row, bool joined, double length, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, array_double_2d work)
+static bool check_piece(int64_t order, int64_t row, bool joined, double length, array_double_2d coefficients, double tolerance, array_double_2d work)
 {
-    int64_t order;
     array_double_1d values;
     int64_t degree;
     int64_t d;
@@ -1475,12 +1539,11 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
     int64_t count;
     double start;
     double largest;
-    double highest;
     double lowest;
+    double highest;
     array_double_2d hull;
     int64_t i;
     double share;
-    order = limits.shape[INT64_C(0)];
     values = span_row(&work, INT64_C(43));
     degree = coefficients.shape[INT64_C(1)] - INT64_C(1);
     while((degree > INT64_C(0)) && ((*cspan_at(&coefficients, row, degree)) == 0.0))
@@ -1513,14 +1576,10 @@ static bool check_piece(int64_t row, bool joined, double length, array_double_2d
         if (d <= order)
         {
             note_ends(d, joined, start, (*cspan_at(&values, count)), largest, work);
-            if ((d > INT64_C(0)) && ((*cspan_at(&limits, d - INT64_C(1))) > 0.0))
+            lowest = (*cspan_at(&work, INT64_C(45), d));
+            highest = (*cspan_at(&work, INT64_C(46), d));
+            if ((d > INT64_C(0)) && (highest > 0.0))
             {
-                highest = (*cspan_at(&limits, d - INT64_C(1)));
-                lowest = -highest;
-                if ((d <= INT64_C(2)) && ((*cspan_at(&lower, d - INT64_C(1))) > 0.0))
-                {
-                    lowest = -(*cspan_at(&lower, d - INT64_C(1)));
-                }
                 if (largest > span_min(-lowest, highest) * (1.0 + tolerance))
                 {
                     hull = span_rows(&work, INT64_C(0), INT64_C(40));
@@ -1547,6 +1606,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
     double high;
     int64_t row;
     double length;
+    double middle;
     double least;
     int64_t d;
     bool result;
@@ -1563,7 +1623,9 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
         low = span_min(low, (*cspan_at(&coefficients, row, INT64_C(0))));
         high = span_max(high, (*cspan_at(&coefficients, row, INT64_C(0))));
         length = (*cspan_at(&timing, row, INT64_C(1)));
-        if (!check_piece(row, row > first, length, coefficients, limits, lower, tolerance, work))
+        middle = (*cspan_at(&timing, row, INT64_C(0))) + 0.5 * length;
+        set_bounds(middle, limits, lower, work);
+        if (!check_piece(order, row, row > first, length, coefficients, tolerance, work))
         {
             return 0;
         }
@@ -1607,11 +1669,10 @@ static double switching_time(double time, double duration, array_double_2d timin
     }
     return local;
 }
-int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
+static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
 {
     int64_t width;
     int64_t points;
-    int64_t axis;
     int64_t first;
     int64_t last;
     double duration;
@@ -1624,33 +1685,60 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     double scale;
     width = coefficients.shape[INT64_C(1)];
     points = states.shape[INT64_C(0)];
+    first = (*cspan_at(&offsets, axis));
+    last = (*cspan_at(&offsets, axis + INT64_C(1)));
+    if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), span_row(&lower, axis), tolerance, joints, work))
+    {
+        return 0;
+    }
+    duration = (*cspan_at(&times, points, axis)) - (*cspan_at(&times, INT64_C(0), axis));
+    for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
+    {
+        point = span_min_int(j, points - INT64_C(1));
+        row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
+        local = switching_time((*cspan_at(&times, j, axis)), (*cspan_at(&times, points, axis)), timing, row);
+        for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
+        {
+            value = evaluate_piece(coefficients, row, width, local, d);
+            scale = (*cspan_at(&work, INT64_C(41), d));
+            if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
+            {
+                scale = span_max(scale, segfmu_state_scale(d, duration, span_row(&limits, axis)));
+            }
+            if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
+{
+    int64_t axis;
+    keep_inside(work);
     for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        first = (*cspan_at(&offsets, axis));
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        if (!check_axis(first, last, timing, coefficients, span_row(&limits, axis), span_row(&lower, axis), tolerance, joints, work))
+        if (!check_motion(axis, states, times, timing, coefficients, offsets, limits, lower, tolerance, joints, work))
         {
             return INT64_C(1) + axis;
         }
-        duration = (*cspan_at(&times, points, axis)) - (*cspan_at(&times, INT64_C(0), axis));
-        for (j = INT64_C(0); j < points + INT64_C(1); j += INT64_C(1))
+    }
+    return INT64_C(0);
+}
+int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
         {
-            point = span_min_int(j, points - INT64_C(1));
-            row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
-            local = switching_time((*cspan_at(&times, j, axis)), (*cspan_at(&times, points, axis)), timing, row);
-            for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
-            {
-                value = evaluate_piece(coefficients, row, width, local, d);
-                scale = (*cspan_at(&work, INT64_C(41), d));
-                if ((d > INT64_C(0)) && ((*cspan_at(&limits, axis, d - INT64_C(1))) > 0.0))
-                {
-                    scale = span_max(scale, segfmu_state_scale(d, duration, span_row(&limits, axis)));
-                }
-                if (!(fabs(value - (*cspan_at(&states, point, axis, d))) <= joints * scale))
-                {
-                    return INT64_C(1) + axis;
-                }
-            }
+            (*cspan_at(&work, INT64_C(47), i)) = (*cspan_at(&brakes, axis, i));
+        }
+        if (!check_motion(axis, states, times, timing, coefficients, offsets, limits, lower, tolerance, joints, work))
+        {
+            return INT64_C(1) + axis;
         }
     }
     return INT64_C(0);
@@ -21256,12 +21344,12 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d chain;
     array_double_1d problem;
     int64_t result;
-    state = span_row(&lead, INT64_C(2));
-    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0))));
+    state = span_row(&lead, INT64_C(8));
+    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(47) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(53) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -21270,15 +21358,15 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(47) + order);
+    chain = span_row(&lead, INT64_C(53) + order);
     if (free)
     {
         result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(11));
+    problem = span_row(&lead, INT64_C(17));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(54), INT64_C(294)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(60), INT64_C(300)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -21293,15 +21381,15 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     array_double_2d phases;
     int64_t i;
     int64_t last;
-    state = span_row(&lead, INT64_C(2));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0))));
+    state = span_row(&lead, INT64_C(8));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(47) + seen);
+    chain = span_row(&lead, INT64_C(53) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(294), INT64_C(298));
+    expansion = span_rows(&lead, INT64_C(300), INT64_C(304));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -21309,7 +21397,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     third = seen + INT64_C(3);
     (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
+    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -21330,7 +21418,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     double end;
     int64_t count;
     int64_t result;
-    end = (*cspan_at(&lead, INT64_C(7), order));
+    end = (*cspan_at(&lead, INT64_C(13), order));
     count = stage_phases(order, end, end > 1e+299, lead);
     result = append_phases(order, end, count, row, lead, timing, coefficients);
     return result;
@@ -21340,15 +21428,15 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     array_double_1d state;
     int64_t i;
     double aim;
-    state = span_row(&lead, INT64_C(2));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    state = span_row(&lead, INT64_C(8));
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(7), i)) < 1e+299))
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(13), i)) < 1e+299))
         {
-            aim = (*cspan_at(&lead, INT64_C(7), i));
+            aim = (*cspan_at(&lead, INT64_C(13), i));
         }
-        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(6), i)))
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(12), i)))
         {
             (*cspan_at(&state, i)) = aim;
         }
@@ -21359,10 +21447,10 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(47), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(1), i));
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -21375,732 +21463,291 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     }
     return row;
 }
-static int64_t level_order(int64_t order, array_double_2d lead)
+static double outside_by(double value, int64_t order, array_double_2d lead)
 {
-    int64_t seen;
-    int64_t above;
-    seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(47) + seen, INT64_C(38))));
-    if (above == INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    return seen + INT64_C(2) + above;
+    double low;
+    double high;
+    low = (*cspan_at(&lead, INT64_C(4), order));
+    high = (*cspan_at(&lead, INT64_C(5), order));
+    return span_max(value - high, low - value) - 1e-13 * (high - low);
 }
-static double lead_end(int64_t order, array_double_2d lead)
-{
-    double result;
-    if (order == INT64_C(1))
-    {
-        result = (*cspan_at(&lead, INT64_C(10), INT64_C(2)));
-        return result;
-    }
-    result = (*cspan_at(&lead, INT64_C(10), INT64_C(4)));
-    return result;
-}
-static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
-    array_double_1d level;
-    int64_t seen;
-    array_double_1d chain;
-    array_double_1d problem;
-    array_double_2d phases;
-    array_double_2d plan;
-    array_double_2d ramps;
-    array_double_1d passing;
-    double end;
-    double longest;
-    int64_t count;
-    int64_t third;
-    int64_t result;
-    state = span_row(&lead, INT64_C(2));
-    level = span_row(&lead, INT64_C(3));
-    seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(47) + seen);
-    problem = span_row(&lead, INT64_C(11));
-    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    plan = span_rows(&lead, INT64_C(54), INT64_C(294));
-    ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
-    passing = span_row(&plan, INT64_C(101));
-    end = lead_end(order, lead);
-    (*cspan_at(&lead, INT64_C(7), seen + INT64_C(2))) = 1e+300;
-    if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    longest = (*cspan_at(&state, INT64_C(8))) - (*cspan_at(&level, INT64_C(8)));
-    set_stage_problem(seen, end, state, problem);
-    count = shortest_ramps(problem, chain, phases, plan);
-    if (count <= INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    copy_phases(phases, ramps, count);
-    longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
-    set_stage_problem(seen, end, level, problem);
-    (*cspan_at(&passing, INT64_C(11))) = 1.0;
-    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, level_order(order, lead)));
-    third = seen + INT64_C(3);
-    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, third));
-    result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
-    return result;
-}
-static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    array_double_1d level;
-    int64_t stage;
+    int64_t smoothness;
+    double factorial;
     int64_t i;
-    int64_t count;
-    int64_t seen;
-    int64_t result;
-    state = span_row(&lead, INT64_C(2));
-    level = span_row(&lead, INT64_C(3));
-    stage = level_order(order, lead);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), i)) = 1e+300;
-    }
-    (*cspan_at(&lead, INT64_C(7), stage)) = end;
-    row = settle(stage, row, lead, timing, coefficients);
-    if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
+    state = span_row(&lead, INT64_C(8));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    if (length <= 0.0)
     {
-        (*cspan_at(&level, i)) = (*cspan_at(&state, i));
+        return row;
     }
-    count = passing_phases(order, least, row, lead, timing, coefficients);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    clear_piece(coefficients, row);
+    factorial = 1.0;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&state, i)) = (*cspan_at(&level, i));
-    }
-    if (count == INT64_C(0))
-    {
-        return -INT64_C(1);
-    }
-    seen = INT64_C(2) - order;
-    end = lead_end(order, lead);
-    result = append_phases(seen, end, count, row, lead, timing, coefficients);
-    return result;
-}
-static void set_limits(double steep, array_double_2d lead)
-{
-    array_double_1d axis;
-    axis = span_row(&lead, INT64_C(45));
-    chain_limits(steep, axis, span_row(&lead, INT64_C(1)), span_row(&lead, INT64_C(5)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(5)), span_rows(&lead, INT64_C(47), INT64_C(54)));
-}
-static bool is_settled(array_double_2d lead)
-{
-    int64_t i;
-    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&lead, INT64_C(1), i)) != 0.0)
+        if (i > INT64_C(0))
         {
-            return 0;
+            factorial = factorial * i;
+        }
+        (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
+    }
+    (*cspan_at(&coefficients, row, smoothness + INT64_C(1))) = value / (factorial * (smoothness + INT64_C(1)));
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
+    (*cspan_at(&timing, row, INT64_C(1))) = length;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, coefficients.shape[INT64_C(1)], length, i);
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + length;
+    return row + INT64_C(1);
+}
+static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    double top;
+    double length;
+    int64_t i;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    if (row < INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    if (order == (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))))
+    {
+        top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+        if (end < (*cspan_at(&state, order)))
+        {
+            top = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
+        }
+        length = (end - (*cspan_at(&state, order))) / top;
+        row = hold_highest(top, length, row, lead, timing, coefficients);
+        (*cspan_at(&state, order)) = end;
+        return row;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&state, i));
+        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+    }
+    (*cspan_at(&lead, INT64_C(13), order)) = end;
+    result = settle(order, row, lead, timing, coefficients);
+    return result;
+}
+static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients)
+{
+    array_double_2d check;
+    int64_t width;
+    double factorial;
+    int64_t i;
+    double value;
+    double largest;
+    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    width = coefficients.shape[INT64_C(1)];
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = evaluate_piece(coefficients, row, width, start, order + i);
+        (*cspan_at(&check, INT64_C(43), i)) = value / factorial;
+    }
+    bernstein_coefficients(check, INT64_C(43), width - order, length, check);
+    largest = -1e+300;
+    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+    {
+        largest = span_max(largest, outside_by((*cspan_at(&check, INT64_C(0), i)), order, lead));
+    }
+    return largest;
+}
+static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_2d check;
+    double low;
+    double high;
+    int64_t count;
+    int64_t row;
+    double length;
+    double slack;
+    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    low = (*cspan_at(&lead, INT64_C(4), order));
+    high = (*cspan_at(&lead, INT64_C(5), order));
+    count = coefficients.shape[INT64_C(1)] - order;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        if (part_hull(order, row, 0.0, length, lead, coefficients) > 0.0)
+        {
+            slack = 1e-10 * (high - low);
+            if (!within(check, count, low - slack, high + slack))
+            {
+                return 0;
+            }
         }
     }
     return 1;
 }
-static void soonest_ends(int64_t order, array_double_2d lead)
+static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients)
 {
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), i)) = 1e+300;
-    }
-    if (order == INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), order)) = (*cspan_at(&lead, INT64_C(10), INT64_C(2)));
-    }
-}
-static double profile_time(array_double_2d lead)
-{
-    array_double_1d state;
-    array_double_1d target;
-    array_double_1d problem;
-    array_double_1d axis;
-    array_double_2d phases;
-    int64_t order;
+    int64_t k;
+    double middle;
     double value;
-    int64_t count;
-    int64_t i;
-    double duration;
-    state = span_row(&lead, INT64_C(2));
-    target = span_row(&lead, INT64_C(10));
-    problem = span_row(&lead, INT64_C(11));
-    axis = span_row(&lead, INT64_C(45));
-    phases = span_rows(&lead, INT64_C(12), INT64_C(45));
-    for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
+    for (k = INT64_C(0); k < INT64_C(60); k += INT64_C(1))
     {
-        value = (*cspan_at(&state, INT64_C(0) + order));
-        if (fabs(value) > side_limit(order, value, axis) * (1.0 + 1e-12))
+        middle = 0.5 * (lower + upper);
+        value = evaluate_piece(coefficients, row, coefficients.shape[INT64_C(1)], middle, order);
+        if (outside_by(value, order, lead) > 0.0)
         {
-            return -1.0;
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
         }
     }
-    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, INT64_C(0) + INT64_C(1)));
-    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
-    (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(54), INT64_C(294)));
-    if (count < INT64_C(0))
-    {
-        return -1.0;
-    }
-    duration = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    return duration;
+    return upper;
 }
-static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    int64_t row;
-    int64_t i;
-    first = INT64_C(400);
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&timing, row - first, i)) = (*cspan_at(&timing, row, i));
-        }
-        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&coefficients, row - first, i)) = (*cspan_at(&coefficients, row, i));
-        }
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(4), i)) = (*cspan_at(&lead, INT64_C(2), i));
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
-    }
-    (*cspan_at(&lead, INT64_C(9), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(9), INT64_C(1))) = last - first;
-}
-static bool begins_now(array_double_2d lead, array_double_2d coefficients)
+static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t width;
     int64_t i;
+    int64_t row;
+    double length;
+    double upper;
+    double step;
+    double lower;
     double value;
     width = coefficients.shape[INT64_C(1)];
-    for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < last - first; i += INT64_C(1))
     {
-        value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
-        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(5), i))))
+        row = last - INT64_C(1) - i;
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        upper = length;
+        step = length;
+        while(upper > 0.0)
         {
-            return 0;
+            lower = span_max(upper - step, 0.0);
+            value = evaluate_piece(coefficients, row, width, lower, order);
+            if (part_hull(order, row, lower, upper - lower, lead, coefficients) <= 0.0)
+            {
+                upper = lower;
+                step = 2.0 * step;
+            }
+            else if (step > 0.001 * length)
+            {
+                step = 0.25 * step;
+            }
+            else if (outside_by(value, order, lead) > 0.0)
+            {
+                (*result_0_0001) = row;
+                (*result_1_0001) = time_crossed(order, row, lower, upper, lead, coefficients);
+                return 0;
+            }
+            else if (step > 1e-09 * length)
+            {
+                step = 0.25 * step;
+            }
+            else
+            {
+                upper = lower;
+            }
         }
     }
-    return 1;
+    (*result_0_0001) = first;
+    (*result_1_0001) = 0.0;
+    return 0;
 }
-static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
+    array_double_1d state;
+    array_double_1d turn;
+    int64_t smoothness;
+    double near;
+    double far;
     int64_t first;
-    double best;
-    array_double_2d check;
-    array_double_1d lower;
+    int64_t row;
+    int64_t i;
+    int64_t last;
+    double room;
+    double hold;
+    double local;
+    double result;
+    state = span_row(&lead, INT64_C(8));
+    turn = span_row(&lead, INT64_C(3));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    near = (*cspan_at(&lead, INT64_C(5), order));
+    far = (*cspan_at(&lead, INT64_C(4), order));
+    if (side < 0.0)
+    {
+        near = (*cspan_at(&lead, INT64_C(4), order));
+        far = (*cspan_at(&lead, INT64_C(5), order));
+    }
     first = INT64_C(400);
-    best = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(9), INT64_C(3))))))
+    row = first;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        return 0;
+        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(2), i));
     }
-    check = span_rows(&lead, INT64_C(298), INT64_C(343));
-    lower = span_row(&lead, INT64_C(46));
-    if (last > first)
+    if (settled && (order + INT64_C(2) <= smoothness))
     {
-        if (!begins_now(lead, coefficients))
-        {
-            return 0;
-        }
-        if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 5e-10, check))
-        {
-            return 0;
-        }
+        row = lead_to(order + INT64_C(2), 0.0, row, lead, timing, coefficients);
     }
-    keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1.0 - 1e-12;
-    return 1;
-}
-static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t last;
-    double time;
-    double rest;
-    bool result;
-    last = settle(order, row, lead, timing, coefficients);
-    if (last < INT64_C(0))
+    row = lead_to(order + INT64_C(1), level, row, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        return 0;
+        (*cspan_at(&turn, i)) = (*cspan_at(&state, i));
     }
-    time = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
-    if (order == INT64_C(2))
-    {
-        rest = profile_time(lead);
-        if (rest < 0.0)
-        {
-            return 0;
-        }
-        time = time + rest;
-    }
-    result = keep_better(last, time, limits, lead, timing, coefficients);
-    return result;
-}
-static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t last;
-    double time;
-    last = settle_over_level(order, level, least, INT64_C(400), lead, timing, coefficients);
+    last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
     if (last < INT64_C(0))
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
-    keep_better(last, time, limits, lead, timing, coefficients);
-    return time;
-}
-static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    int64_t i;
-    bool result;
-    bound = (*cspan_at(&lead, INT64_C(5), stage));
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    room = side * ((*cspan_at(&state, order)) - far);
+    if (room < 0.0)
     {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(8), i));
+        return -1.0;
     }
-    (*cspan_at(&lead, INT64_C(7), stage)) = span_min(span_max(end, -bound), bound);
-    result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    return result;
-}
-static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    int64_t i;
-    double step;
-    double end;
-    bound = (*cspan_at(&lead, INT64_C(5), stage));
-    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    if (level != 0.0)
     {
-        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
-    }
-    step = 0.125 * bound;
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
-    {
-        end = (*cspan_at(&lead, INT64_C(8), stage));
-        if (end > 1e+299)
+        hold = span_min(side * ((*cspan_at(&turn, order)) - near), room) / fabs(level);
+        for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
         {
-            break;
+            (*cspan_at(&state, i)) = (*cspan_at(&turn, i));
         }
-        if (!try_end(order, stage, end + step, limits, lead, timing, coefficients))
+        row = hold_highest(0.0, hold, row, lead, timing, coefficients);
+        last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
+    }
+    if ((last < INT64_C(0)) || (outside_by((*cspan_at(&state, order)), order, lead) > 0.0))
+    {
+        return 1e+300;
+    }
+    for (i = order + INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        if (!stays_inside(i, first, last, lead, timing, coefficients))
         {
-            if (!try_end(order, stage, end - step, limits, lead, timing, coefficients))
-            {
-                step = 0.5 * step;
-            }
+            return 1e+300;
         }
     }
-}
-static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d first;
-    int64_t i;
-    double level;
-    first = span_row(&lead, INT64_C(12));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    inside_from(&row, &local, order, first, last, lead, timing, coefficients);
+    if ((last > first) && (!stays_inside(order, row + INT64_C(1), last, lead, timing, coefficients)))
     {
-        if ((*cspan_at(&first, INT64_C(4))) > 0.5)
-        {
-            break;
-        }
-        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
-        if (!try_end(order, stage, level, limits, lead, timing, coefficients))
-        {
-            break;
-        }
+        return 1e+300;
     }
-}
-static int64_t first_free_stage(int64_t order)
-{
-    if (order == INT64_C(1))
+    (*cspan_at(&lead, INT64_C(6), INT64_C(2))) = last;
+    if (last == first)
     {
-        return order + INT64_C(2);
+        result = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
+        return result;
     }
-    return order;
-}
-static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t first_free;
-    int64_t sweep;
-    int64_t i;
-    int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
-    first_free = first_free_stage(order);
-    for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            stage = first_free + INT64_C(2) * i;
-            if (stage < smoothness)
-            {
-                if (i == INT64_C(0))
-                {
-                    follow_profile(order, stage, limits, lead, timing, coefficients);
-                }
-                search_end(order, stage, limits, lead, timing, coefficients);
-            }
-        }
-        if (first_free + INT64_C(2) >= smoothness)
-        {
-            break;
-        }
-    }
-}
-static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t i;
-    soonest_ends(order, lead);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
-    }
-    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    if (!is_settled(lead))
-    {
-        improve_ends(order, limits, lead, timing, coefficients);
-    }
-}
-static double near_zero(double i)
-{
-    double share;
-    if (i == 0.0)
-    {
-        return 0.0;
-    }
-    share = pow(0.7, (12.0 - fabs(i)));
-    if (i < 0.0)
-    {
-        share = -share;
-    }
-    return share;
-}
-static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t stage;
-    int64_t earlier;
-    int64_t i;
-    int64_t j;
-    bool free;
-    double end;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(0))));
-    stage = first_free_stage(order);
-    earlier = stage + INT64_C(2);
-    for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
-    {
-        for (j = -INT64_C(12); j < INT64_C(14); j += INT64_C(1))
-        {
-            free = j == INT64_C(13);
-            if ((!free) && (earlier >= smoothness))
-            {
-                continue;
-            }
-            soonest_ends(order, lead);
-            (*cspan_at(&lead, INT64_C(7), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(5), stage));
-            if (!free)
-            {
-                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(5), earlier));
-                (*cspan_at(&lead, INT64_C(7), earlier)) = end;
-            }
-            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-        }
-    }
-}
-static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t stage;
-    double kept;
-    double least;
-    int64_t count;
-    int64_t i;
-    double level;
-    double time;
-    double found;
-    stage = level_order(order, lead);
-    kept = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
-    least = 1e+300;
-    if ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0)
-    {
-        least = 1.2 * (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-    }
-    found = 1e+300;
-    count = INT64_C(6);
-    if ((*cspan_at(&lead, INT64_C(45), INT64_C(0))) > 4.5)
-    {
-        count = INT64_C(24);
-    }
-    for (i = (-count) - INT64_C(1); i < count + INT64_C(1); i += INT64_C(1))
-    {
-        level = kept;
-        if (i >= -count)
-        {
-            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(5), stage));
-        }
-        time = try_level(order, level, least, limits, lead, timing, coefficients);
-        if (time < least)
-        {
-            least = time;
-            found = time;
-            (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = level;
-        }
-    }
-    return found;
-}
-static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    double step;
-    int64_t i;
-    double around;
-    int64_t side;
-    double level;
-    double time;
-    bound = (*cspan_at(&lead, INT64_C(5), level_order(order, lead)));
-    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(9), INT64_C(2)))) + 0.005 * bound;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
-    {
-        around = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
-            time = try_level(order, level, least, limits, lead, timing, coefficients);
-            if (time < least)
-            {
-                least = time;
-                (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = level;
-            }
-        }
-        if ((*cspan_at(&lead, INT64_C(9), INT64_C(2))) == around)
-        {
-            step = 0.5 * step;
-        }
-    }
-}
-static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double steep;
-    double found;
-    double highest;
-    int64_t i;
-    double before;
-    double level;
-    steep = 1.0;
-    found = 1e+300;
-    highest = (*cspan_at(&lead, INT64_C(45), INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(9), INT64_C(2))) = (*cspan_at(&lead, INT64_C(1), level_order(order, lead)));
-    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1.0 - 1e-12;
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        set_limits(steep, lead);
-        before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-        if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
-        {
-            found = search_grid(order, limits, lead, timing, coefficients);
-        }
-        else
-        {
-            level = (*cspan_at(&lead, INT64_C(9), INT64_C(2)));
-            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
-        }
-        if (found < 1e+299)
-        {
-            improve_level(order, found, limits, lead, timing, coefficients);
-        }
-        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) == before))
-        {
-            break;
-        }
-        (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 0.99;
-        steep = 10.0 * steep;
-    }
-}
-static bool permits_levels(int64_t order, array_double_2d lead)
-{
-    array_double_1d target;
-    bool resting;
-    target = span_row(&lead, INT64_C(10));
-    if (((*cspan_at(&lead, INT64_C(45), INT64_C(0))) < 3.5) || is_settled(lead))
-    {
-        return 0;
-    }
-    if (level_order(order, lead) == INT64_C(0))
-    {
-        return 0;
-    }
-    resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
-    return (order == INT64_C(1)) || resting;
-}
-static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double steep;
-    int64_t i;
-    double before;
-    int64_t j;
-    bool gained;
-    steep = 1.0;
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-        if (before >= 0.0)
-        {
-            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(7), j)) = (*cspan_at(&lead, INT64_C(8), j));
-            }
-            gained = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-            if ((i > INT64_C(1)) && (!gained))
-            {
-                break;
-            }
-        }
-        search_ends(order, limits, lead, timing, coefficients);
-        steep = 10.0 * steep;
-    }
-    if (((*cspan_at(&lead, INT64_C(9), INT64_C(0))) < 0.0) && (!is_settled(lead)))
-    {
-        search_pairs(order, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0)
-        {
-            improve_ends(order, limits, lead, timing, coefficients);
-        }
-    }
-}
-static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    int64_t width;
-    double length;
-    int64_t i;
-    bool settled;
-    state = span_row(&lead, INT64_C(1));
-    width = coefficients.shape[INT64_C(1)];
-    length = (*cspan_at(&timing, row, INT64_C(1)));
-    settled = 1;
-    for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
-    {
-        if (row + INT64_C(1) < last)
-        {
-            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, i);
-        }
-        else
-        {
-            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
-        }
-        if (i > INT64_C(2))
-        {
-            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(5), i)))
-            {
-                settled = 0;
-            }
-            (*cspan_at(&state, i)) = 0.0;
-        }
-    }
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
-    return settled;
-}
-static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    int64_t last;
-    int64_t tried;
-    int64_t row;
-    int64_t place;
-    int64_t i;
-    first = (*cspan_at(&plan_offsets, axis));
-    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
-    tried = INT64_C(0);
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        place = INT64_C(400) + row - first;
-        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(400), INT64_C(4))) || (tried >= INT64_C(8)))
-        {
-            break;
-        }
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&timing, place, i)) = (*cspan_at(&plan_timing, row, i));
-        }
-        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&coefficients, place, i)) = (*cspan_at(&plan_coefficients, row, i));
-        }
-        if (settled_end(row, last, lead, plan_timing, plan_coefficients))
-        {
-            tried = tried + INT64_C(1);
-            for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(7), i)) = 1e+300;
-            }
-            if (order == INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(7), order)) = (*cspan_at(&lead, INT64_C(10), INT64_C(2)));
-            }
-            try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
-        }
-    }
-}
-bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t shape;
-    int64_t i;
-    double time;
-    bool result;
-    (*cspan_at(&lead, INT64_C(9), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(9), INT64_C(1))) = 0.0;
-    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
-    {
-        return 0;
-    }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(45), INT64_C(1))));
-    segfmu_axis_limits(smoothness, shape, limits, span_row(&lead, INT64_C(45)));
-    set_lower(span_row(&lead, INT64_C(46)), span_row(&lead, INT64_C(45)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(45))), span_row(&lead, INT64_C(45)), span_rows(&lead, INT64_C(47), INT64_C(54))))
-    {
-        return 0;
-    }
-    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(6), i)) = rounding_error(i, limits);
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
-    }
-    search_stages(order, limits, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(9), INT64_C(3))) = 1.0 - 1e-12;
-    follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
-    }
-    time = (*cspan_at(&lead, INT64_C(9), INT64_C(0)));
-    if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
-    {
-        search_levels(order, limits, lead, timing, coefficients);
-    }
-    result = (*cspan_at(&lead, INT64_C(9), INT64_C(0))) >= 0.0;
+    result = (*cspan_at(&timing, row, INT64_C(0))) + local;
     return result;
 }
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
@@ -22390,6 +22037,1506 @@ int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coef
     (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
 }
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
+{
+    int64_t smoothness;
+    array_double_1d axis;
+    array_double_1d state;
+    int64_t i;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    axis = span_row(&lead, INT64_C(51));
+    state = span_row(&lead, INT64_C(8));
+    segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
+    set_lower(span_row(&lead, INT64_C(52)), axis);
+    for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
+        }
+    }
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(53), INT64_C(60))))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+        if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
+        {
+            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
+        }
+    }
+    chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(53), INT64_C(60)));
+    for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
+        if (i <= INT64_C(2))
+        {
+            (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
+        }
+        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(11), i));
+    }
+    return 1;
+}
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
+{
+    double result;
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(52), order - INT64_C(1))) > 0.0))
+    {
+        result = (*cspan_at(&lead, INT64_C(52), order - INT64_C(1)));
+        return result;
+    }
+    result = (*cspan_at(&limits, order - INT64_C(1)));
+    return result;
+}
+static bool is_outside(array_double_1d limits, array_double_2d lead)
+{
+    int64_t i;
+    double value;
+    double bound;
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        value = (*cspan_at(&lead, INT64_C(0), i));
+        bound = (*cspan_at(&limits, i - INT64_C(1)));
+        if (value < 0.0)
+        {
+            bound = lower_limit(i, limits, lead);
+        }
+        if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_2d check;
+    array_double_1d report;
+    int64_t width;
+    int64_t parts;
+    double step;
+    int64_t order;
+    int64_t part;
+    int64_t i;
+    double value;
+    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    report = span_row(&lead, INT64_C(6));
+    width = coefficients.shape[INT64_C(1)];
+    parts = INT64_C(8);
+    step = (*cspan_at(&timing, row, INT64_C(1))) / parts;
+    for (order = INT64_C(1); order < span_floor_div(width, INT64_C(2)) + INT64_C(2); order += INT64_C(1))
+    {
+        for (part = INT64_C(0); part < parts; part += INT64_C(1))
+        {
+            part_hull(order, row, part * step, step, lead, coefficients);
+            for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+            {
+                value = (*cspan_at(&check, INT64_C(0), i));
+                (*cspan_at(&report, INT64_C(11) + order)) = span_min((*cspan_at(&report, INT64_C(11) + order)), value);
+                (*cspan_at(&report, INT64_C(19) + order)) = span_max((*cspan_at(&report, INT64_C(19) + order)), value);
+            }
+        }
+    }
+}
+static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    array_double_1d reached;
+    int64_t width;
+    int64_t first;
+    int64_t count;
+    int64_t row;
+    double length;
+    int64_t i;
+    report = span_row(&lead, INT64_C(6));
+    reached = span_row(&lead, INT64_C(2));
+    width = coefficients.shape[INT64_C(1)];
+    first = INT64_C(2) * INT64_C(400);
+    count = (int64_t)((*cspan_at(&report, INT64_C(1))));
+    while((count > INT64_C(0)) && ((*cspan_at(&timing, first + count - INT64_C(1), INT64_C(0))) >= until))
+    {
+        count = count - INT64_C(1);
+    }
+    (*cspan_at(&report, INT64_C(1))) = count;
+    if (count > INT64_C(0))
+    {
+        row = first + count - INT64_C(1);
+        length = span_min((*cspan_at(&timing, row, INT64_C(1))), until - (*cspan_at(&timing, row, INT64_C(0))));
+        (*cspan_at(&timing, row, INT64_C(1))) = length;
+        for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&reached, i)) = evaluate_piece(coefficients, row, width, length, i);
+        }
+        (*cspan_at(&reached, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
+    }
+}
+static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    int64_t row;
+    int64_t target;
+    report = span_row(&lead, INT64_C(6));
+    for (row = INT64_C(400); row < last; row += INT64_C(1))
+    {
+        target = INT64_C(2) * INT64_C(400) + (int64_t)((*cspan_at(&report, INT64_C(1))));
+        if (((*cspan_at(&timing, row, INT64_C(0))) >= until) || (target >= INT64_C(1200)))
+        {
+            break;
+        }
+        copy_piece(timing, coefficients, row, timing, coefficients, target);
+        (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&report, INT64_C(1))) + 1.0;
+    }
+    end_brake(until, lead, timing, coefficients);
+}
+static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    int64_t width;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    double local;
+    int64_t i;
+    double factorial;
+    double value;
+    report = span_row(&lead, INT64_C(6));
+    width = coefficients.shape[INT64_C(1)];
+    first = INT64_C(2) * INT64_C(400);
+    last = first + (int64_t)((*cspan_at(&report, INT64_C(1))));
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        local = until - (*cspan_at(&timing, row, INT64_C(0)));
+        if ((local > 0.0) && (local < (*cspan_at(&timing, row, INT64_C(1)))) && (last < INT64_C(1200)))
+        {
+            for (i = INT64_C(0); i < last - row; i += INT64_C(1))
+            {
+                copy_piece(timing, coefficients, last - INT64_C(1) - i, timing, coefficients, last - i);
+            }
+            factorial = 1.0;
+            for (i = INT64_C(0); i < width; i += INT64_C(1))
+            {
+                if (i > INT64_C(0))
+                {
+                    factorial = factorial * i;
+                }
+                value = evaluate_piece(coefficients, row, width, local, i);
+                (*cspan_at(&coefficients, row + INT64_C(1), i)) = value / factorial;
+            }
+            (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))) = until;
+            (*cspan_at(&timing, row + INT64_C(1), INT64_C(1))) = (*cspan_at(&timing, row, INT64_C(1))) - local;
+            (*cspan_at(&timing, row, INT64_C(1))) = local;
+            (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&report, INT64_C(1))) + 1.0;
+            break;
+        }
+    }
+}
+static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t last;
+    int64_t i;
+    int64_t row;
+    double local;
+    double until;
+    first = INT64_C(2) * INT64_C(400);
+    last = first + (int64_t)((*cspan_at(&lead, INT64_C(6), INT64_C(1))));
+    until = 0.0;
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if (((*cspan_at(&limits, i - INT64_C(1))) > 0.0) && (last > first))
+        {
+            (*cspan_at(&lead, INT64_C(4), i)) = -lower_limit(i, limits, lead);
+            (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&limits, i - INT64_C(1)));
+            inside_from(&row, &local, i, first, last, lead, timing, coefficients);
+            until = span_max(until, (*cspan_at(&timing, row, INT64_C(0))) + local);
+        }
+    }
+    return until;
+}
+static double level_limit(int64_t order, double side, array_double_2d lead)
+{
+    double result;
+    if (side < 0.0)
+    {
+        result = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+        return result;
+    }
+    result = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
+    return result;
+}
+static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double edge;
+    double least;
+    double best;
+    double share;
+    double low;
+    double high;
+    int64_t i;
+    double time;
+    edge = level_limit(order, side, lead);
+    least = try_brake(order, side, edge, settled, lead, timing, coefficients);
+    best = edge;
+    share = 1.0;
+    if (least < 0.0)
+    {
+        least = 1e+300;
+        low = 0.0;
+        high = 1.0;
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            share = 0.5 * (low + high);
+            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
+            if (time < 0.0)
+            {
+                high = share;
+            }
+            else
+            {
+                low = share;
+                if (time < least)
+                {
+                    least = time;
+                    best = share * edge;
+                }
+            }
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        share = 0.5 * share;
+        if (i == INT64_C(5))
+        {
+            share = 0.0;
+        }
+        if (least > (*cspan_at(&lead, INT64_C(2), INT64_C(8))))
+        {
+            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
+            if ((time >= 0.0) && (time < least))
+            {
+                least = time;
+                best = share * edge;
+            }
+        }
+    }
+    (*result_0) = least;
+    (*result_1) = best;
+    return 0;
+}
+static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double level;
+    double time;
+    if (gentle > 0.0)
+    {
+        level = (1.0 - gentle) * level_limit(order, side, lead);
+        time = try_brake(order, side, level, settled, lead, timing, coefficients);
+        if ((time >= 0.0) && (time < 1e+299))
+        {
+            (*result_0) = time;
+            (*result_1) = level;
+            return 0;
+        }
+    }
+    best_level(result_0, result_1, order, side, settled, lead, timing, coefficients);
+    return 0;
+}
+static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d reached;
+    double low;
+    int64_t first;
+    int64_t i;
+    int64_t last;
+    double value;
+    state = span_row(&lead, INT64_C(8));
+    reached = span_row(&lead, INT64_C(2));
+    low = (*cspan_at(&lead, INT64_C(4), order));
+    first = INT64_C(400);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
+    }
+    last = lead_to(order + INT64_C(1), 0.0, first, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        value = (*cspan_at(&state, order));
+        if (i == INT64_C(1))
+        {
+            value = (*cspan_at(&reached, order));
+        }
+        if (outside_by(value, order, lead) > 0.0)
+        {
+            if (value > low)
+            {
+                return 1.0;
+            }
+            return -1.0;
+        }
+    }
+    if ((last >= INT64_C(0)) && stays_inside(order, first, last, lead, timing, coefficients))
+    {
+        return 0.0;
+    }
+    if ((*cspan_at(&reached, order + INT64_C(1))) > 0.0)
+    {
+        return 1.0;
+    }
+    return -1.0;
+}
+static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t order;
+    double value;
+    double end;
+    int64_t i;
+    int64_t last;
+    double until;
+    order = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    value = (*cspan_at(&lead, INT64_C(2), order));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
+    if (outside_by(value, order, lead) > 0.0)
+    {
+        for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+        {
+            (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(2), i));
+        }
+        last = lead_to(order, end, INT64_C(400), lead, timing, coefficients);
+        until = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+        append_pieces(until, last, lead, timing, coefficients);
+        (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
+    }
+    (*cspan_at(&lead, INT64_C(2), order)) = end;
+}
+static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    array_double_1d reached;
+    array_double_1d state;
+    double value;
+    double end;
+    int64_t i;
+    int64_t last;
+    double until;
+    first = INT64_C(400);
+    reached = span_row(&lead, INT64_C(2));
+    state = span_row(&lead, INT64_C(8));
+    value = (*cspan_at(&reached, order));
+    if (!(outside_by(value, order, lead) > 0.0))
+    {
+        return 0;
+    }
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
+    }
+    last = lead_to(order, end, first, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
+    {
+        if (!stays_inside(i, first, last, lead, timing, coefficients))
+        {
+            return 0;
+        }
+    }
+    until = (*cspan_at(&state, INT64_C(8)));
+    append_pieces(until, last, lead, timing, coefficients);
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&reached, i)) = 0.0;
+    }
+    (*cspan_at(&reached, order)) = end;
+    (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
+    return 1;
+}
+static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    array_double_1d reached;
+    double gentle;
+    double side;
+    double time;
+    double level;
+    bool settled;
+    int64_t i;
+    double start;
+    double low;
+    report = span_row(&lead, INT64_C(6));
+    reached = span_row(&lead, INT64_C(2));
+    gentle = (*cspan_at(&report, INT64_C(3) + order));
+    if ((gentle == 1.0) && bring_gently(order, lead, timing, coefficients))
+    {
+        return 1;
+    }
+    side = side_beyond(order, lead, timing, coefficients);
+    if ((side == 0.0) && (!whole))
+    {
+        return 1;
+    }
+    time = 1e+300;
+    level = 0.0;
+    settled = 0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if (time > 1e+299)
+        {
+            settled = i == INT64_C(1);
+            if (side == 0.0)
+            {
+                time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients);
+            }
+            else
+            {
+                level_time(&time, &level, order, side, gentle, settled, lead, timing, coefficients);
+            }
+        }
+    }
+    if (time > 1e+299)
+    {
+        return 0;
+    }
+    start = (*cspan_at(&reached, INT64_C(8)));
+    if (side != 0.0)
+    {
+        try_brake(order, side, level, settled, lead, timing, coefficients);
+    }
+    if (time > start)
+    {
+        (*cspan_at(&report, INT64_C(0))) = time;
+    }
+    else if (!whole)
+    {
+        return 1;
+    }
+    if (whole)
+    {
+        time = 1e+300;
+    }
+    append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
+    for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
+    {
+        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))))
+        {
+            if (whole && (i > order))
+            {
+                (*cspan_at(&reached, i)) = 0.0;
+            }
+            low = (*cspan_at(&lead, INT64_C(4), i));
+            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(5), i)));
+        }
+    }
+    return 1;
+}
+static void clip_reached(array_double_2d lead)
+{
+    int64_t i;
+    double value;
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(4), i)));
+        (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(5), i)));
+    }
+}
+static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    array_double_1d report;
+    int64_t i;
+    bool let_go;
+    int64_t order;
+    int64_t first;
+    int64_t row;
+    int64_t result;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    report = span_row(&lead, INT64_C(6));
+    (*cspan_at(&report, INT64_C(0))) = 0.0;
+    (*cspan_at(&report, INT64_C(1))) = 0.0;
+    for (i = INT64_C(0); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(11) + i)) = 0.0;
+        (*cspan_at(&report, INT64_C(19) + i)) = 0.0;
+    }
+    if (!set_box(steep, loose, limits, lead))
+    {
+        return -INT64_C(1);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    bring_highest(lead, timing, coefficients);
+    let_go = whole || (loose <= smoothness);
+    for (i = INT64_C(1); i < smoothness; i += INT64_C(1))
+    {
+        order = smoothness - i;
+        if (!bring_inside(order, let_go && (order == INT64_C(1)), lead, timing, coefficients))
+        {
+            return -INT64_C(1);
+        }
+    }
+    if (let_go)
+    {
+        if (loose <= smoothness)
+        {
+            (*cspan_at(&report, INT64_C(0))) = time_inside(limits, lead, timing, coefficients);
+        }
+        split_brake((*cspan_at(&report, INT64_C(0))), lead, timing, coefficients);
+        if (!whole)
+        {
+            end_brake((*cspan_at(&report, INT64_C(0))), lead, timing, coefficients);
+            clip_reached(lead);
+        }
+    }
+    first = INT64_C(2) * INT64_C(400);
+    for (row = first; row < first + (int64_t)((*cspan_at(&report, INT64_C(1)))); row += INT64_C(1))
+    {
+        if ((*cspan_at(&timing, row, INT64_C(0))) < (*cspan_at(&report, INT64_C(0))))
+        {
+            note_extremes(row, lead, timing, coefficients);
+        }
+    }
+    result = (int64_t)((*cspan_at(&report, INT64_C(1))));
+    return result;
+}
+static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t highest;
+    int64_t i;
+    double best;
+    double steep;
+    double chosen;
+    int64_t count;
+    double until;
+    highest = INT64_C(1);
+    for (i = INT64_C(0); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, i)) <= 0.0)
+        {
+            highest = INT64_C(8);
+        }
+    }
+    best = 1e+300;
+    steep = 1.0;
+    chosen = 0.0;
+    for (i = INT64_C(0); i < highest; i += INT64_C(1))
+    {
+        count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
+        until = (*cspan_at(&lead, INT64_C(6), INT64_C(0)));
+        if ((count >= INT64_C(0)) && (until == 0.0))
+        {
+            (*result_0_0001) = steep;
+            (*result_1) = 0.0;
+            return 0;
+        }
+        if ((count > INT64_C(0)) && (until < 0.997 * best))
+        {
+            best = until;
+            chosen = steep;
+        }
+        else if ((best < 1e+299) && (i > INT64_C(2)))
+        {
+            break;
+        }
+        steep = 10.0 * steep;
+    }
+    (*result_0_0001) = chosen;
+    (*result_1) = best;
+    return 0;
+}
+int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    array_double_1d report;
+    int64_t i;
+    int64_t loose;
+    double chosen;
+    double best;
+    int64_t order;
+    double steep;
+    double until;
+    double gentle;
+    int64_t count;
+    int64_t result;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    if ((smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
+    {
+        return -INT64_C(1);
+    }
+    report = span_row(&lead, INT64_C(6));
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+    {
+        (*cspan_at(&report, i)) = 0.0;
+    }
+    loose = smoothness + INT64_C(1);
+    best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
+    if (best == 0.0)
+    {
+        result = (int64_t)((*cspan_at(&report, INT64_C(1))));
+        return result;
+    }
+    for (i = INT64_C(0); i < smoothness - INT64_C(2); i += INT64_C(1))
+    {
+        order = smoothness - i;
+        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(0), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
+        {
+            best_steepness(&steep, &until, order, whole, limits, lead, timing, coefficients);
+            if ((steep > 0.0) && (until < 0.5 * best))
+            {
+                chosen = steep;
+                best = until;
+                loose = order;
+            }
+        }
+    }
+    if ((chosen == 0.0) && (smoothness > INT64_C(2)))
+    {
+        (*cspan_at(&report, INT64_C(3) + INT64_C(2))) = 0.5;
+        best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
+    }
+    if (chosen == 0.0)
+    {
+        return -INT64_C(1);
+    }
+    for (order = INT64_C(2); order < smoothness; order += INT64_C(1))
+    {
+        gentle = (*cspan_at(&report, INT64_C(3) + order));
+        for (i = INT64_C(1); i < INT64_C(5); i += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(3) + order)) = 0.25 * i;
+            count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+            if ((count > INT64_C(0)) && ((*cspan_at(&report, INT64_C(0))) < 0.999 * best))
+            {
+                best = (*cspan_at(&report, INT64_C(0)));
+                gentle = (*cspan_at(&report, INT64_C(3) + order));
+            }
+        }
+        (*cspan_at(&report, INT64_C(3) + order)) = gentle;
+    }
+    result = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+    return result;
+}
+static int64_t level_order(int64_t order, array_double_2d lead)
+{
+    int64_t seen;
+    int64_t above;
+    seen = INT64_C(2) - order;
+    above = (int64_t)((*cspan_at(&lead, INT64_C(53) + seen, INT64_C(38))));
+    if (above == INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    return seen + INT64_C(2) + above;
+}
+static double lead_end(int64_t order, array_double_2d lead)
+{
+    double result;
+    if (order == INT64_C(1))
+    {
+        result = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+        return result;
+    }
+    result = (*cspan_at(&lead, INT64_C(16), INT64_C(4)));
+    return result;
+}
+static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d level;
+    int64_t seen;
+    array_double_1d chain;
+    array_double_1d problem;
+    array_double_2d phases;
+    array_double_2d plan;
+    array_double_2d ramps;
+    array_double_1d passing;
+    double end;
+    double longest;
+    int64_t count;
+    int64_t third;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    level = span_row(&lead, INT64_C(9));
+    seen = INT64_C(2) - order;
+    chain = span_row(&lead, INT64_C(53) + seen);
+    problem = span_row(&lead, INT64_C(17));
+    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
+    plan = span_rows(&lead, INT64_C(60), INT64_C(300));
+    ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
+    passing = span_row(&plan, INT64_C(101));
+    end = lead_end(order, lead);
+    (*cspan_at(&lead, INT64_C(13), seen + INT64_C(2))) = 1e+300;
+    if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    longest = (*cspan_at(&state, INT64_C(8))) - (*cspan_at(&level, INT64_C(8)));
+    set_stage_problem(seen, end, state, problem);
+    count = shortest_ramps(problem, chain, phases, plan);
+    if (count <= INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    copy_phases(phases, ramps, count);
+    longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
+    set_stage_problem(seen, end, level, problem);
+    (*cspan_at(&passing, INT64_C(11))) = 1.0;
+    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, level_order(order, lead)));
+    third = seen + INT64_C(3);
+    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, third));
+    result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
+    return result;
+}
+static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d level;
+    int64_t stage;
+    int64_t i;
+    int64_t count;
+    int64_t seen;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    level = span_row(&lead, INT64_C(9));
+    stage = level_order(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+    }
+    (*cspan_at(&lead, INT64_C(13), stage)) = end;
+    row = settle(stage, row, lead, timing, coefficients);
+    if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
+    {
+        return -INT64_C(1);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&level, i)) = (*cspan_at(&state, i));
+    }
+    count = passing_phases(order, least, row, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&level, i));
+    }
+    if (count == INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    seen = INT64_C(2) - order;
+    end = lead_end(order, lead);
+    result = append_phases(seen, end, count, row, lead, timing, coefficients);
+    return result;
+}
+static void set_limits(double steep, array_double_2d lead)
+{
+    array_double_1d axis;
+    axis = span_row(&lead, INT64_C(51));
+    chain_limits(steep, axis, span_row(&lead, INT64_C(7)), span_row(&lead, INT64_C(11)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(53), INT64_C(60)));
+}
+static bool is_settled(array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, INT64_C(7), i)) != 0.0)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void soonest_ends(int64_t order, array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+    }
+    if (order == INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+    }
+}
+static double profile_time(array_double_2d lead)
+{
+    array_double_1d state;
+    array_double_1d target;
+    array_double_1d problem;
+    array_double_1d axis;
+    array_double_2d phases;
+    int64_t order;
+    double value;
+    int64_t count;
+    int64_t i;
+    double duration;
+    state = span_row(&lead, INT64_C(8));
+    target = span_row(&lead, INT64_C(16));
+    problem = span_row(&lead, INT64_C(17));
+    axis = span_row(&lead, INT64_C(51));
+    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
+    for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
+    {
+        value = (*cspan_at(&state, INT64_C(0) + order));
+        if (fabs(value) > side_limit(order, value, axis) * (1.0 + 1e-12))
+        {
+            return -1.0;
+        }
+    }
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, INT64_C(0) + INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
+    (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(60), INT64_C(300)));
+    if (count < INT64_C(0))
+    {
+        return -1.0;
+    }
+    duration = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    return duration;
+}
+static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t row;
+    int64_t i;
+    first = INT64_C(400);
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, row - first, i)) = (*cspan_at(&timing, row, i));
+        }
+        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, row - first, i)) = (*cspan_at(&coefficients, row, i));
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(10), i)) = (*cspan_at(&lead, INT64_C(8), i));
+        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
+    }
+    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = last - first;
+}
+static bool begins_now(array_double_2d lead, array_double_2d coefficients)
+{
+    int64_t width;
+    int64_t i;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    {
+        value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(11), i))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    double best;
+    array_double_2d check;
+    array_double_1d lower;
+    first = INT64_C(400);
+    best = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(15), INT64_C(3))))))
+    {
+        return 0;
+    }
+    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    lower = span_row(&lead, INT64_C(52));
+    if (last > first)
+    {
+        if (!begins_now(lead, coefficients))
+        {
+            return 0;
+        }
+        keep_inside(check);
+        if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 5e-10, check))
+        {
+            return 0;
+        }
+    }
+    keep_lead(last, time, lead, timing, coefficients);
+    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+    return 1;
+}
+static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double time;
+    double rest;
+    bool result;
+    last = settle(order, row, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+    if (order == INT64_C(2))
+    {
+        rest = profile_time(lead);
+        if (rest < 0.0)
+        {
+            return 0;
+        }
+        time = time + rest;
+    }
+    result = keep_better(last, time, limits, lead, timing, coefficients);
+    return result;
+}
+static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double time;
+    last = settle_over_level(order, level, least, INT64_C(400), lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+    keep_better(last, time, limits, lead, timing, coefficients);
+    return time;
+}
+static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    int64_t i;
+    bool result;
+    bound = (*cspan_at(&lead, INT64_C(11), stage));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), i)) = (*cspan_at(&lead, INT64_C(14), i));
+    }
+    (*cspan_at(&lead, INT64_C(13), stage)) = span_min(span_max(end, -bound), bound);
+    result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+    return result;
+}
+static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    int64_t i;
+    double step;
+    double end;
+    bound = (*cspan_at(&lead, INT64_C(11), stage));
+    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    {
+        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
+    }
+    step = 0.125 * bound;
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        end = (*cspan_at(&lead, INT64_C(14), stage));
+        if (end > 1e+299)
+        {
+            break;
+        }
+        if (!try_end(order, stage, end + step, limits, lead, timing, coefficients))
+        {
+            if (!try_end(order, stage, end - step, limits, lead, timing, coefficients))
+            {
+                step = 0.5 * step;
+            }
+        }
+    }
+}
+static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d first;
+    int64_t i;
+    double level;
+    first = span_row(&lead, INT64_C(18));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if ((*cspan_at(&first, INT64_C(4))) > 0.5)
+        {
+            break;
+        }
+        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
+        if (!try_end(order, stage, level, limits, lead, timing, coefficients))
+        {
+            break;
+        }
+    }
+}
+static int64_t first_free_stage(int64_t order)
+{
+    if (order == INT64_C(1))
+    {
+        return order + INT64_C(2);
+    }
+    return order;
+}
+static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t first_free;
+    int64_t sweep;
+    int64_t i;
+    int64_t stage;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    first_free = first_free_stage(order);
+    for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            stage = first_free + INT64_C(2) * i;
+            if (stage < smoothness)
+            {
+                if (i == INT64_C(0))
+                {
+                    follow_profile(order, stage, limits, lead, timing, coefficients);
+                }
+                search_end(order, stage, limits, lead, timing, coefficients);
+            }
+        }
+        if (first_free + INT64_C(2) >= smoothness)
+        {
+            break;
+        }
+    }
+}
+static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    soonest_ends(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
+    }
+    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+    if (!is_settled(lead))
+    {
+        improve_ends(order, limits, lead, timing, coefficients);
+    }
+}
+static double near_zero(double i)
+{
+    double share;
+    if (i == 0.0)
+    {
+        return 0.0;
+    }
+    share = pow(0.7, (12.0 - fabs(i)));
+    if (i < 0.0)
+    {
+        share = -share;
+    }
+    return share;
+}
+static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t stage;
+    int64_t earlier;
+    int64_t i;
+    int64_t j;
+    bool free;
+    double end;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    stage = first_free_stage(order);
+    earlier = stage + INT64_C(2);
+    for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
+    {
+        for (j = -INT64_C(12); j < INT64_C(14); j += INT64_C(1))
+        {
+            free = j == INT64_C(13);
+            if ((!free) && (earlier >= smoothness))
+            {
+                continue;
+            }
+            soonest_ends(order, lead);
+            (*cspan_at(&lead, INT64_C(13), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(11), stage));
+            if (!free)
+            {
+                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(11), earlier));
+                (*cspan_at(&lead, INT64_C(13), earlier)) = end;
+            }
+            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+        }
+    }
+}
+static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t stage;
+    double kept;
+    double least;
+    int64_t count;
+    int64_t i;
+    double level;
+    double time;
+    double found;
+    stage = level_order(order, lead);
+    kept = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+    least = 1e+300;
+    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
+    {
+        least = 1.2 * (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    }
+    found = 1e+300;
+    count = INT64_C(6);
+    if ((*cspan_at(&lead, INT64_C(51), INT64_C(0))) > 4.5)
+    {
+        count = INT64_C(24);
+    }
+    for (i = (-count) - INT64_C(1); i < count + INT64_C(1); i += INT64_C(1))
+    {
+        level = kept;
+        if (i >= -count)
+        {
+            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(11), stage));
+        }
+        time = try_level(order, level, least, limits, lead, timing, coefficients);
+        if (time < least)
+        {
+            least = time;
+            found = time;
+            (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
+        }
+    }
+    return found;
+}
+static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    double step;
+    int64_t i;
+    double around;
+    int64_t side;
+    double level;
+    double time;
+    bound = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
+    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(15), INT64_C(2)))) + 0.005 * bound;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        around = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
+            time = try_level(order, level, least, limits, lead, timing, coefficients);
+            if (time < least)
+            {
+                least = time;
+                (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
+            }
+        }
+        if ((*cspan_at(&lead, INT64_C(15), INT64_C(2))) == around)
+        {
+            step = 0.5 * step;
+        }
+    }
+}
+static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double steep;
+    double found;
+    double highest;
+    int64_t i;
+    double before;
+    double level;
+    steep = 1.0;
+    found = 1e+300;
+    highest = (*cspan_at(&lead, INT64_C(51), INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = (*cspan_at(&lead, INT64_C(7), level_order(order, lead)));
+    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        set_limits(steep, lead);
+        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
+        {
+            found = search_grid(order, limits, lead, timing, coefficients);
+        }
+        else
+        {
+            level = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
+        }
+        if (found < 1e+299)
+        {
+            improve_level(order, found, limits, lead, timing, coefficients);
+        }
+        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) == before))
+        {
+            break;
+        }
+        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
+        steep = 10.0 * steep;
+    }
+}
+static bool permits_levels(int64_t order, array_double_2d lead)
+{
+    array_double_1d target;
+    bool resting;
+    target = span_row(&lead, INT64_C(16));
+    if (((*cspan_at(&lead, INT64_C(51), INT64_C(0))) < 3.5) || is_settled(lead))
+    {
+        return 0;
+    }
+    if (level_order(order, lead) == INT64_C(0))
+    {
+        return 0;
+    }
+    resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
+    return (order == INT64_C(1)) || resting;
+}
+static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double steep;
+    int64_t i;
+    double before;
+    int64_t j;
+    bool gained;
+    steep = 1.0;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        set_limits(steep, lead);
+        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        if (before >= 0.0)
+        {
+            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(13), j)) = (*cspan_at(&lead, INT64_C(14), j));
+            }
+            gained = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+            if ((i > INT64_C(1)) && (!gained))
+            {
+                break;
+            }
+        }
+        search_ends(order, limits, lead, timing, coefficients);
+        steep = 10.0 * steep;
+    }
+    if (((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0) && (!is_settled(lead)))
+    {
+        search_pairs(order, limits, lead, timing, coefficients);
+        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
+        {
+            improve_ends(order, limits, lead, timing, coefficients);
+        }
+    }
+}
+static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    int64_t width;
+    double length;
+    int64_t i;
+    bool settled;
+    state = span_row(&lead, INT64_C(7));
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    settled = 1;
+    for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    {
+        if (row + INT64_C(1) < last)
+        {
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, i);
+        }
+        else
+        {
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
+        }
+        if (i > INT64_C(2))
+        {
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(11), i)))
+            {
+                settled = 0;
+            }
+            (*cspan_at(&state, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
+    return settled;
+}
+static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t last;
+    int64_t tried;
+    int64_t row;
+    int64_t place;
+    int64_t i;
+    first = (*cspan_at(&plan_offsets, axis));
+    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
+    tried = INT64_C(0);
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        place = INT64_C(400) + row - first;
+        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(400), INT64_C(4))) || (tried >= INT64_C(8)))
+        {
+            break;
+        }
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, place, i)) = (*cspan_at(&plan_timing, row, i));
+        }
+        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, place, i)) = (*cspan_at(&plan_coefficients, row, i));
+        }
+        if (settled_end(row, last, lead, plan_timing, plan_coefficients))
+        {
+            tried = tried + INT64_C(1);
+            for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+            }
+            if (order == INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+            }
+            try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
+        }
+    }
+}
+static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
+{
+    int64_t i;
+    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(51)));
+    set_lower(span_row(&lead, INT64_C(52)), span_row(&lead, INT64_C(51)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(51))), span_row(&lead, INT64_C(51)), span_rows(&lead, INT64_C(53), INT64_C(60))))
+    {
+        return 0;
+    }
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    return 1;
+}
+static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    double time;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    time = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
+    {
+        search_levels(order, limits, lead, timing, coefficients);
+    }
+}
+static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t count;
+    int64_t i;
+    int64_t row;
+    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
+    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
+    {
+        return;
+    }
+    if (count + steps > INT64_C(400))
+    {
+        (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
+        return;
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        row = count - INT64_C(1) - i;
+        copy_piece(timing, coefficients, row, timing, coefficients, row + steps);
+    }
+    for (row = INT64_C(0); row < steps; row += INT64_C(1))
+    {
+        copy_piece(timing, coefficients, INT64_C(2) * INT64_C(400) + row, timing, coefficients, row);
+    }
+    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = count + steps;
+}
+static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    int64_t repeat;
+    int64_t steps;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
+        {
+            steps = segfmu_find_brake(repeat == INT64_C(1), limits, lead, timing, coefficients);
+            if (steps > INT64_C(0))
+            {
+                for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+                {
+                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(2), i));
+                }
+                if (start_search(shape, limits, lead))
+                {
+                    search_stages(order, limits, lead, timing, coefficients);
+                    improve_lead(order, within_0001, limits, lead, timing, coefficients);
+                }
+                for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+                {
+                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(1), i));
+                }
+                prepend_brake(steps, lead, timing, coefficients);
+            }
+        }
+    }
+}
+bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    bool brakes;
+    int64_t smoothness;
+    int64_t shape;
+    bool result;
+    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = 0.0;
+    brakes = (*cspan_at(&lead, INT64_C(15), INT64_C(4))) > 0.5;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
+    {
+        return 0;
+    }
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(1))));
+    if ((!brakes) || (!is_outside(limits, lead)))
+    {
+        if (start_search(shape, limits, lead))
+        {
+            search_stages(order, limits, lead, timing, coefficients);
+            (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+            follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+            improve_lead(order, within_0001, limits, lead, timing, coefficients);
+        }
+    }
+    if (brakes && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0))
+    {
+        search_braked(order, within_0001, shape, limits, lead, timing, coefficients);
+    }
+    result = (*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0;
+    return result;
+}
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
 {
     int64_t each;
@@ -22564,7 +23711,7 @@ int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, arr
     }
     segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(242), INT64_C(246)));
     tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, lower, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(246), INT64_C(291)));
+    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, lower, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(246), INT64_C(294)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);

@@ -12,6 +12,7 @@ SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, a
 SEGFMU_API void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 SEGFMU_API double segfmu_state_scale(int64_t order, double duration, array_double_1d limits);
 SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
+SEGFMU_API int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans);
 SEGFMU_API int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_double_1d box, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_1d place);
@@ -103,11 +104,12 @@ SEGFMU_API int64_t segfmu_judge_start(array_double_1d state, array_double_1d ref
 SEGFMU_API int64_t segfmu_check_start_rope(double length, double shortest, double longest, array_double_1d fault);
 SEGFMU_API int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, double step);
 SEGFMU_API int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
-SEGFMU_API bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 SEGFMU_API int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d cut_timing, array_double_2d cut_coefficients, array_int64_t_1d cut_offsets);
 SEGFMU_API void segfmu_meet_ends(double clock, double dwell, array_double_2d timing, array_int64_t_1d offsets);
 SEGFMU_API void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 SEGFMU_API int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets);
+SEGFMU_API int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+SEGFMU_API bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);
 SEGFMU_API int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
 SEGFMU_API int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);

@@ -20,8 +20,8 @@ size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int6
     const int64_t piece = TIMING_SIZE + 2 * smoothness;
     const int64_t cells = (points - 1) * axes;
     const int64_t lists = 5 * (rows * piece + axes + 1);
-    const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + 2 * LEAD_ROWS_PIECES * piece
-        + 2 * axes;
+    const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + LEAD_ROWS_ALL * piece + 2 * axes
+        + (BRAKE_SIZE + 2) * axes;
     const int64_t planned = points * (axes * (DELAYED_STATE_SIZE + smoothness + 1) + 1)
         + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE + cells * CELL_SIZE * CELL_COLUMNS
         + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS + EXPANSION_SIZE * EXPANSION_COLUMNS
@@ -52,6 +52,7 @@ replanning segfmu_begin_replanning(
     t.lower = segfmu_gather_lower(lower, k, &space);
     t.now = take(&space, k * (n + 1));
     t.ends = take(&space, k * DELAYED_STATE_SIZE);
+    t.outside = take(&space, k);
     t.rest = segfmu_take_pieces(&space, rows, k, n);
     t.leads = segfmu_take_pieces(&space, rows, k, n);
     t.plan = segfmu_take_pieces(&space, rows, k, n);
@@ -154,6 +155,7 @@ static int64_t find_one(replanning *t, const lead_search *s, int64_t axis, doubl
     for (int64_t i = 0; i < LOWER_SIZE; i++) {
         s->work.data[LEAD_WORK_LOWER * LEAD_WORK_COLUMNS + i] = t->lower.data[axis * LOWER_SIZE + i];
     }
+    s->work.data[LEAD_WORK_BEST * LEAD_WORK_COLUMNS + LEAD_BRAKES] = 1.0;
     int found = segfmu_find_lead(
         s->order, within, axis, t->rest.offsets, t->rest.timing, t->rest.coefficients,
         span_row(&t->limits, axis), s->work, s->timing, s->coefficients);
@@ -222,7 +224,7 @@ static int64_t find_meeting(replanning *t, const lead_search *s, double latest, 
 int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, double meeting,
                           const double *targets)
 {
-    const int64_t n = t->smoothness, rows = 2 * LEAD_ROWS_PIECES;
+    const int64_t n = t->smoothness, rows = LEAD_ROWS_ALL;
     double *space = t->space;
     lead_search s = {order, shape, targets,
                      matrix(take(&space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS), LEAD_WORK_SIZE,
@@ -247,6 +249,35 @@ int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, double me
     return -1;
 }
 
+/* The brakes (k, Brake) of the states (k, n + 1), zeros where they can stay inside; whether there is
+   one. */
+static int find_brakes(const replanning *t, const double *states, double *brakes, double *space)
+{
+    const int64_t n = t->smoothness;
+    array_double_2d work = matrix(take(&space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS),
+                                  LEAD_WORK_SIZE, LEAD_WORK_COLUMNS);
+    array_double_2d timing = matrix(take(&space, LEAD_ROWS_ALL * TIMING_SIZE), LEAD_ROWS_ALL,
+                                    TIMING_SIZE);
+    array_double_2d coefficients = matrix(take(&space, LEAD_ROWS_ALL * 2 * n), LEAD_ROWS_ALL,
+                                          2 * n);
+    int any = 0;
+    memset(work.data, 0, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS * sizeof *work.data);
+    for (int64_t axis = 0; axis < t->axes; axis++) {
+        double *brake = brakes + axis * BRAKE_SIZE;
+        const double *found = work.data + LEAD_WORK_BRAKE * LEAD_WORK_COLUMNS;
+        memset(brake, 0, BRAKE_SIZE * sizeof *brake);
+        memcpy(work.data + LEAD_WORK_NOW * LEAD_WORK_COLUMNS, states + axis * (n + 1),
+               (size_t)(n + 1) * sizeof *states);
+        memcpy(work.data + LEAD_WORK_LOWER * LEAD_WORK_COLUMNS, t->lower.data + axis * LOWER_SIZE,
+               LOWER_SIZE * sizeof *t->lower.data);
+        if (segfmu_find_brake(0, span_row(&t->limits, axis), work, timing, coefficients) > 0) {
+            memcpy(brake, found, BRAKE_SIZE * sizeof *brake);
+            any = any || brake[BRAKE_UNTIL] > 0.0;
+        }
+    }
+    return any;
+}
+
 int segfmu_judge_pieces(
     const replanning *t, const piece_list *found, int64_t points, double *states, double *times,
     double *space, segfmu_trajectory *trajectory)
@@ -254,12 +285,24 @@ int segfmu_judge_pieces(
     const int64_t k = t->axes, n = t->smoothness;
     array_double_2d check = matrix(take(&space, CHECK_SIZE * CHECK_COLUMNS), CHECK_SIZE,
                                    CHECK_COLUMNS);
+    double *brakes = take(&space, k * BRAKE_SIZE);
     segfmu_describe(found, points, times, trajectory);
+    memset(t->outside, 0, (size_t)k * sizeof *t->outside);
+    trajectory->outside = t->outside;
     /* as nothing judges it once more, nearly all of the tolerance is used */
     int64_t wrong = segfmu_check_plan(
         cuboid(states, points, k, n + 1), matrix(times, points + 1, k), found->timing,
         found->coefficients, found->offsets, t->limits, t->lower, PLAN_TOLERANCE,
         0.95 * PLAN_TOLERANCE, check);
+    if (wrong > 0 && find_brakes(t, states, brakes, space)) {
+        wrong = segfmu_check_braked_plan(
+            cuboid(states, points, k, n + 1), matrix(times, points + 1, k), found->timing,
+            found->coefficients, found->offsets, t->limits, t->lower,
+            matrix(brakes, k, BRAKE_SIZE), PLAN_TOLERANCE, 0.95 * PLAN_TOLERANCE, check);
+        for (int64_t axis = 0; axis < k; axis++) {
+            t->outside[axis] = brakes[axis * BRAKE_SIZE + BRAKE_UNTIL];
+        }
+    }
     return wrong == 0 ? PLAN_STATUS_PLANNED : PLAN_STATUS_CHECK_FAILED;
 }
 

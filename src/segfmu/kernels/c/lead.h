@@ -17,6 +17,7 @@ typedef struct {
     array_double_2d lower;       /* (k, Lower) */
     double *now;                 /* (k, n + 1): state at the start */
     double *ends;                /* (k, DelayedState): where leads end */
+    double *outside;             /* (k,): time until axes are inside their limits [s] */
     piece_list rest, leads, plan, joined;
     double *space;
 } replanning;

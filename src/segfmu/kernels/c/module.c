@@ -150,8 +150,8 @@ static PyObject *call_check_plan(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 45)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 14)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 48)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 27)
         && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_check_plan(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -161,6 +161,71 @@ static PyObject *call_check_plan(
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
             (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            in_tolerance,
+            in_joints,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_braked_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_braked_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
+    Py_buffer *in_brakes;
+    double in_tolerance;
+    double in_joints;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
+        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
+        && (in_brakes = take_array(&call, 7, 2, 'd', false)) != NULL
+        && take_float(&call, 8, &in_tolerance)
+        && take_float(&call, 9, &in_joints)
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
+        && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 48)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 27)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_check_braked_plan(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_double_2d){in_brakes->buf, {in_brakes->shape[0], in_brakes->shape[1]}},
             in_tolerance,
             in_joints,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
@@ -2925,62 +2990,6 @@ static PyObject *call_expand_phases(
     return answer;
 }
 
-static PyObject *call_find_lead(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "find_lead", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_order;
-    double in_within;
-    int64_t in_axis;
-    Py_buffer *in_plan_offsets;
-    Py_buffer *in_plan_timing;
-    Py_buffer *in_plan_coefficients;
-    Py_buffer *in_limits;
-    Py_buffer *in_lead;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && take_int(&call, 0, &in_order)
-        && take_float(&call, 1, &in_within)
-        && take_int(&call, 2, &in_axis)
-        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 6, 1, 'd', false)) != NULL
-        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
-        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
-        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
-        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
-        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
-        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 343)
-        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 800)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 800)
-        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_axis + 2), 0, in_plan_timing->shape[0])) {
-        answer = PyBool_FromLong(segfmu_find_lead(
-            in_order,
-            in_within,
-            in_axis,
-            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
-            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
-            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
-            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_cut_plan(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3152,6 +3161,97 @@ static PyObject *call_join_plans(
     return answer;
 }
 
+static PyObject *call_find_brake(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_brake", .values = values};
+    PyObject *answer = NULL;
+    bool in_whole;
+    Py_buffer *in_limits;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_bool(&call, 0, &in_whole)
+        && (in_limits = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_lead = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 352)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)) {
+        answer = PyLong_FromLongLong(segfmu_find_brake(
+            in_whole,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_find_lead(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_lead", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_order;
+    double in_within;
+    int64_t in_axis;
+    Py_buffer *in_plan_offsets;
+    Py_buffer *in_plan_timing;
+    Py_buffer *in_plan_coefficients;
+    Py_buffer *in_limits;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && take_int(&call, 0, &in_order)
+        && take_float(&call, 1, &in_within)
+        && take_int(&call, 2, &in_axis)
+        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 6, 1, 'd', false)) != NULL
+        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
+        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
+        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
+        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
+        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
+        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 352)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)
+        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_axis + 2), 0, in_plan_timing->shape[0])) {
+        answer = PyBool_FromLong(segfmu_find_lead(
+            in_order,
+            in_within,
+            in_axis,
+            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
+            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
+            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_count_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3281,7 +3381,7 @@ static PyObject *call_plan_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 291)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 294)
         && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -3349,7 +3449,7 @@ static PyObject *call_expand_motion(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 291)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 294)
         && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -3375,6 +3475,7 @@ static PyMethodDef methods[] = {
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
+    {"check_braked_plan", (PyCFunction)(void (*)(void))call_check_braked_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"clearance_spans", (PyCFunction)(void (*)(void))call_clearance_spans, METH_FASTCALL, NULL},
     {"contact_times", (PyCFunction)(void (*)(void))call_contact_times, METH_FASTCALL, NULL},
@@ -3466,11 +3567,12 @@ static PyMethodDef methods[] = {
     {"check_start_rope", (PyCFunction)(void (*)(void))call_check_start_rope, METH_FASTCALL, NULL},
     {"is_elsewhere", (PyCFunction)(void (*)(void))call_is_elsewhere, METH_FASTCALL, NULL},
     {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
-    {"find_lead", (PyCFunction)(void (*)(void))call_find_lead, METH_FASTCALL, NULL},
     {"cut_plan", (PyCFunction)(void (*)(void))call_cut_plan, METH_FASTCALL, NULL},
     {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
+    {"find_brake", (PyCFunction)(void (*)(void))call_find_brake, METH_FASTCALL, NULL},
+    {"find_lead", (PyCFunction)(void (*)(void))call_find_lead, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"plan_motion", (PyCFunction)(void (*)(void))call_plan_motion, METH_FASTCALL, NULL},

@@ -107,6 +107,7 @@ static inline void segfmu_describe(
     trajectory->offsets = found->offsets.data;
     trajectory->times = times;
     trajectory->ends = times + points * k;
+    trajectory->outside = NULL;
     trajectory->duration = 0.0;
     for (int64_t axis = 0; axis < k; axis++) {
         trajectory->duration = span_max(trajectory->duration, trajectory->ends[axis]);

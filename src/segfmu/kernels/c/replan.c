@@ -177,7 +177,8 @@ static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double tim
     return 1;
 }
 
-/* The rest of the old plan, if it does what the problem asks for; t->rest stays as it is. */
+/* The rest of the old plan, if it does what the problem asks for; t->rest stays as it is. Its times
+   (3, k) have room behind them for how long it is outside the limits. */
 static int keep_rest(const replanning *t, const segfmu_trajectory *old, double time,
                      const segfmu_problem *p, const double *full, double *times, double *space,
                      segfmu_trajectory *trajectory)
@@ -185,6 +186,7 @@ static int keep_rest(const replanning *t, const segfmu_trajectory *old, double t
     const int64_t k = t->axes, width = t->smoothness + 1;
     double *states = take(&space, 2 * k * width), *targets = states + k * width;
     replanning kept = *t;
+    kept.outside = times + 3 * k;
     if (p->points != 2 || p->sample_time > 0.0) {
         return PLAN_STATUS_NO_PROFILE;
     }
@@ -225,7 +227,7 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
         old, time, m, problem->limits, problem->lower, space);
     const int64_t k = t.axes;
     double *full = full_states(&t, problem, &t.space);
-    double *times = take(&t.space, (m + 1) * k), *kept_times = take(&t.space, 3 * k);
+    double *times = take(&t.space, (m + 1) * k), *kept_times = take(&t.space, 4 * k);
     segfmu_trajectory kept = {0};
     int status = segfmu_settle_targets(&t, m, full, trajectory->report);
     if (status != PLAN_STATUS_PLANNED) {

@@ -26,6 +26,9 @@ SEGFMU_API size_t segfmu_replan_size(
    problem   As for segfmu_plan, with at least one waypoint behind the first one. That is the state at
              the time: what the problem says of it is not read but for dwells[0], which must be 0.
 
+   A state that cannot keep the limits, as with limits that are lowered while an axis moves, is brought
+   inside them first; the trajectory's `outside` tells how long that takes.
+
    All options of the problem hold for a new plan. If the problem has one more waypoint, what is left
    of the trajectory is kept unless a new plan is shorter by 5 %. It must do what the problem asks:
 
@@ -54,7 +57,7 @@ SEGFMU_API int segfmu_replan(
    NO_VELOCITY_LIMIT, NO_ACCELERATION_LIMIT    axis and value of the limit, which is not above 0
    WAYPOINT_VELOCITY       axis, value and bound of a velocity beyond its limit; waypoint 1
    NO_PROFILE              first axis that does not reach its velocity within the limits
-   CHECK_FAILED            nothing: the state at the time breaks a limit, or numbers are badly scaled */
+   CHECK_FAILED            nothing: numbers are badly scaled */
 SEGFMU_API int segfmu_reach_velocity(
     const segfmu_trajectory *old, double time, const double *velocities, const double *limits,
     double *space, segfmu_trajectory *trajectory);

@@ -57,6 +57,8 @@ typedef struct {
     const int64_t *offsets;      /* (k + 1,): first piece of each axis */
     const double *times;         /* (m, k): arrival of each axis at each waypoint [s] */
     const double *ends;          /* (k,): end of each axis [s] */
+    const double *outside;       /* (k,): of replan.h, from when on each axis is inside its limits [s];
+                                    NULL: always */
     double report[SEGFMU_REPORT]; /* of a refusal: REFUSAL_AXIS .. REFUSAL_BOUND of records.h */
 } segfmu_trajectory;
 

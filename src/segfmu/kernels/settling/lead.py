@@ -2,16 +2,19 @@
 
 Settling at once is tried (search.py), and following an old plan to the end of one of its ramps,
 where all derivatives above the acceleration are zero, and settling there. Where both take too long,
-leads over a level are tried (level.py).
+leads over a level are tried (level.py). A state outside its limits is brought inside first
+(brake.py).
 """
 
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import set_lower
+from segfmu.kernels.settling.brake import find_brake, is_outside
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
 from segfmu.kernels.settling.search import permits_levels, search_levels, search_stages
 from segfmu.kernels.settling.trial import try_lead
 from segfmu.kernels.trajectory.check import rounding_error
+from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
@@ -93,35 +96,104 @@ def find_lead(
     A lead that takes longer than `within` [s], to the target, is searched for over levels as well.
     With the order 2 the target is where that one ends; nothing is left to be slowed down.
 
+    With 1 in BEST, Lead.BRAKES, a state that cannot keep the limits is brought inside first
+    (brake.py).
+
     Written: the rows REACHED and BEST, and pieces from the first row on of timing and coefficients,
-    which have twice LeadRows.PIECES rows.
+    which have LeadRows.ALL rows.
     """
     lead[LeadWork.BEST, Lead.TIME] = -1.0
     lead[LeadWork.BEST, Lead.COUNT] = 0.0
+    brakes = lead[LeadWork.BEST, Lead.BRAKES] > 0.5
     smoothness = limits.shape[0] - 1
     if axis < 0 or smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
         return False
     shape = int(lead[LeadWork.AXIS, Axis.SHAPE])
-    axis_limits(smoothness, shape, limits, lead[LeadWork.AXIS, :])
+    if not brakes or not is_outside(limits, lead):
+        if start_search(shape, limits, lead):
+            search_stages(order, limits, lead, timing, coefficients)
+            lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+            follow_plan(
+                order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
+                coefficients,
+            )
+            improve_lead(order, within, limits, lead, timing, coefficients)
+    if brakes and lead[LeadWork.BEST, Lead.TIME] < 0.0:
+        search_braked(order, within, shape, limits, lead, timing, coefficients)
+    return lead[LeadWork.BEST, Lead.TIME] >= 0.0
+
+
+def start_search(shape: int, limits: 'float[:]', lead: 'float[:,:]') -> bool:
+    """Set the axis and the start of a search; False if there are no ramps within the limits."""
+    axis_limits(limits.shape[0] - 1, shape, limits, lead[LeadWork.AXIS, :])
     set_lower(lead[LeadWork.LOWER, :], lead[LeadWork.AXIS, :])
     if not ramp_parameters(
         usual_share(lead[LeadWork.AXIS, :]), lead[LeadWork.AXIS, :],
         lead[LeadWork.CHAINS:LeadWork.PLAN, :],
     ):
         return False
-    for i in range(1, smoothness + 1):
+    for i in range(1, limits.shape[0]):
         lead[LeadWork.ROUNDING, i] = rounding_error(i, limits)
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
-    search_stages(order, limits, lead, timing, coefficients)
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
-    follow_plan(
-        order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
-        coefficients,
-    )
+    return True
+
+
+def improve_lead(
+    order: int,
+    within: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Search over levels where there is no lead yet, or it takes longer than `within` [s]."""
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
     time = lead[LeadWork.BEST, Lead.TIME]
     if (time < 0.0 or time > within) and permits_levels(order, lead):
         search_levels(order, limits, lead, timing, coefficients)
-    return lead[LeadWork.BEST, Lead.TIME] >= 0.0
+
+
+def search_braked(
+    order: int,
+    within: float,
+    shape: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Search for a lead behind a brake, or, if there is none, behind one that lets go."""
+    for i in range(Chain.SIZE):
+        lead[LeadWork.GIVEN, i] = lead[LeadWork.NOW, i]
+    for repeat in range(2):
+        if lead[LeadWork.BEST, Lead.TIME] < 0.0:
+            steps = find_brake(repeat == 1, limits, lead, timing, coefficients)
+            if steps > 0:
+                for i in range(Chain.SIZE):
+                    lead[LeadWork.NOW, i] = lead[LeadWork.BRAKED, i]
+                if start_search(shape, limits, lead):
+                    search_stages(order, limits, lead, timing, coefficients)
+                    improve_lead(order, within, limits, lead, timing, coefficients)
+                for i in range(Chain.SIZE):
+                    lead[LeadWork.NOW, i] = lead[LeadWork.GIVEN, i]
+                prepend_brake(steps, lead, timing, coefficients)
+
+
+def prepend_brake(
+    steps: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> None:
+    """Put the pieces of a brake before those of the best lead; without room there is no lead."""
+    count = int(lead[LeadWork.BEST, Lead.COUNT])
+    if lead[LeadWork.BEST, Lead.TIME] < 0.0:
+        return
+    if count + steps > LeadRows.PIECES:
+        lead[LeadWork.BEST, Lead.TIME] = -1.0
+        return
+    for i in range(count):
+        row = count - 1 - i
+        copy_piece(timing, coefficients, row, timing, coefficients, row + steps)
+    for row in range(steps):
+        copy_piece(timing, coefficients, 2 * LeadRows.PIECES + row, timing, coefficients, row)
+    lead[LeadWork.BEST, Lead.COUNT] = count + steps

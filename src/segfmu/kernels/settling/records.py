@@ -2,7 +2,7 @@
 
 from segfmu.kernels.planner.records import Axis, Lower, Phase, PlanWork, Problem
 from segfmu.kernels.records import Codes, Record, field
-from segfmu.kernels.trajectory.records import Check, Expansion
+from segfmu.kernels.trajectory.records import Brake, Check, Expansion
 
 
 class Chain(Record):
@@ -32,18 +32,29 @@ class Lead(Record):
     COUNT = field("number of its pieces")
     LEVEL = field("level of the best one that goes over a level")
     GAIN = field("a lead is better if it takes less than this share of its time")
+    BRAKES = field("1: a state that cannot keep the limits is brought inside first")
 
 
 class LeadRows(Codes):
-    """Most pieces of a lead; its arrays have twice as many rows, the second half is work space."""
+    """Most pieces of a lead, and rows of its arrays.
+
+    A third of these is for the best lead, one for what is tried, and one for a brake.
+    """
 
     PIECES = 400
+    ALL = 1200
 
 
 class LeadWork(Record):
     """Rows of the work space in which one axis settles."""
 
     NOW = field("state at the start", of=Chain)
+    GIVEN = field("state before a brake", of=Chain)
+    BRAKED = field("state that a brake has reached", of=Chain)
+    TURN = field("state where a brake lets go", of=Chain)
+    LOWEST = field("lower limits by order", of=Chain)
+    HIGHEST = field("upper limits by order", of=Chain)
+    BRAKE = field("the brake", of=Brake)
     START = field("state from which the axis settles: at the start, or later in a plan", of=Chain)
     STATE = field("state that is reached", of=Chain)
     LEVEL = field("state at a level", of=Chain)

@@ -7,7 +7,7 @@ from segfmu.kernels.settling.chain import chain_limits, set_chains
 from segfmu.kernels.settling.level import settle_over_level
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.stages import settle
-from segfmu.kernels.trajectory.check import check_axis
+from segfmu.kernels.trajectory.check import check_axis, keep_inside
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
@@ -105,6 +105,7 @@ def keep_better(
     if last > first:
         if not begins_now(lead, coefficients):
             return False
+        keep_inside(check)
         if not check_axis(
             first, last, timing, coefficients, limits, lower, 1e-9, 5e-10, check
         ):

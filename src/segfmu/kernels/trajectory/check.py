@@ -8,7 +8,7 @@ next one, integrated: running sums.
 
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
-from segfmu.kernels.trajectory.records import Check, Hull, Timing
+from segfmu.kernels.trajectory.records import Brake, Check, Hull, Timing
 
 
 def bernstein_coefficients(
@@ -152,6 +152,29 @@ def rounding_error(order: int, limits: 'float[:]') -> float:
     return 4e-10 * least_peak(order, limits)
 
 
+def keep_inside(work: 'float[:,:]') -> None:
+    """Allow a state outside its limits at no time; work (Check)."""
+    for i in range(Brake.SIZE):
+        work[Check.BRAKE, i] = 0.0
+
+
+def set_bounds(
+    middle: float, limits: 'float[:]', lower: 'float[:]', work: 'float[:,:]'
+) -> None:
+    """Set the bounds in `work` (Check) for a piece with a middle [s]; they are wider in a brake."""
+    report = work[Check.BRAKE, :]
+    for d in range(1, limits.shape[0] + 1):
+        lowest = -limits[d - 1]
+        highest = limits[d - 1]
+        if d <= Lower.SIZE and lower[d - 1] > 0.0:
+            lowest = -lower[d - 1]
+        if highest > 0.0 and middle < report[Brake.UNTIL]:
+            lowest = min(lowest, report[Brake.LOWEST + d])
+            highest = max(highest, report[Brake.HIGHEST + d])
+        work[Check.LOWEST, d] = lowest
+        work[Check.HIGHEST, d] = highest
+
+
 def check_axis(
     first: int,
     last: int,
@@ -165,8 +188,9 @@ def check_axis(
 ) -> bool:
     """Whether the pieces first .. last - 1 of one axis keep its limits c_1 .. and join smoothly.
 
-    tolerance of limits, joints of jumps; both are relative.
-    The row PEAKS of `work` (Check) becomes the peaks of the derivatives, or bounds of them.
+    tolerance of limits, joints of jumps; both are relative. How far the axis may be outside the
+    limits at first is in the row BRAKE of `work` (Check).
+    The row PEAKS of `work` becomes the peaks of the derivatives, or bounds of them.
     """
     order = limits.shape[0]
     for i in range(Hull.SIZE):
@@ -178,9 +202,9 @@ def check_axis(
         low = min(low, coefficients[row, 0])
         high = max(high, coefficients[row, 0])
         length = timing[row, Timing.LENGTH]
-        if not check_piece(
-            row, row > first, length, coefficients, limits, lower, tolerance, work
-        ):
+        middle = timing[row, Timing.START] + 0.5 * length
+        set_bounds(middle, limits, lower, work)
+        if not check_piece(order, row, row > first, length, coefficients, tolerance, work):
             return False
     low = min(low, work[Check.ENDS, 0])
     high = max(high, work[Check.ENDS, 0])
@@ -196,17 +220,18 @@ def check_axis(
 
 
 def check_piece(
+    order: int,
     row: int,
     joined: bool,
     length: float,
     coefficients: 'float[:,:]',
-    limits: 'float[:]',
-    lower: 'float[:]',
     tolerance: float,
     work: 'float[:,:]',
 ) -> bool:
-    """Whether a piece keeps the limits of its axis; notes peaks and, if it is joined, jumps."""
-    order = limits.shape[0]
+    """Whether a piece keeps the bounds of the derivatives 1 .. order in `work` (Check).
+
+    Notes peaks and, if it is joined, jumps.
+    """
     values = work[Check.VALUES, :]
     degree = coefficients.shape[1] - 1
     while degree > 0 and coefficients[row, degree] == 0.0:
@@ -229,11 +254,9 @@ def check_piece(
             return False
         if d <= order:
             note_ends(d, joined, start, values[count], largest, work)
-            if d > 0 and limits[d - 1] > 0.0:
-                highest = limits[d - 1]
-                lowest = -highest
-                if d <= Lower.SIZE and lower[d - 1] > 0.0:
-                    lowest = -lower[d - 1]
+            lowest = work[Check.LOWEST, d]
+            highest = work[Check.HIGHEST, d]
+            if d > 0 and highest > 0.0:
                 if largest > min(-lowest, highest) * (1.0 + tolerance):
                     hull = work[Check.HULLS:Check.ENDS, :]
                     for i in range(count + 1):
@@ -297,27 +320,74 @@ def check_plan(
     Arrays as in `expand_plan`; limits[axis, i] is c_{i+1}, 0 if absent; lower (k, Lower); work
     (Check rows, Check columns).
     """
-    width = coefficients.shape[1]
-    points = states.shape[0]
+    keep_inside(work)
     for axis in range(limits.shape[0]):
-        first = offsets[axis]
-        last = offsets[axis + 1]
-        if not check_axis(
-            first, last, timing, coefficients, limits[axis, :], lower[axis, :], tolerance, joints,
+        if not check_motion(
+            axis, states, times, timing, coefficients, offsets, limits, lower, tolerance, joints,
             work,
         ):
             return 1 + axis
-        duration = times[points, axis] - times[0, axis]
-        for j in range(points + 1):
-            # the last waypoint is checked on arrival and, after its dwell, at the end
-            point = min(j, points - 1)
-            row = find_piece(times[j, axis], timing, first, last)
-            local = switching_time(times[j, axis], times[points, axis], timing, row)
-            for d in range(states.shape[2]):
-                value = evaluate_piece(coefficients, row, width, local, d)
-                scale = work[Check.PEAKS, d]
-                if d > 0 and limits[axis, d - 1] > 0.0:
-                    scale = max(scale, state_scale(d, duration, limits[axis, :]))
-                if not abs(value - states[point, axis, d]) <= joints * scale:
-                    return 1 + axis
     return 0
+
+
+def check_braked_plan(
+    states: 'float[:,:,:]',
+    times: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    limits: 'float[:,:]',
+    lower: 'float[:,:]',
+    brakes: 'float[:,:]',
+    tolerance: float,
+    joints: float,
+    work: 'float[:,:]',
+) -> int:
+    """`check_plan`, but each axis may be outside its limits at first, as a brake tells (Brake)."""
+    for axis in range(limits.shape[0]):
+        for i in range(Brake.SIZE):
+            work[Check.BRAKE, i] = brakes[axis, i]
+        if not check_motion(
+            axis, states, times, timing, coefficients, offsets, limits, lower, tolerance, joints,
+            work,
+        ):
+            return 1 + axis
+    return 0
+
+
+def check_motion(
+    axis: int,
+    states: 'float[:,:,:]',
+    times: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    limits: 'float[:,:]',
+    lower: 'float[:,:]',
+    tolerance: float,
+    joints: float,
+    work: 'float[:,:]',
+) -> bool:
+    """Whether one axis is right, as in `check_plan`; its brake is in the row BRAKE of `work`."""
+    width = coefficients.shape[1]
+    points = states.shape[0]
+    first = offsets[axis]
+    last = offsets[axis + 1]
+    if not check_axis(
+        first, last, timing, coefficients, limits[axis, :], lower[axis, :], tolerance, joints, work
+    ):
+        return False
+    duration = times[points, axis] - times[0, axis]
+    for j in range(points + 1):
+        # the last waypoint is checked on arrival and, after its dwell, at the end
+        point = min(j, points - 1)
+        row = find_piece(times[j, axis], timing, first, last)
+        local = switching_time(times[j, axis], times[points, axis], timing, row)
+        for d in range(states.shape[2]):
+            value = evaluate_piece(coefficients, row, width, local, d)
+            scale = work[Check.PEAKS, d]
+            if d > 0 and limits[axis, d - 1] > 0.0:
+                scale = max(scale, state_scale(d, duration, limits[axis, :]))
+            if not abs(value - states[point, axis, d]) <= joints * scale:
+                return False
+    return True

@@ -51,6 +51,17 @@ class Spare(Codes):
     ROWS = 810
 
 
+class Brake(Record):
+    """How the state of an axis is brought inside its limits at the start of a plan."""
+
+    UNTIL = field("time until all derivatives are inside, 0 where they always are", "s")
+    COUNT = field("number of the pieces that bring it there")
+    LAST = field("row after the pieces that are tried")
+    GENTLE = field("by order, 0 to 1: how slowly a derivative comes inside, 0: at once", size=8)
+    LOWEST = field("least value of the derivative of each order until then", size=8)
+    HIGHEST = field("largest value", size=8)
+
+
 class Hull(Record):
     """Bernstein coefficients of a polynomial on a part of its interval."""
 
@@ -67,6 +78,9 @@ class Check(Record):
     JUMPS = field("largest jumps of the derivatives between two pieces")
     VALUES = field("Bernstein coefficients of a derivative", of=Hull)
     STARTS = field("derivatives at the start of a piece, by their order")
+    LOWEST = field("lower bounds of the derivatives of a piece, by their order")
+    HIGHEST = field("upper bounds, 0 where absent")
+    BRAKE = field("how far an axis may be outside its limits at first", of=Brake)
 
 
 class Judging(Record):

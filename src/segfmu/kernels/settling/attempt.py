@@ -1,0 +1,241 @@
+"""One attempt to bring a derivative inside: it is turned round, held, and let go.
+
+Seen from the derivative, the next one is its velocity: that goes to a level, is held there, and
+goes back to zero. Let go so, the derivative stays inside its limits. Where it comes inside, the
+attempt is cut (brake.py); the rest of it shows that there is a way on.
+"""
+
+from segfmu.kernels.planner.records import Axis
+from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
+from segfmu.kernels.settling.stages import settle
+from segfmu.kernels.trajectory.check import bernstein_coefficients, within
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
+from segfmu.kernels.trajectory.pieces import clear_piece
+from segfmu.kernels.trajectory.records import Brake, Check, Timing
+
+
+def outside_by(value: float, order: int, lead: 'float[:,:]') -> float:
+    """How far a value of a derivative is beyond its limits; at most 0 inside, up to rounding."""
+    low = lead[LeadWork.LOWEST, order]
+    high = lead[LeadWork.HIGHEST, order]
+    return max(value - high, low - value) - 1e-13 * (high - low)
+
+
+def hold_highest(
+    value: float,
+    length: float,
+    row: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """Append the piece in which the derivative n + 1 has a value; the row after it, -1: no room.
+
+    The row STATE of `lead` (LeadWork) goes on to its end.
+    """
+    state = lead[LeadWork.STATE, :]
+    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
+    if row < 0 or row >= 2 * LeadRows.PIECES:
+        return -1
+    if length <= 0.0:
+        return row
+    clear_piece(coefficients, row)
+    factorial = 1.0
+    for i in range(smoothness + 1):
+        if i > 0:
+            factorial = factorial * i
+        coefficients[row, i] = state[i] / factorial
+    coefficients[row, smoothness + 1] = value / (factorial * (smoothness + 1))
+    timing[row, Timing.START] = state[Chain.TIME]
+    timing[row, Timing.LENGTH] = length
+    for i in range(smoothness + 1):
+        state[i] = evaluate_piece(coefficients, row, coefficients.shape[1], length, i)
+    state[Chain.TIME] = state[Chain.TIME] + length
+    return row + 1
+
+
+def lead_to(
+    order: int,
+    end: float,
+    row: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """Append pieces that lead a derivative to a value and those above to zero.
+
+    They begin in the row STATE of `lead` (LeadWork), which goes on to their end. Returns the row
+    after them, -1: there are none.
+    """
+    state = lead[LeadWork.STATE, :]
+    if row < 0:
+        return -1
+    if order == int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):
+        top = lead[LeadWork.HIGHEST, order + 1]
+        if end < state[order]:
+            top = lead[LeadWork.LOWEST, order + 1]
+        length = (end - state[order]) / top
+        row = hold_highest(top, length, row, lead, timing, coefficients)
+        state[order] = end
+        return row
+    for i in range(Chain.SIZE):
+        lead[LeadWork.START, i] = state[i]
+        lead[LeadWork.ENDS, i] = 1e300
+    lead[LeadWork.ENDS, order] = end
+    return settle(order, row, lead, timing, coefficients)
+
+
+def part_hull(
+    order: int,
+    row: int,
+    start: float,
+    length: float,
+    lead: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """By how much the hull of a part of a piece, from a local time on, is beyond the limits.
+
+    The Bernstein coefficients of the derivative stay in the row HULLS of the check in `lead`.
+    """
+    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
+    width = coefficients.shape[1]
+    factorial = 1.0
+    for i in range(width - order):
+        if i > 0:
+            factorial = factorial * i
+        value = evaluate_piece(coefficients, row, width, start, order + i)
+        check[Check.VALUES, i] = value / factorial
+    bernstein_coefficients(check, Check.VALUES, width - order, length, check)
+    largest = -1e300
+    for i in range(width - order):
+        largest = max(largest, outside_by(check[Check.HULLS, i], order, lead))
+    return largest
+
+
+def stays_inside(
+    order: int,
+    first: int,
+    last: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> bool:
+    """Whether a derivative stays inside its limits in the pieces first .. last - 1, nearly."""
+    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
+    low = lead[LeadWork.LOWEST, order]
+    high = lead[LeadWork.HIGHEST, order]
+    count = coefficients.shape[1] - order
+    for row in range(first, last):
+        length = timing[row, Timing.LENGTH]
+        if part_hull(order, row, 0.0, length, lead, coefficients) > 0.0:
+            slack = 1e-10 * (high - low)
+            if not within(check, count, low - slack, high + slack):
+                return False
+    return True
+
+
+def inside_from(
+    order: int,
+    first: int,
+    last: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """The piece and its local time [s] from which on a derivative is inside its limits."""
+    width = coefficients.shape[1]
+    for i in range(last - first):
+        row = last - 1 - i
+        length = timing[row, Timing.LENGTH]
+        upper = length
+        step = length
+        while upper > 0.0:
+            lower = max(upper - step, 0.0)
+            value = evaluate_piece(coefficients, row, width, lower, order)
+            if part_hull(order, row, lower, upper - lower, lead, coefficients) <= 0.0:
+                upper = lower
+                step = 2.0 * step
+            elif step > 1e-3 * length:
+                step = 0.25 * step
+            elif outside_by(value, order, lead) > 0.0:
+                return row, time_crossed(order, row, lower, upper, lead, coefficients)
+            elif step > 1e-9 * length:
+                step = 0.25 * step
+            else:
+                upper = lower
+    return first, 0.0
+
+
+def time_crossed(
+    order: int, row: int, lower: float, upper: float, lead: 'float[:,:]', coefficients: 'float[:,:]'
+) -> float:
+    """Local time of a piece [s] at which a derivative comes inside, between two times."""
+    for k in range(60):
+        middle = 0.5 * (lower + upper)
+        value = evaluate_piece(coefficients, row, coefficients.shape[1], middle, order)
+        if outside_by(value, order, lead) > 0.0:
+            lower = middle
+        else:
+            upper = middle
+    return upper
+
+
+def try_brake(
+    order: int,
+    side: float,
+    level: float,
+    settled: bool,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """Time [s] at which a derivative comes inside its limits for good; 1e300: it does not.
+
+    It is beyond its upper limit (side 1) or its lower one (-1), now or later. The one above goes to
+    a level; settled: those above that one have gone to zero before. -1: at this level the
+    derivative ends beyond its other limit.
+
+    The pieces are in the rows from LeadRows.PIECES to Brake.LAST.
+    """
+    state = lead[LeadWork.STATE, :]
+    turn = lead[LeadWork.TURN, :]
+    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
+    near = lead[LeadWork.HIGHEST, order]
+    far = lead[LeadWork.LOWEST, order]
+    if side < 0.0:
+        near = lead[LeadWork.LOWEST, order]
+        far = lead[LeadWork.HIGHEST, order]
+    first = int(LeadRows.PIECES)
+    row = first
+    for i in range(Chain.SIZE):
+        state[i] = lead[LeadWork.BRAKED, i]
+    if settled and order + 2 <= smoothness:
+        row = lead_to(order + 2, 0.0, row, lead, timing, coefficients)
+    row = lead_to(order + 1, level, row, lead, timing, coefficients)
+    for i in range(Chain.SIZE):
+        turn[i] = state[i]
+    last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
+    if last < 0:
+        return 1e300
+    room = side * (state[order] - far)
+    if room < 0.0:
+        return -1.0
+    if level != 0.0:
+        # held until the derivative is inside, unless it has to be let go before
+        hold = min(side * (turn[order] - near), room) / abs(level)
+        for i in range(Chain.SIZE):
+            state[i] = turn[i]
+        row = hold_highest(0.0, hold, row, lead, timing, coefficients)
+        last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
+    if last < 0 or outside_by(state[order], order, lead) > 0.0:
+        return 1e300
+    for i in range(order + 1, smoothness + 2):
+        if not stays_inside(i, first, last, lead, timing, coefficients):
+            return 1e300
+    row, local = inside_from(order, first, last, lead, timing, coefficients)
+    if last > first and not stays_inside(order, row + 1, last, lead, timing, coefficients):
+        return 1e300
+    lead[LeadWork.BRAKE, Brake.LAST] = last
+    if last == first:
+        return lead[LeadWork.BRAKED, Chain.TIME]
+    return timing[row, Timing.START] + local

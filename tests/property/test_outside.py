@@ -1,0 +1,40 @@
+"""Some hundreds of the states that `soak_outside` takes by the thousand, and a sample of optima."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks.coming_inside import ratios
+
+from tests.kernels.planner.c_planner import Planner
+from tests.property.soak_outside import try_ruckig, try_states
+
+
+@pytest.fixture(scope="module")
+def c(tmp_path_factory: pytest.TempPathFactory) -> Planner:
+    return Planner(Path(tmp_path_factory.mktemp("outside")))
+
+
+@pytest.mark.parametrize(("n", "count"), [(2, 60), (3, 60), (4, 40), (5, 16), (6, 6)])
+def test_no_state_is_refused_and_none_is_outside_after_the_told_time(
+    n: int, count: int, c: Planner
+) -> None:
+    tally = try_states(n, count, 7, c)
+    assert tally.outside > count
+    assert tally.refused == []
+    assert tally.wrong == []
+
+
+def test_no_problem_of_the_recipe_of_ruckig_is_refused() -> None:
+    tally = try_ruckig(300, 7)
+    assert tally.outside > 10
+    assert tally.refused == []
+    assert tally.wrong == []
+
+
+@pytest.mark.parametrize(("n", "worst"), [(2, 1.002), (3, 1.02), (4, 1.02)])
+def test_states_come_inside_in_about_the_least_time(n: int, worst: float) -> None:
+    found = ratios(n, 8, 7)
+    assert np.max(found) < worst
