@@ -55,7 +55,7 @@ def test_each_direction_keeps_and_reaches_its_own_limit(n: int) -> None:
 def test_the_mirrored_problem_takes_as_long(n: int) -> None:
     random = np.random.default_rng(n)
     planned = 0
-    for _ in range(20 if n < 5 else 4):
+    for _ in range(20 if n < 5 else 12):
         problem = directed(random, max(n, 3))
         one, two = problem.duration(n), problem.duration(n, mirrored=True)
         assert np.isinf(one) == np.isinf(two)
