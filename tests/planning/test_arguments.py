@@ -87,12 +87,9 @@ def test_positions_are_bounded_for_one_axis_alone() -> None:
 
 
 @pytest.mark.parametrize("dwells", [(2.0, 0.0), (0.5, 1.5)])
-def test_the_same_waypoint_with_a_dwell(dwells: tuple[float, float]) -> None:
-    points = [Waypoint([0.0], dwell=d) for d in dwells]
-    with pytest.raises(InputError, match=r"omit one, and give the other the whole dwell, 2 s"):
-        plan(points, ONE)
-    with pytest.raises(InputError, match=r"omit one, and give the other a dwell to rest there"):
-        plan([Waypoint([0.0]), Waypoint([0.0])], ONE)
+def test_the_same_waypoint_twice_adds_the_dwells(dwells: tuple[float, float]) -> None:
+    assert plan([Waypoint([0.0], dwell=d) for d in dwells], ONE).duration == 2.0
+    assert plan([Waypoint([0.0]), Waypoint([0.0])], ONE).duration == 0.0
 
 
 def test_numbers_that_differ_read_differently() -> None:

@@ -213,7 +213,6 @@ def test_position_bounds_are_checked() -> None:
         ({"overshoot": 10**400}, "overshoot"),
         ({"progress": 3}, "progress"),
         ({"waypoints": PAPER[:1]}, "at least 2"),
-        ({"waypoints": [PAPER[0], PAPER[0]]}, "the same"),
         ({"waypoints": [PAPER[0], 3.0]}, "waypoint 2"),
         ({"waypoints": None}, "waypoints"),
         ({"waypoints": [PAPER[0], Waypoint([1.0])]}, "axes"),
