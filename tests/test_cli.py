@@ -94,7 +94,6 @@ MALFORMED = {
         ),
         "waypoints",
     ),
-    "duplicate waypoint": (replaced("[0.3, 0.2, -0.5]", "[0.0, 0.0, -0.5]"), "waypoints.2"),
     "two coordinates": (replaced("[0.3, 0.2, -0.5]", "[0.3, 0.2]"), "waypoints.2.position"),
     "position is text": (replaced("[0.3, 0.2", '["a", 0.2'), "waypoints.2.position"),
     "position is nan": (replaced("[0.3", "[nan"), "waypoints.2.position"),
