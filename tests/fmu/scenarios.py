@@ -149,7 +149,7 @@ def row_scenario(length: float, more: Values | None = None) -> Scenario:
 ZIGZAG: Values = {"waypoint.count": 16, "planner.shape": "plateau"}
 for _i in range(1, 17):
     ZIGZAG |= {f"waypoint[{_i}].position.{a}": p for a, p in zip(
-        "xyz", (0.1 * _i, 0.3 * (_i % 2), -0.5 - 0.05 * (_i % 3)), strict=True
+        "xyz", (0.1 * _i if _i < 16 else 0.9, 0.3 * (_i % 2), -0.5 - 0.05 * (_i % 3)), strict=True
     )}
     ZIGZAG |= {f"waypoint[{_i}].{n}.{a}": 0.0 for n in ("velocity", "acceleration") for a in "xyz"}
 
@@ -167,6 +167,8 @@ FEEDFORWARD: dict[str, Scenario] = {
 # where a small change does nothing yet
 CHANGES: Values = {
     "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "limits.x.acceleration": 0.2,
+    **{f"limits.{axis}.velocity_min": -0.05 for axis in "xyz"},
+    **{f"limits.{axis}.acceleration_min": -0.1 for axis in "xyz"},
     "limits.y.acceleration": 0.2, "limits.z.acceleration": 0.05, "planner.smoothness": 5,
     "planner.duration": 80.0, "planner.start_time": 0.3,
     "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,

@@ -16,7 +16,7 @@ from segfmu.kernels.control.setting import (
     set_tracking,
     signal_age,
 )
-from segfmu.kernels.crane.records import DriveMode, Plant
+from segfmu.kernels.crane.records import DriveMode, Masses, Plant
 
 pytestmark = pytest.mark.interpreted
 
@@ -25,7 +25,8 @@ PERIOD, LONGEST = 0.02, 1.5
 
 def plant(mode: int) -> np.ndarray:
     found = np.zeros(Plant.SIZE)
-    found[: Plant.LAG] = 2.2, 1.155, 1.0, 9.81, mode
+    found[: Masses.SIZE] = 2.2, 1.155, 1.0, 9.81
+    found[Plant.MODE] = mode
     found[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = 4.0, 0.0, 6.0
     found[Plant.ACCELERATION_MAX : Plant.VELOCITY_MAX] = 0.0, 0.5, 0.6
     return found

@@ -92,7 +92,8 @@ def test_drives_overcome_their_friction_while_the_rope_is_slack(velocity: float)
     """Each carriage has its own mass to accelerate, and against its friction."""
     plant, state = np.zeros(Plant.SIZE), np.zeros(PlantState.SIZE)
     work, derivative = np.zeros((Work.SIZE, Work.COLUMNS)), np.zeros(PlantState.SIZE)
-    plant[: Plant.LAG] = *MASSES, DriveMode.VELOCITY
+    plant[: len(MASSES)] = MASSES
+    plant[Plant.MODE] = DriveMode.VELOCITY
     state[State.POSITION + 2], state[PlantState.PAID_OUT] = 0.8, 0.9
     state[State.VELOCITY : State.VELOCITY + 2] = velocity
     state[PlantState.SLACK] = 1.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from math import inf, isfinite
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool
@@ -75,9 +75,9 @@ class AxisLimits(Table):
     ] = None
 
     def lower(self, quantity: str) -> float:
-        """Limit of velocity or acceleration in the negative direction, below zero."""
+        """Limit of velocity or acceleration in the negative direction, -inf: as in the other."""
         given = getattr(self, f"{quantity}_min")
-        return float(-getattr(self, quantity) if given is None else given)
+        return -inf if given is None else float(given)
 
 
 class LimitsTable(Table):
