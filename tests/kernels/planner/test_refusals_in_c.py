@@ -112,8 +112,6 @@ def test_times_that_are_none(planner: Planner, time: float) -> None:
         ([0.0, 0.0], limits(0, 1, nan), PlanStatus.NO_VELOCITY_LIMIT, [0, 0, nan]),
         ([0.0, 0.0], limits(1, 2, 0.0), PlanStatus.NO_ACCELERATION_LIMIT, [1, 0, 0.0]),
         ([0.0, 0.0], limits(1, 3, nan), OUT_OF_RANGE, [1, 0, nan]),
-        # the state cannot keep it
-        ([0.3, 0.3], limits(1, 5, 1.0), PlanStatus.NO_PROFILE, [1, 0, 0.0, 0.0]),
     ],
 )
 def test_reach_velocity_refuses(planner: Planner, velocity, table, status: int, report) -> None:

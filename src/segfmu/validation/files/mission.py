@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from math import inf
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -153,13 +154,16 @@ class Mission(Table):
         if self.limits is None:
             return None
         axes = [getattr(self.limits, axis) for axis in AXES]
+        lower = {
+            name: [-inf if (given := getattr(axis, name)) is None else given for axis in axes]
+            for name in ("velocity_min", "acceleration_min")
+        }
         return Limits(
             *(
                 [getattr(axis, name) for axis in axes]
                 for name in ("velocity", "acceleration", "jerk", "snap")
             ),
-            velocity_min=[axis.lower("velocity") for axis in axes],
-            acceleration_min=[axis.lower("acceleration") for axis in axes],
+            **lower,
         )
 
     def build_bounds(self) -> ActuatorBounds | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, isfinite
+from math import isfinite
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool
@@ -75,9 +75,9 @@ class AxisLimits(Table):
     ] = None
 
     def lower(self, quantity: str) -> float:
-        """Limit of velocity or acceleration in the negative direction, -inf: as in the other."""
+        """Limit of velocity or acceleration in the negative direction, below zero."""
         given = getattr(self, f"{quantity}_min")
-        return -inf if given is None else float(given)
+        return float(-getattr(self, quantity) if given is None else given)
 
 
 class LimitsTable(Table):
