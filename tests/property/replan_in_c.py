@@ -40,7 +40,9 @@ class Replanner:
     def reach_velocity(self, old: Trajectory, velocity: FloatArray, time: float) -> Trajectory:
         """`reach_velocity` in C; its last waypoint is where it ends."""
         table = old.limits.table(old.axes, old.smoothness)
-        found = self.planner.reach(given(old, self.planner), time, velocity, table)
+        found = self.planner.reach(
+            given(old, self.planner), time, velocity, table, old.limits.lower(old.axes)
+        )
         end = found(found.duration)
         return shown(found, old, (Waypoint(end, velocity),), old.limits, "waypoints")
 
@@ -48,6 +50,8 @@ class Replanner:
 def given(old: Trajectory, planner: Planner) -> Result:
     """A trajectory of Python as one of C, which refers to its numbers."""
     found = Result(planner.library, 0)
+    # the arrays live as long as those that refer to them
+    found.shown = old
     to = found.trajectory
     to.points, to.axes, to.smoothness = len(old.waypoints), old.axes, old.smoothness
     to.pieces, to.duration = len(old.timing), old.duration

@@ -79,7 +79,7 @@ _BRAKING = (
 def _beyond(name: str, unit: str) -> str:
     return (
         f"axis {{AXIS}}, waypoint {{INTERVAL+1}}: {name} {{VALUE:.6g}} {unit} exceeds the limit "
-        f"{{BOUND:.6g}} {unit}; raise limits.{name} or lower the waypoint's {name}"
+        f"{{BOUND:.6g}} {unit}; raise limits.{name}{{SIDE}} or lower the waypoint's {name}"
     )
 
 
@@ -91,9 +91,9 @@ PLAN = Messages(
     "plan", Refusal,
     {
         PlanStatus.START_BRAKING: f"{_INTERVAL}braking the first{_BRAKING}{{INTERVAL+1}} or raise "
-        "limits.velocity",
+        "limits.velocity{SIDE}",
         PlanStatus.END_BRAKING: f"{_INTERVAL}building up the last{_BRAKING}{{INTERVAL+2}} or raise "
-        "limits.velocity",
+        "limits.velocity{SIDE}",
         PlanStatus.NO_PROFILE: f"{_INTERVAL}no profile within the limits was found; raise the "
         "limits or change the velocities of the two waypoints",
         PlanStatus.NO_COMMON_DURATION: "waypoints {INTERVAL+1} -> {INTERVAL+2}: no common duration "
@@ -119,7 +119,7 @@ PLAN = Messages(
         PlanStatus.NO_VELOCITY_LIMIT: _limit("velocity"),
         PlanStatus.NO_ACCELERATION_LIMIT: _limit("acceleration"),
     },
-    {"AXIS": ("x", "y", "z")},
+    {"AXIS": ("x", "y", "z"), "SIDE": ("", "_min")},
 )
 
 

@@ -10,7 +10,6 @@ from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.kernels.messages import PLAN, Messages
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.limits import Limits
 
 # attributes of `InfeasibleError` for a status: the limit, and which of these are set
 AXIS, INTERVAL, WAYPOINT, VALUE, BOUND = "axis", "interval", "waypoint", "value", "bound"
@@ -51,9 +50,7 @@ def text_apart(
     return str(replace(table, texts={status: text}).text(status, report, **words))
 
 
-def refusal(
-    status: int, report: FloatArray, names: tuple[str, ...], limits: Limits
-) -> SegfmuError:
+def refusal(status: int, report: FloatArray, names: tuple[str, ...]) -> SegfmuError:
     """Return the error for a status and report (Refusal); `names` are those of the axes."""
     text = text_apart(PLAN, status, report.tolist(), ("VALUE", "BOUND"), AXIS=names)
     place = int(report[Refusal.INTERVAL])
@@ -61,11 +58,7 @@ def refusal(
         return InputError(text)
     limit, shown = DETAILS[status]
     if limit in ("velocity", "acceleration"):
-        # building up the last acceleration passes the limit on the other side
-        sign = -1.0 if status == PlanStatus.END_BRAKING else 1.0
-        axis, value = int(report[Refusal.AXIS]), sign * float(report[Refusal.VALUE])
-        named = limits.named(limit, axis, value)
-        text, limit = text.replace(f"limits.{limit}", f"limits.{named}"), named
+        limit += PLAN.words["SIDE"][int(report[Refusal.SIDE])]
     # a waypoint belongs to the interval that ends there
     interval = place + 1 if INTERVAL in shown else max(place, 1) if WAYPOINT in shown else None
     return InfeasibleError(

@@ -46,7 +46,7 @@ def solve(
             found = _trajectory(request, timing, coefficients, offsets, times)
             return found, status == PlanStatus.PLANNED
         if not (brakes and status in STARTS and report[Refusal.INTERVAL] == 0.0):
-            raise refusal(status, report, request.axis_names, request.limits)
+            raise refusal(status, report, request.axis_names)
     return solve_after(request, _leads(request, follow, brakes))
 
 
@@ -107,7 +107,7 @@ def no_lead(request: Request, axis: int) -> InfeasibleError:
 def _phases(request: Request, problem: Problem) -> Phases:
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise refusal(phases.status, phases.refusal, request.axis_names, request.limits)
+        raise refusal(phases.status, phases.refusal, request.axis_names)
     return phases
 
 

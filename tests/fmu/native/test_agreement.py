@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from pathlib import Path
 
 import numpy as np
@@ -341,3 +342,18 @@ def test_feedforward_keeps_limits_by_direction(mission, native_fmus, fmi: int) -
         fmu.initialise()
         assert fmu.get("plan.duration")[0] == pytest.approx(expected.duration, rel=1e-12)
     assert expected.duration > 1.05 * plan(rest, given, **options).duration
+
+
+@pytest.mark.parametrize(("value", "limit"), [(-0.3, "velocity_min"), (0.5, "velocity")])
+def test_feedforward_tells_the_direction_of_a_limit(
+    mission, native_fmus, value: float, limit: str
+) -> None:
+    task, trajectory, _ = mission
+    with Importer(native_fmus[2][0]) as fmu:
+        fmu.set(plan_parameters(task, trajectory) | {
+            "limits.x.velocity": 0.4, "limits.x.velocity_min": -0.2,
+            "waypoint[2].velocity.x": value,
+        })
+        with pytest.raises(Exception, match="fmi2ExitInitializationMode"):
+            fmu.initialise()
+        assert re.search(rf"velocity {value:g} m/s .*raise limits\.{limit} ", fmu.messages[-1])

@@ -17,7 +17,7 @@ from tests.compiler import CC
 NAMES = ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")
 FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1")
 UNUSED = ("-Wno-unused-variable", "-Wno-unused-but-set-variable")
-REPORT = 4
+REPORT = 5
 # doubles behind the work space that nothing may write, and what it has from earlier use
 GUARD, USED = 16, 1e3
 Pointer = ctypes.POINTER(ctypes.c_double)
@@ -55,6 +55,7 @@ class Result:
         self.status = 1
         self.trajectory = Trajectory()
         self.library = library
+        self.shown: object = None
         self.space = np.full(size + GUARD, USED)
 
     def call(self, name: str, *arguments: Any) -> Result:
@@ -67,7 +68,7 @@ class Result:
 
     @property
     def report(self) -> list[float]:
-        """Axis, interval, value and bound of a refusal."""
+        """Axis, interval, value, bound and side of a refusal."""
         return list(self.trajectory.report)
 
     @property
@@ -151,14 +152,19 @@ class Planner:
             ctypes.byref(asked.problem),
         )
 
-    def reach(self, old: Result, time: float, velocities: Any, limits: np.ndarray) -> Result:
+    def reach(
+        self, old: Result, time: float, velocities: Any, limits: np.ndarray,
+        lower: np.ndarray | None = None,
+    ) -> Result:
         """`segfmu_reach_velocity`."""
         given = [np.array(a, dtype=float) for a in (velocities, limits)]
+        given += [] if lower is None else [np.array(lower, dtype=float)]
         form = Trajectory(axes=old.trajectory.axes, smoothness=old.trajectory.smoothness, points=2)
         size = self._size("replan", form, old.trajectory.pieces)
         return Result(self.library, size).call(
             "segfmu_reach_velocity", ctypes.byref(old.trajectory), ctypes.c_double(time),
             *(ctypes.c_void_p(a.ctypes.data) for a in given),
+            *([ctypes.c_void_p()] if lower is None else []),
         )
 
     def _size(self, name: str, form: Problem | Trajectory, *more: int) -> int:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from math import inf, nan
 
 import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint
+from segfmu.kernels.messages import PLAN
 from segfmu.kernels.planner.records import PlanStatus
 from tests.kernels.planner.c_planner import Asked, Planner
 
@@ -119,3 +121,47 @@ def test_reach_velocity_refuses(planner: Planner, velocity, table, status: int, 
     found = planner.reach(old, 0.7, velocity, table)
     assert found.status == status
     assert shown(found.report[: len(report)]) == shown(report)
+
+
+LOWER = [[0.5, 0.0], [0.8, 2.0]]
+SIDES = [
+    ({"velocities": [[0, 0], [-0.6, 0]]}, PlanStatus.WAYPOINT_VELOCITY, [0, 1, -0.6, 0.5, 1],
+     "limits.velocity_min"),
+    ({"velocities": [[0, 0], [1.6, 0]]}, PlanStatus.WAYPOINT_VELOCITY, [0, 1, 1.6, 1.0, 0],
+     "limits.velocity"),
+    # the same number in both directions is one limit
+    ({"velocities": [[0, 0], [0, -0.9]]}, PlanStatus.WAYPOINT_VELOCITY, [1, 1, -0.9, 0.8, 0],
+     "limits.velocity"),
+    ({"accelerations": [[0, 0], [-1.5, 0]]}, PlanStatus.WAYPOINT_ACCELERATION,
+     [0, 1, -1.5, 1.0, 0], "limits.acceleration"),
+    ({"accelerations": [[0, 0], [0, -2.5]]}, PlanStatus.WAYPOINT_ACCELERATION,
+     [1, 1, -2.5, 2.0, 1], "limits.acceleration_min"),
+    # braking down from -0.49 m/s, and building up an acceleration to -0.49 m/s
+    ({"velocities": [[-0.49, 0], [0, 0]], "accelerations": [[-1, 0], [0, 0]]},
+     PlanStatus.START_BRAKING, [0, 0, -1.0, 0.5, 1], "limits.velocity_min"),
+    ({"velocities": [[0, 0], [-0.49, 0]], "accelerations": [[0, 0], [1, 0]]},
+     PlanStatus.END_BRAKING, [0, 0, 1.0, 0.5, 1], "limits.velocity_min"),
+    ({"velocities": [[0, 0], [0.99, 0]], "accelerations": [[0, 0], [-1, 0]]},
+     PlanStatus.END_BRAKING, [0, 0, -1.0, 1.0, 0], "limits.velocity"),
+]
+
+
+@pytest.mark.parametrize(("changes", "status", "report", "limit"), SIDES)
+def test_refusals_tell_the_direction(
+    planner: Planner, changes, status: int, report, limit: str
+) -> None:
+    found = planner.plan(Asked([START, TARGET], LIMITS, lower=LOWER, **changes))
+    assert (found.status, found.report) == (status, report)
+    said = PLAN.text(status, found.report)
+    assert re.search(rf"raise {re.escape(limit)}(?!_)", said)
+
+
+@pytest.mark.parametrize(
+    ("velocity", "report"),
+    [([-0.6, 0.0], [0, 1, -0.6, 0.5, 1]), ([1.1, 0.0], [0, 1, 1.1, 1.0, 0]),
+     ([0.0, -0.9], [1, 1, -0.9, 0.8, 0])],
+)
+def test_reach_velocity_tells_the_direction(planner: Planner, velocity, report) -> None:
+    old = planner.plan(Asked([START, TARGET], LIMITS))
+    found = planner.reach(old, 0.7, velocity, TABLE, LOWER)
+    assert (found.status, found.report) == (PlanStatus.WAYPOINT_VELOCITY, report)

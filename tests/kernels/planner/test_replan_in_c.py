@@ -145,6 +145,22 @@ def test_c_reaches_velocities_as_python_does(planner: Planner, share: float, vel
     require_same(found, reach_velocity(expected, velocity, time))
 
 
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.7, 1.0])
+@pytest.mark.parametrize("velocity", [[-0.3, 0.5], [0.8, -0.4], [-0.3 * (1.0 + 1e-10), 0.0]])
+def test_c_reaches_velocities_within_limits_by_direction(
+    planner: Planner, share: float, velocity
+) -> None:
+    limits = Limits(
+        [1.0, 0.8], 1.0, [4.0, 3.0], 20.0, velocity_min=[-0.3, -np.inf],
+        acceleration_min=[-2.0, -0.5],
+    )
+    expected = plan([START, TARGET], limits)
+    old, time = planner.plan(Asked([START, TARGET], limits)), share * expected.duration
+    lower = limits.lower(2)
+    found = reach_velocity(expected, velocity, time)
+    require_same(planner.reach(old, time, velocity, limits.table(2, 4), lower), found)
+
+
 @pytest.mark.parametrize("share", [0.75, 0.85, 0.95])
 @pytest.mark.parametrize("n", [3, 4, 5, 6])
 def test_a_stop_within_limits_that_the_rest_of_the_old_plan_breaks(

@@ -242,6 +242,7 @@ static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, in
 static int64_t held_peak(double* result_0_0001, double* result_1_0001, double* result_2, int64_t level, int64_t first, double rise, double peak, double stretch, array_double_1d axis);
 static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
 static double side_limit(int64_t order, double sign, array_double_1d axis);
+static double own_side(int64_t order, double sign, array_double_1d axis);
 static void set_lower(array_double_1d lower, array_double_1d axis);
 static double fastest_velocity(array_double_1d axis);
 static double slowest_velocity(array_double_1d axis);
@@ -8944,6 +8945,14 @@ static double side_limit(int64_t order, double sign, array_double_1d axis)
     }
     result = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
     return result;
+}
+static double own_side(int64_t order, double sign, array_double_1d axis)
+{
+    if ((sign < 0.0) && (fabs(side_limit(order, sign, axis) - side_limit(order, 1.0, axis)) > 0.0))
+    {
+        return 1.0;
+    }
+    return 0.0;
 }
 static void set_lower(array_double_1d lower, array_double_1d axis)
 {
@@ -18248,6 +18257,7 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
                 sign = -(*cspan_at(&report, INT64_C(2)));
             }
             (*cspan_at(&report, INT64_C(3))) = side_limit(INT64_C(1), sign, span_row(&axes, axis));
+            (*cspan_at(&report, INT64_C(4))) = own_side(INT64_C(1), sign, span_row(&axes, axis));
             return status;
         }
         missed = span_max_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20)))));
@@ -18414,6 +18424,7 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
             (*cspan_at(&report, INT64_C(1))) = j;
             (*cspan_at(&report, INT64_C(2))) = velocity;
             (*cspan_at(&report, INT64_C(3))) = side_limit(INT64_C(1), velocity, span_row(&axes, i));
+            (*cspan_at(&report, INT64_C(4))) = own_side(INT64_C(1), velocity, span_row(&axes, i));
             if (fabs(velocity) > (*cspan_at(&report, INT64_C(3))) * (1.0 + 1e-12))
             {
                 return -INT64_C(7);
@@ -18425,6 +18436,7 @@ static int64_t check_waypoints(array_double_3d states, array_double_1d dwells, a
             }
             (*cspan_at(&report, INT64_C(2))) = acceleration;
             (*cspan_at(&report, INT64_C(3))) = side_limit(INT64_C(2), acceleration, span_row(&axes, i));
+            (*cspan_at(&report, INT64_C(4))) = own_side(INT64_C(2), acceleration, span_row(&axes, i));
             if (fabs(acceleration) > (*cspan_at(&report, INT64_C(3))) * (1.0 + 1e-12))
             {
                 return -INT64_C(8);

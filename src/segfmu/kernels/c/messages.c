@@ -9,30 +9,33 @@ bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size)
 {
     static const char *const axis[] = {"x", "y", "z"};
+    static const char *const side[] = {"", "_min"};
     switch (status) {
     case -1:
         snprintf(text, size,
             "axis %s, waypoints %d -> %d: braking the first acceleration %.6g m/s2 "
             "exceeds the velocity limit %.6g m/s; lower the velocity or the acceleration "
-            "of waypoint %d or raise limits.velocity",
+            "of waypoint %d or raise limits.velocity%s",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1,
             (int)report[REFUSAL_INTERVAL] + 2,
             report[REFUSAL_VALUE],
             report[REFUSAL_BOUND],
-            (int)report[REFUSAL_INTERVAL] + 1);
+            (int)report[REFUSAL_INTERVAL] + 1,
+            side[(int)report[REFUSAL_SIDE]]);
         return true;
     case -2:
         snprintf(text, size,
             "axis %s, waypoints %d -> %d: building up the last acceleration %.6g m/s2 "
             "exceeds the velocity limit %.6g m/s; lower the velocity or the acceleration "
-            "of waypoint %d or raise limits.velocity",
+            "of waypoint %d or raise limits.velocity%s",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1,
             (int)report[REFUSAL_INTERVAL] + 2,
             report[REFUSAL_VALUE],
             report[REFUSAL_BOUND],
-            (int)report[REFUSAL_INTERVAL] + 2);
+            (int)report[REFUSAL_INTERVAL] + 2,
+            side[(int)report[REFUSAL_SIDE]]);
         return true;
     case -3:
         snprintf(text, size,
@@ -73,20 +76,22 @@ bool segfmu_plan_message(
     case -7:
         snprintf(text, size,
             "axis %s, waypoint %d: velocity %.6g m/s exceeds the limit %.6g m/s; raise "
-            "limits.velocity or lower the waypoint's velocity",
+            "limits.velocity%s or lower the waypoint's velocity",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1,
             report[REFUSAL_VALUE],
-            report[REFUSAL_BOUND]);
+            report[REFUSAL_BOUND],
+            side[(int)report[REFUSAL_SIDE]]);
         return true;
     case -8:
         snprintf(text, size,
             "axis %s, waypoint %d: acceleration %.6g m/s2 exceeds the limit %.6g m/s2; "
-            "raise limits.acceleration or lower the waypoint's acceleration",
+            "raise limits.acceleration%s or lower the waypoint's acceleration",
             axis[(int)report[REFUSAL_AXIS]],
             (int)report[REFUSAL_INTERVAL] + 1,
             report[REFUSAL_VALUE],
-            report[REFUSAL_BOUND]);
+            report[REFUSAL_BOUND],
+            side[(int)report[REFUSAL_SIDE]]);
         return true;
     case -9:
         snprintf(text, size,

@@ -2052,7 +2052,7 @@ static PyObject *call_check_problem(
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
-        && has_at_least(&call, "report", 0, in_report->shape[0], 4)) {
+        && has_at_least(&call, "report", 0, in_report->shape[0], 5)) {
         answer = PyLong_FromLongLong(segfmu_check_problem(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},

@@ -1155,7 +1155,8 @@ enum {
     REFUSAL_INTERVAL = 1,
     REFUSAL_VALUE = 2,
     REFUSAL_BOUND = 3,
-    REFUSAL_SIZE = 4
+    REFUSAL_SIDE = 4,
+    REFUSAL_SIZE = 5
 };
 
 enum {

@@ -49,18 +49,19 @@ SEGFMU_API int segfmu_replan(
     segfmu_trajectory *trajectory);
 
 /* Reach velocities (k,) [m/s] as soon as possible, wherever that is; zeros to stop. An axis keeps its
-   velocity until the last one is there; the accelerations are 0 then. limits (k, n + 1) as in
-   segfmu_problem; time as above; the space is that of two points. The ramps are plateau ramps.
+   velocity until the last one is there; the accelerations are 0 then. limits (k, n + 1) and lower
+   (k, 2) or NULL as in segfmu_problem; time as above; the space is that of two points. The ramps are
+   plateau ramps.
 
    Returns 0, or a PLAN_STATUS of records.h, below 0, with this in the report:
    OUT_OF_RANGE            of the time: nothing; of a limit: axis and value
    NO_VELOCITY_LIMIT, NO_ACCELERATION_LIMIT    axis and value of the limit, which is not above 0
-   WAYPOINT_VELOCITY       axis, value and bound of a velocity beyond its limit; waypoint 1
+   WAYPOINT_VELOCITY       axis, value, bound and side of a velocity beyond its limit; waypoint 1
    NO_PROFILE              first axis that does not reach its velocity within the limits
    CHECK_FAILED            nothing: numbers are badly scaled */
 SEGFMU_API int segfmu_reach_velocity(
     const segfmu_trajectory *old, double time, const double *velocities, const double *limits,
-    double *space, segfmu_trajectory *trajectory);
+    const double *lower, double *space, segfmu_trajectory *trajectory);
 
 #ifdef __cplusplus
 }

@@ -45,7 +45,7 @@ typedef struct {
 } segfmu_problem;
 
 /* Numbers that tell of a refusal: REFUSAL_SIZE of records.h */
-enum { SEGFMU_REPORT = 4 };
+enum { SEGFMU_REPORT = 5 };
 
 /* What was planned; the arrays lie in the caller's work space. */
 typedef struct {
@@ -59,7 +59,7 @@ typedef struct {
     const double *ends;          /* (k,): end of each axis [s] */
     const double *outside;       /* (k,): of replan.h, from when on each axis is inside its limits [s];
                                     NULL: always */
-    double report[SEGFMU_REPORT]; /* of a refusal: REFUSAL_AXIS .. REFUSAL_BOUND of records.h */
+    double report[SEGFMU_REPORT]; /* of a refusal: REFUSAL_AXIS .. REFUSAL_SIDE of records.h */
 } segfmu_trajectory;
 
 /* Number of doubles of work space for a problem of this size. */

@@ -82,12 +82,16 @@ static int check_velocities(const replanning *t, const double *velocities, doubl
         return status;
     }
     for (int64_t axis = 0; axis < k; axis++) {
-        const double bound = t->limits.data[axis * width];
-        if (fabs(states[(k + axis) * width + WAYPOINT_STATE_VELOCITY]) > bound) {
+        const double velocity = states[(k + axis) * width + WAYPOINT_STATE_VELOCITY];
+        const double upper = t->limits.data[axis * width];
+        const double lower = t->lower.data[axis * LOWER_SIZE + LOWER_VELOCITY];
+        const double bound = velocity < 0.0 && lower > 0.0 ? lower : upper;
+        if (fabs(velocity) > bound) {
             report[REFUSAL_AXIS] = (double)axis;
             report[REFUSAL_INTERVAL] = 1.0;
             report[REFUSAL_VALUE] = velocities[axis];
             report[REFUSAL_BOUND] = bound;
+            report[REFUSAL_SIDE] = bound < upper || bound > upper;
             return PLAN_STATUS_WAYPOINT_VELOCITY;
         }
     }
@@ -118,13 +122,14 @@ static int join_velocities(replanning *t, int resting, const double *targets, do
 }
 
 int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const double *velocities,
-                          const double *limits, double *space, segfmu_trajectory *trajectory)
+                          const double *limits, const double *lower, double *space,
+                          segfmu_trajectory *trajectory)
 {
     memset(trajectory->report, 0, sizeof trajectory->report);
     if (!(time >= 0.0 && isfinite(time))) {
         return PLAN_STATUS_OUT_OF_RANGE;
     }
-    replanning t = segfmu_begin_replanning(old, time, 2, limits, NULL, space);
+    replanning t = segfmu_begin_replanning(old, time, 2, limits, lower, space);
     const int64_t k = t.axes, n = t.smoothness;
     double *times = take(&t.space, 3 * k), *states = take(&t.space, 2 * k * (n + 1));
     const double *targets = states + k * (n + 1);

@@ -19,7 +19,7 @@ from segfmu.kernels.planner.records import (
     Synchronization,
     WaypointState,
 )
-from segfmu.kernels.planner.sides import set_lower, side_limit
+from segfmu.kernels.planner.sides import own_side, set_lower, side_limit
 
 
 def check_waypoints(
@@ -34,6 +34,7 @@ def check_waypoints(
             report[Refusal.INTERVAL] = j
             report[Refusal.VALUE] = velocity
             report[Refusal.BOUND] = side_limit(1, velocity, axes[i, :])
+            report[Refusal.SIDE] = own_side(1, velocity, axes[i, :])
             if abs(velocity) > report[Refusal.BOUND] * (1.0 + 1e-12):
                 return PlanStatus.WAYPOINT_VELOCITY
             moving = velocity != 0.0 or acceleration != 0.0
@@ -41,6 +42,7 @@ def check_waypoints(
                 return PlanStatus.MOVING_DWELL
             report[Refusal.VALUE] = acceleration
             report[Refusal.BOUND] = side_limit(2, acceleration, axes[i, :])
+            report[Refusal.SIDE] = own_side(2, acceleration, axes[i, :])
             if abs(acceleration) > report[Refusal.BOUND] * (1.0 + 1e-12):
                 return PlanStatus.WAYPOINT_ACCELERATION
     return PlanStatus.PLANNED

@@ -23,7 +23,7 @@ from segfmu.kernels.planner.records import (
     Refusal,
     Rises,
 )
-from segfmu.kernels.planner.sides import side_limit
+from segfmu.kernels.planner.sides import own_side, side_limit
 
 
 def note_shortest(time: float, axis: 'float[:]', cell: 'float[:,:]') -> None:
@@ -56,6 +56,7 @@ def plan_with_share(
                 report[Refusal.VALUE] = cells[j, Cell.PROBLEM, Problem.B]
                 sign = -report[Refusal.VALUE]
             report[Refusal.BOUND] = side_limit(1, sign, axes[axis, :])
+            report[Refusal.SIDE] = own_side(1, sign, axes[axis, :])
             return status
         missed = max(missed, int(work[PlanWork.FAMILY, Family.MISSED]))
         slow = max(slow, work[PlanWork.FAMILY, Family.SLOW])

@@ -387,6 +387,7 @@ class Refusal(Record):
     INTERVAL = field("waypoint interval, or waypoint, from 0")
     VALUE = field("value that is refused")
     BOUND = field("its bound")
+    SIDE = field("1: that of the negative direction alone, else 0")
 
 
 class PlanWork(Record):

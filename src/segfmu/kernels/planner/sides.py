@@ -13,6 +13,13 @@ def side_limit(order: int, sign: float, axis: 'float[:]') -> float:
     return axis[Axis.VELOCITY + order - 1]
 
 
+def own_side(order: int, sign: float, axis: 'float[:]') -> float:
+    """1 where that limit is one of the negative direction alone, else 0."""
+    if sign < 0.0 and abs(side_limit(order, sign, axis) - side_limit(order, 1.0, axis)) > 0.0:
+        return 1.0
+    return 0.0
+
+
 def set_lower(lower: 'float[:]', axis: 'float[:]') -> None:
     """Set the limits in the negative direction (Lower) of an axis whose other limits are set."""
     for i in range(Lower.SIZE):
