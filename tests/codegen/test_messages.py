@@ -12,7 +12,9 @@ from segfmu.kernels.messages import TABLES, Messages
 from tests.compiler import CC, require_cc
 
 FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fPIC", "-shared"]
-REPORTS = ([0.0, 1.0, 2.5, 1e-7], [2.0, 0.0, -123456.789, 1e22], [1.0, 2.0, 1.0 / 3.0, 0.0])
+REPORTS = (
+    [0.0, 1.0, 2.5, 1e-7, 0.0], [2.0, 0.0, -123456.789, 1e22, 1.0], [1.0, 2.0, 1.0 / 3.0, 0.0, 1.0],
+)
 
 
 def test_generated_messages_are_up_to_date() -> None:
