@@ -176,6 +176,8 @@ def trajectory_calls() -> dict[str, Call]:
     spans = zeros(rows + 1, Span.SIZE, 2 * width - 3)
     count = backend.clearance_spans(*pieces, 9.81, rope.copy(), spans)
     stack = zeros(Stack.ROWS, Span.SIZE, 2 * width - 3)
+    ranges = zeros(Ranges.SIZE, 3)
+    backend.path_ranges(*pieces, 9.81, zeros(2, width), ranges)
     # one is met by the rope alone
     boxes = zeros(2, Box.SIZE)
     boxes[:, Box.LOAD_LOW:Box.ROPE] = np.tile([0.2, 0.0, -0.3, 0.3, 0.3, -0.2], 2)
@@ -219,8 +221,10 @@ def trajectory_calls() -> dict[str, Call]:
         "contact_times": (
             Part.ROPE, 1e300, count, boxes[1].copy(), spans, stack, zeros(8, 2), zeros(3),
         ),
+        "path_ranges": (*pieces, 9.81, zeros(2, width), zeros(Ranges.SIZE, 3)),
+        "is_any_near": (boxes.copy(), ranges),
         "first_contact": (
-            count, boxes, spans, stack.copy(), zeros(1, 2), zeros(Ranges.SIZE, 3),
+            count, boxes, spans, stack.copy(), zeros(1, 2), ranges.copy(),
             zeros(Collision.SIZE),
         ),
         "evaluate": (np.linspace(-0.1, 9.0, 20), *pieces, ends, 2, zeros(20, 3)),

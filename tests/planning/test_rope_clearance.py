@@ -20,6 +20,8 @@ from segfmu import (
     plan,
     plan_actuated,
 )
+from segfmu.kernels.clearance.records import Ranges
+from segfmu.planning.contacts import Path
 
 LIMITS = Limits([1.0, 0.8, 0.5], [1.0, 0.8, 0.8], 4.0, 30.0)
 CRANE = Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
@@ -183,6 +185,25 @@ def around(gap: float, gravity: float = GRAVITY) -> tuple[Trajectory, Obstacle]:
     inside = (load + 0.9 * (trolley - load))[0, 1]
     assert inside < 0.5 - 0.04
     return trajectory, Obstacle("post", [0.4999, 0.3, -0.1001], [0.5001, inside + gap, -0.0999])
+
+
+def test_ranges_of_load_and_rope_hold_both_and_hardly_more() -> None:
+    random = np.random.default_rng(5)
+    wider = []
+    for i in range(60):
+        points = [Waypoint(p) for p in random.uniform(-1.0, 1.0, (3, 3)) - [0.0, 0.0, 2.0]]
+        synchronize = ("waypoints", "none", "total")[i % 3]
+        trajectory = plan(points, LIMITS, synchronize=synchronize, smoothness=4 + i % 3)
+        load, trolley = rope_ends(trajectory, np.linspace(0.0, trajectory.duration, 2001), GRAVITY)
+        path = Path(trajectory, GRAVITY)
+        rope = np.vstack([load, trolley])
+        for row, sampled in ((Ranges.LOAD_LOW, load), (Ranges.ROPE_LOW, rope)):
+            least, most = path.ranges[row : row + 2]
+            low, high = sampled.min(axis=0), sampled.max(axis=0)
+            assert (least <= low + 1e-12).all()
+            assert (most >= high - 1e-12).all()
+            wider.append(((most - least) / (high - low)).max())
+    assert np.quantile(wider, 0.9) < 1.1
 
 
 @pytest.mark.parametrize("gravity", [GRAVITY, 3.0])

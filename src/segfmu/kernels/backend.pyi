@@ -66,6 +66,22 @@ def check_braked_plan(
     /,
 ) -> int: ...
 
+def path_ranges(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    gravity: float,
+    work: Floats,
+    ranges: Floats,
+    /,
+) -> None: ...
+
+def is_any_near(
+    boxes: Floats,
+    ranges: Floats,
+    /,
+) -> bool: ...
+
 def check_rope(
     timing: Floats,
     coefficients: Floats,

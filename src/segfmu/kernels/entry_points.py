@@ -239,6 +239,13 @@ ENTRY_POINTS = (
         report=RopeFault.SIZE,
     ),
     entry(
+        "clearance.ranges", "path_ranges", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=4, work=(2, "width"), ranges=(Ranges.SIZE, 3),
+    ),
+    entry(
+        "clearance.ranges", "is_any_near", boxes=("boxes", Box.SIZE), ranges=(Ranges.SIZE, 3),
+    ),
+    entry(
         "clearance.spans", "clearance_spans", timing=("pieces", 2),
         coefficients=("pieces", "width"), offsets=4, work=(RopeWork.SIZE, "4 * width - 5"),
         spans=("pieces + 1", Span.SIZE, "2 * width - 3"),

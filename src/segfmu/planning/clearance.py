@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.kernels.clearance.records import Box, Collision, Part
+from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges
 from segfmu.planning.arrays import (
     FloatArray,
     Frozen,
@@ -28,7 +29,7 @@ from segfmu.planning.arrays import (
 )
 from segfmu.planning.contacts import Path
 from segfmu.planning.messages import told_apart
-from segfmu.planning.passages import outside, reach, rounding, within
+from segfmu.planning.passages import outside, within
 from segfmu.planning.trajectory import Trajectory, require_plan
 
 # [m/s2], that of `Crane` by default
@@ -187,11 +188,11 @@ class Clearance(Frozen):
             axis, place, time, and the way out.
         """
         _require_axes(trajectory)
-        gravity = _gravity(gravity)
-        self._require_range(trajectory)
-        if self.obstacles:
-            boxes = self._boxes(self.obstacles, rounding(trajectory))
-            part, report = Path(trajectory, gravity).first(boxes)
+        path = Path(trajectory, _gravity(gravity))
+        self._require_range(trajectory, path)
+        # a search asks this for each of its plans: most need no closer look
+        if path.is_near(self._boxes):
+            part, report = path.first(_smaller(self._boxes, path.rounding))
             if part != Part.CLEAR:
                 raise self._met(trajectory, part, report)
 
@@ -201,22 +202,24 @@ class Clearance(Frozen):
         _require_axes(trajectory)
         _require_obstacle(obstacle)
         path = Path(trajectory, _gravity(gravity))
-        return path.times(part, self._boxes([obstacle], rounding(trajectory))[0])
+        return path.times(part, _smaller(self._placed([obstacle]), path.rounding)[0])
 
-    def _boxes(self, obstacles: Sequence[Obstacle], touch: float) -> FloatArray:
-        """Obstacles as the kernels take them (obstacles, Box), without what may be touched [m]."""
+    @cached_property
+    def _boxes(self) -> FloatArray:
+        """All obstacles as the kernels take them."""
+        return self._placed(self.obstacles)
+
+    def _placed(self, obstacles: Sequence[Obstacle]) -> FloatArray:
+        """Obstacles as the kernels take them, (obstacles, Box)."""
         boxes = np.empty((len(obstacles), Box.SIZE))
         boxes[:, Box.ROPE] = [obstacle.rope for obstacle in obstacles]
-        margin = np.array([[obstacle.margin] for obstacle in obstacles])
-        least = np.array([obstacle.minimum for obstacle in obstacles]) - margin
-        most = np.array([obstacle.maximum for obstacle in obstacles]) + margin
-        size = 0.5 * self.load_size
-        for first, half, centre in (
-            (Box.LOAD_LOW, size, self.load_centre), (Box.ROPE_LOW, 0.0, 0.0),
-        ):
-            low, high = least - half - centre, most + half - centre
-            edge = np.minimum(touch, EDGE * (high - low))
-            boxes[:, first : first + 6] = np.hstack([low + edge, high - edge])
+        for row, obstacle in zip(boxes, obstacles, strict=True):
+            low, high = obstacle.minimum - obstacle.margin, obstacle.maximum + obstacle.margin
+            row[Box.ROPE_LOW : Box.ROPE] = *low, *high
+            half = 0.5 * self.load_size
+            row[Box.LOAD_LOW : Box.ROPE_LOW] = (
+                *(low - half - self.load_centre), *(high + half - self.load_centre)
+            )
         return boxes
 
     def _met(self, trajectory: Trajectory, part: int, report: FloatArray) -> InfeasibleError:
@@ -239,9 +242,9 @@ class Clearance(Frozen):
             interval=first, limit=obstacle.name, value=place[2], bound=height, time=begin,
         )
 
-    def _require_range(self, trajectory: Trajectory) -> None:
-        touch = rounding(trajectory)
-        least, most = reach(trajectory)
+    def _require_range(self, trajectory: Trajectory, path: Path) -> None:
+        least, most = path.ranges[[Ranges.LOAD_LOW, Ranges.LOAD_HIGH]]
+        touch = path.rounding
         for axis in range(3):
             low, high = self.minimum[axis], self.maximum[axis]
             # fast, for most
@@ -263,6 +266,17 @@ class Clearance(Frozen):
                 axis=axis, interval=trajectory.interval(begin), limit="workspace",
                 value=value, bound=float(bound), time=begin,
             )
+
+
+def _smaller(boxes: FloatArray, touch: float) -> FloatArray:
+    """Boxes (boxes, Box) without what may be touched [m] on each side."""
+    smaller = boxes.copy()
+    for low, high in ((Box.LOAD_LOW, Box.LOAD_HIGH), (Box.ROPE_LOW, Box.ROPE_HIGH)):
+        lows, highs = smaller[:, low : low + 3], smaller[:, high : high + 3]
+        edge = np.minimum(touch, EDGE * (highs - lows))
+        lows += edge
+        highs -= edge
+    return smaller
 
 
 def _require_axes(trajectory: Trajectory) -> None:

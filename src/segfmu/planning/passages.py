@@ -33,20 +33,12 @@ def within(trajectory: Trajectory, axis: int, low: float, high: float) -> FloatA
     return joined(np.concatenate(found), ROUNDING * trajectory.duration)
 
 
-def reach(trajectory: Trajectory) -> tuple[FloatArray, FloatArray]:
-    """Bounds that no position of an axis passes, from the hulls of its pieces; each (axes,)."""
-    hull = hulls(trajectory.coefficients, trajectory.timing[:, 1])
-    first = trajectory.offsets[:-1]
-    least, most = np.minimum.reduceat(hull, first), np.maximum.reduceat(hull, first)
-    return least.min(axis=1), most.max(axis=1)
-
-
 def rounding(trajectory: Trajectory) -> float:
     """Distance [m] below which a touch is rounding: 1e-9 of the largest coordinate.
 
     From the hulls: roots would take longer than most checks that need this.
     """
-    return 1e-9 * float(np.abs(reach(trajectory)).max())
+    return 1e-9 * float(np.abs(hulls(trajectory.coefficients, trajectory.timing[:, 1])).max())
 
 
 def turns(trajectory: Trajectory, axis: int) -> FloatArray:

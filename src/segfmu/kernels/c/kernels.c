@@ -15,13 +15,6 @@ static double shared_height(double share, array_double_2d span, array_double_1d 
 static bool is_within(double height, array_double_2d span, array_double_1d box);
 static int64_t rope_meeting(array_double_2d span, array_double_1d box);
 static bool part_moves(int64_t part, array_double_2d span);
-static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
-static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
-static void polynomial_clear(array_double_1d found);
-static void polynomial_shift(array_double_1d a, double offset, int64_t count);
-static void rope_pull(double gravity, int64_t width, array_double_2d work);
-static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
-static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static double local_time(double time, array_double_2d timing, int64_t row);
@@ -40,6 +33,16 @@ static bool check_piece(int64_t order, int64_t row, bool joined, double length, 
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
+static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
+static void polynomial_clear(array_double_1d found);
+static void polynomial_shift(array_double_1d a, double offset, int64_t count);
+static void rope_pull(double gravity, int64_t width, array_double_2d work);
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -55,9 +58,6 @@ static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d 
 static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place);
 static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times);
 static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place);
-static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
-static void path_ranges(int64_t count, array_double_3d spans, array_double_2d ranges);
-static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
 static bool exceeds(double value, double bound);
 static double limited(double value, double bound);
 static double force_bound(array_double_1d plant, int64_t axis, double velocity);
@@ -1069,133 +1069,6 @@ static bool part_moves(int64_t part, array_double_2d span)
     }
     return 0;
 }
-static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
-{
-    int64_t i;
-    double factor;
-    int64_t j;
-    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
-    {
-        factor = 1.0;
-        for (j = INT64_C(0); j < order; j += INT64_C(1))
-        {
-            factor = factor * (i + j + INT64_C(1));
-        }
-        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
-    }
-}
-static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
-{
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
-        {
-            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
-        }
-    }
-}
-static void polynomial_clear(array_double_1d found)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = 0.0;
-    }
-}
-static void polynomial_shift(array_double_1d a, double offset, int64_t count)
-{
-    int64_t i;
-    int64_t j;
-    int64_t k;
-    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
-        {
-            k = count - INT64_C(2) - j;
-            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
-        }
-    }
-}
-static void rope_pull(double gravity, int64_t width, array_double_2d work)
-{
-    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
-    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
-    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
-    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
-}
-static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
-{
-    array_double_1d z;
-    array_double_1d w_x;
-    array_double_1d w_y;
-    array_double_1d w_z;
-    array_double_1d margin;
-    array_double_1d product_0;
-    array_double_1d product_1;
-    array_double_1d product_2;
-    int64_t i;
-    double sign;
-    z = span_row(&work, INT64_C(0) + INT64_C(2));
-    w_x = span_row(&work, INT64_C(3));
-    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
-    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
-    margin = span_row(&work, INT64_C(6));
-    product_0 = span_row(&work, INT64_C(7));
-    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
-    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
-    if (demand == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
-        }
-        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
-        return width;
-    }
-    if (demand == INT64_C(2))
-    {
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
-        }
-        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
-        return width - INT64_C(2);
-    }
-    polynomial_clear(product_0);
-    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
-    polynomial_clear(product_1);
-    polynomial_add_product(z, width, z, width, product_1);
-    polynomial_clear(product_2);
-    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
-    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
-    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
-    polynomial_clear(margin);
-    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
-    sign = 1.0;
-    if (demand == INT64_C(4))
-    {
-        sign = -1.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
-    {
-        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
-    }
-    return INT64_C(4) * width - INT64_C(7);
-}
-static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
-{
-    if (demand == INT64_C(1))
-    {
-        return z;
-    }
-    if (demand == INT64_C(2))
-    {
-        return gravity - w_z;
-    }
-    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
-}
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
 {
     int64_t upper;
@@ -1744,6 +1617,254 @@ int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, 
     }
     return INT64_C(0);
 }
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    int64_t width;
+    double least;
+    double most;
+    int64_t piece;
+    int64_t i;
+    double second;
+    width = coefficients.shape[INT64_C(1)];
+    least = 1e+300;
+    most = -1e+300;
+    for (piece = (*cspan_at(&offsets, axis)); piece < (*cspan_at(&offsets, axis + INT64_C(1))); piece += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(1), i)) = share * (*cspan_at(&coefficients, piece, i));
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            second = (i + INT64_C(1)) * (i + INT64_C(2)) * (*cspan_at(&coefficients, piece, i + INT64_C(2)));
+            (*cspan_at(&work, INT64_C(1), i)) = (*cspan_at(&work, INT64_C(1), i)) + lean * second;
+        }
+        bernstein_coefficients(work, INT64_C(1), width, (*cspan_at(&timing, piece, INT64_C(1))), work);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            least = span_min(least, (*cspan_at(&work, INT64_C(0), i)));
+            most = span_max(most, (*cspan_at(&work, INT64_C(0), i)));
+        }
+    }
+    (*result_0) = least;
+    (*result_1) = most;
+    return 0;
+}
+static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
+{
+    (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
+    (*cspan_at(&ranges, row + INT64_C(1), axis)) = span_max((*cspan_at(&ranges, row + INT64_C(1), axis)), most);
+}
+void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges)
+{
+    int64_t axis;
+    int64_t row;
+    double least;
+    double most;
+    double slowest;
+    double fastest;
+    double longest;
+    double shortest;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
+        {
+            (*cspan_at(&ranges, row, axis)) = 1e+300;
+            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
+        }
+        sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
+        widen_range(INT64_C(0), axis, least, most, ranges);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+    }
+    widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
+    sum_range(&slowest, &fastest, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
+    if (gravity + slowest <= 0.0)
+    {
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
+        }
+        return;
+    }
+    longest = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / (gravity + slowest);
+    shortest = span_max(-(*cspan_at(&ranges, INT64_C(1), INT64_C(2))), 0.0) / (gravity + fastest);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        sum_range(&least, &most, axis, 1.0, longest, timing, coefficients, offsets, work);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+        sum_range(&least, &most, axis, 1.0, shortest, timing, coefficients, offsets, work);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+    }
+}
+static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
+{
+    int64_t low;
+    int64_t high;
+    int64_t row;
+    int64_t axis;
+    low = INT64_C(0);
+    high = INT64_C(3);
+    row = INT64_C(0);
+    if (part == INT64_C(2))
+    {
+        low = INT64_C(6);
+        high = INT64_C(9);
+        row = INT64_C(2);
+        if ((*cspan_at(&box, INT64_C(12))) < 0.5)
+        {
+            return 0;
+        }
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, high + axis))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+bool segfmu_is_any_near(array_double_2d boxes, array_double_2d ranges)
+{
+    int64_t number;
+    array_double_1d box;
+    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
+    {
+        box = span_row(&boxes, number);
+        if (is_near(INT64_C(1), box, ranges) || is_near(INT64_C(2), box, ranges))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
+{
+    int64_t i;
+    double factor;
+    int64_t j;
+    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
+    {
+        factor = 1.0;
+        for (j = INT64_C(0); j < order; j += INT64_C(1))
+        {
+            factor = factor * (i + j + INT64_C(1));
+        }
+        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
+    }
+}
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
+        {
+            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
+        }
+    }
+}
+static void polynomial_clear(array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = 0.0;
+    }
+}
+static void polynomial_shift(array_double_1d a, double offset, int64_t count)
+{
+    int64_t i;
+    int64_t j;
+    int64_t k;
+    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
+        {
+            k = count - INT64_C(2) - j;
+            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
+        }
+    }
+}
+static void rope_pull(double gravity, int64_t width, array_double_2d work)
+{
+    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
+    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
+}
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
+{
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d margin;
+    array_double_1d product_0;
+    array_double_1d product_1;
+    array_double_1d product_2;
+    int64_t i;
+    double sign;
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    margin = span_row(&work, INT64_C(6));
+    product_0 = span_row(&work, INT64_C(7));
+    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
+    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width - INT64_C(2);
+    }
+    polynomial_clear(product_0);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
+    polynomial_clear(product_1);
+    polynomial_add_product(z, width, z, width, product_1);
+    polynomial_clear(product_2);
+    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
+    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
+    polynomial_clear(margin);
+    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
+    }
+    return INT64_C(4) * width - INT64_C(7);
+}
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
+{
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - w_z;
+    }
+    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
+}
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
 {
     int64_t axis;
@@ -2265,84 +2386,6 @@ int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_do
     }
     return found;
 }
-static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
-{
-    (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
-    (*cspan_at(&ranges, row + INT64_C(1), axis)) = span_max((*cspan_at(&ranges, row + INT64_C(1), axis)), most);
-}
-static void path_ranges(int64_t count, array_double_3d spans, array_double_2d ranges)
-{
-    int64_t axis;
-    int64_t row;
-    int64_t k;
-    array_double_2d span;
-    double slowest;
-    double fastest;
-    double least;
-    double most;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
-        {
-            (*cspan_at(&ranges, row, axis)) = 1e+300;
-            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
-        }
-    }
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        span = span_matrix(&spans, k);
-        row_range(&slowest, &fastest, span, INT64_C(6) + INT64_C(2));
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            row_range(&least, &most, span, INT64_C(0) + axis);
-            widen_range(INT64_C(0), axis, least, most, ranges);
-            widen_range(INT64_C(2), axis, least, most, ranges);
-            if (axis == INT64_C(2))
-            {
-                widen_range(INT64_C(2), axis, 0.0, 0.0, ranges);
-            }
-            else if (slowest > 0.0)
-            {
-                row_range(&least, &most, span, INT64_C(3) + axis);
-                least = span_min(least / slowest, least / fastest);
-                most = span_max(most / slowest, most / fastest);
-                widen_range(INT64_C(2), axis, least, most, ranges);
-            }
-            else
-            {
-                widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
-            }
-        }
-    }
-}
-static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
-{
-    int64_t low;
-    int64_t high;
-    int64_t row;
-    int64_t axis;
-    low = INT64_C(0);
-    high = INT64_C(3);
-    row = INT64_C(0);
-    if (part == INT64_C(2))
-    {
-        low = INT64_C(6);
-        high = INT64_C(9);
-        row = INT64_C(2);
-        if ((*cspan_at(&box, INT64_C(12))) < 0.5)
-        {
-            return 0;
-        }
-    }
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, high + axis))))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
 int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_2d ranges, array_double_1d report)
 {
     array_double_1d place;
@@ -2355,7 +2398,6 @@ int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_
     int64_t first;
     first = INT64_C(0);
     (*cspan_at(&report, INT64_C(0))) = 1e+300;
-    path_ranges(count, spans, ranges);
     place = span_row(&ranges, INT64_C(4));
     for (part = INT64_C(1); part < INT64_C(2) + INT64_C(1); part += INT64_C(1))
     {

@@ -234,6 +234,70 @@ static PyObject *call_check_braked_plan(
     return answer;
 }
 
+static PyObject *call_path_ranges(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "path_ranges", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    double in_gravity;
+    Py_buffer *in_work;
+    Py_buffer *in_ranges;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 3, &in_gravity)
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_ranges = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "work", 1, in_work->shape[1], in_coefficients->shape[1])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
+        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 5)
+        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        segfmu_path_ranges(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            in_gravity,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_is_any_near(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "is_any_near", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_boxes;
+    Py_buffer *in_ranges;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_boxes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_ranges = take_array(&call, 1, 2, 'd', false)) != NULL
+        && has_at_least(&call, "boxes", 1, in_boxes->shape[1], 13)
+        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 5)
+        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)) {
+        answer = PyBool_FromLong(segfmu_is_any_near(
+            (array_double_2d){in_boxes->buf, {in_boxes->shape[0], in_boxes->shape[1]}},
+            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_check_rope(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -383,7 +447,7 @@ static PyObject *call_first_contact(
         && (in_spans = take_array(&call, 2, 3, 'd', false)) != NULL
         && (in_stack = take_array(&call, 3, 3, 'd', true)) != NULL
         && (in_times = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_ranges = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_ranges = take_array(&call, 5, 2, 'd', false)) != NULL
         && (in_report = take_array(&call, 6, 1, 'd', true)) != NULL
         && has_at_least(&call, "spans", 2, in_spans->shape[2], 1)
         && has_extent(&call, "stack", 2, in_stack->shape[2], in_spans->shape[2])
@@ -3476,6 +3540,8 @@ static PyMethodDef methods[] = {
     {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_braked_plan", (PyCFunction)(void (*)(void))call_check_braked_plan, METH_FASTCALL, NULL},
+    {"path_ranges", (PyCFunction)(void (*)(void))call_path_ranges, METH_FASTCALL, NULL},
+    {"is_any_near", (PyCFunction)(void (*)(void))call_is_any_near, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"clearance_spans", (PyCFunction)(void (*)(void))call_clearance_spans, METH_FASTCALL, NULL},
     {"contact_times", (PyCFunction)(void (*)(void))call_contact_times, METH_FASTCALL, NULL},

@@ -8,10 +8,10 @@ from segfmu.kernels.clearance.meeting import (
     load_meeting,
     part_moves,
     rope_meeting,
-    row_range,
     shared_height,
 )
-from segfmu.kernels.clearance.records import Box, Collision, Meeting, Moment, Part, Ranges, Span
+from segfmu.kernels.clearance.ranges import is_near
+from segfmu.kernels.clearance.records import Collision, Meeting, Moment, Part, Ranges, Span
 from segfmu.kernels.clearance.spans import halve_span
 
 
@@ -111,54 +111,6 @@ def note_place(part: int, span: 'float[:,:]', box: 'float[:]', place: 'float[:]'
         place[2] = height
 
 
-def path_ranges(count: int, spans: 'float[:,:,:]', ranges: 'float[:,:]') -> None:
-    """Ranges of the load and of its rope during all spans, in ranges (Ranges, 3)."""
-    for axis in range(3):
-        for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
-            ranges[row, axis] = 1e300
-            ranges[row + 1, axis] = -1e300
-    for k in range(count):
-        span = spans[k, :, :]
-        slowest, fastest = row_range(span, Span.PULL + 2)
-        for axis in range(3):
-            least, most = row_range(span, Span.LOAD + axis)
-            widen_range(Ranges.LOAD_LOW, axis, least, most, ranges)
-            widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
-            if axis == 2:
-                # up to the trolley
-                widen_range(Ranges.ROPE_LOW, axis, 0.0, 0.0, ranges)
-            elif slowest > 0.0:
-                least, most = row_range(span, Span.REACH + axis)
-                least = min(least / slowest, least / fastest)
-                most = max(most / slowest, most / fastest)
-                widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
-            else:
-                widen_range(Ranges.ROPE_LOW, axis, -1e300, 1e300, ranges)
-
-
-def widen_range(row: int, axis: int, least: float, most: float, ranges: 'float[:,:]') -> None:
-    """Widen the range of an axis in two rows so that it has what is between two values."""
-    ranges[row, axis] = min(ranges[row, axis], least)
-    ranges[row + 1, axis] = max(ranges[row + 1, axis], most)
-
-
-def is_near(part: int, box: 'float[:]', ranges: 'float[:,:]') -> bool:
-    """Whether the range of a part overlaps a box."""
-    low = Box.LOAD_LOW
-    high = Box.LOAD_HIGH
-    row = Ranges.LOAD_LOW
-    if part == Part.ROPE:
-        low = Box.ROPE_LOW
-        high = Box.ROPE_HIGH
-        row = Ranges.ROPE_LOW
-        if box[Box.ROPE] < 0.5:
-            return False
-    for axis in range(3):
-        if ranges[row + 1, axis] <= box[low + axis] or ranges[row, axis] >= box[high + axis]:
-            return False
-    return True
-
-
 def first_contact(
     count: int,
     boxes: 'float[:,:]',
@@ -170,12 +122,12 @@ def first_contact(
 ) -> int:
     """The part (Part) that meets one of the boxes first, with a report (Collision); or CLEAR.
 
-    boxes (.., Box); count, spans and stack as in `contact_times`; times (1, 2) and ranges (Ranges,
-    3) are work space. The rope counts where the load meets nothing: it has to follow that.
+    boxes (.., Box); count, spans and stack as in `contact_times`; ranges (Ranges, 3) of the path;
+    times (1, 2) and the row PLACE of ranges are work space. The rope counts where the load meets
+    nothing: it has to follow that.
     """
     first = Part.CLEAR
     report[Collision.BEGIN] = 1e300
-    path_ranges(count, spans, ranges)
     place = ranges[Ranges.PLACE, :]
     for part in range(Part.LOAD, Part.ROPE + 1):
         if first != Part.CLEAR:
