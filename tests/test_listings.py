@@ -28,6 +28,10 @@ waypoints = [segfmu.Waypoint([0.0, 0.0, -0.5]), segfmu.Waypoint([0.5, 0.3, -0.4]
 trajectory = segfmu.plan(waypoints, limits)
 inverse = segfmu.FlatInverse(crane, trajectory)
 """
+TABLE = re.search(
+    r"^```csv\n(.*?)^```$", (ROOT / "docs/howto/csv_path.md").read_text(encoding="utf-8"),
+    re.MULTILINE | re.DOTALL,
+)[1]
 # page -> what its listings take for granted
 BEFORE = {
     "README.md": "",
@@ -35,6 +39,7 @@ BEFORE = {
         "lengths, payloads, lag = [0.2, 0.5], [0.5, 1.0], (0.025, 0.025, 0.025)\n"
     ),
     "docs/fmus.md": "",
+    "docs/howto/csv_path.md": f"from pathlib import Path\nPath('path.csv').write_text({TABLE!r})\n",
     "docs/planner.md": MOVE + (
         "t, velocity = 0.7, [0.1, 0.0, 0.0]\ntargets = segfmu.Waypoint([0.4, 0.1, -0.5])\n"
     ),

@@ -21,6 +21,17 @@ SIGNALS = [n for n in SPECS["GantryCrane"].references
            and n in {v.name for v in SPECS["GantryCrane"].where("input")}]
 # importers give outputs as they were before the inputs at the end of the step were handed on
 FEEDTHROUGH = ("error.load.",)
+
+
+def place(number: int, position: list[float]) -> dict[str, float]:
+    """Parameters of a waypoint at rest."""
+    states = {"position": position, "velocity": [0.0] * 3, "acceleration": [0.0] * 3}
+    return {
+        f"waypoint[{number}].{name}.{axis}": value
+        for name, values in states.items() for axis, value in zip("xyz", values, strict=True)
+    }
+
+
 MISSIONS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "paper": ({}, {}),
     "short move in the wind": (
@@ -29,6 +40,15 @@ MISSIONS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
          "planner.smoothness": 5, "limits.x.velocity": 0.3},
         {"sway.x.angle": 0.03, "feedback.enabled": False, "wind.gust.start": 1.0,
          "wind.gust.duration": 0.5, "wind.gust.force.x": 0.4},
+    ),
+    "equal waypoints": (
+        {"waypoint.count": 4, **place(1, [0.0, 0.0, -0.5]), **place(2, [0.0, 0.0, -0.5]),
+         **place(3, [0.2, 0.1, -0.5]), **place(4, [0.2, 0.1, -0.5]), "waypoint[3].dwell": 0.5,
+         "waypoint[4].dwell": 0.3},
+        {},
+    ),
+    "where it is": (
+        {"waypoint.count": 2, **place(1, [0.1, 0.0, -0.5]), **place(2, [0.1, 0.0, -0.5])}, {},
     ),
 }
 

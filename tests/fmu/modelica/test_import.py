@@ -91,6 +91,27 @@ def test_a_moved_first_waypoint_needs_nothing_else(native_fmus, tmp_path: Path) 
         assert load_distance(results[1:], "gantry.", expected[1:]) < 1e-6, solver
 
 
+def test_equal_waypoints_are_one(native_fmus, tmp_path: Path) -> None:
+    loaded = imported(tmp_path, native_fmus[2])
+    places = {1: (0.0, 0.0, -0.5), 2: (0.0, 0.0, -0.5), 3: (0.2, 0.1, -0.5), 4: (0.2, 0.1, -0.5)}
+    values = {
+        f"waypoint_{i}__{name}_{axis}": x if name == "position" else 0.0
+        for i, place in places.items() for name in ("position", "velocity", "acceleration")
+        for axis, x in zip("xyz", place, strict=True)
+    }
+    given = ", ".join(f"{name} = {value}" for name, value in values.items())
+    mission(tmp_path, CLASSES.format(f"(waypoint_count = 4, {given})", ""))
+    program = built(tmp_path, "Mission", loaded + 'loadFile("Mission.mo");\n', 5.0)
+    results, _ = simulated(program)
+    once = {f"waypoint[{i}].{name}.{axis}": values[f"waypoint_{i + 1}__{name}_{axis}"]
+            for i in (1, 2) for name in ("position", "velocity", "acceleration") for axis in "xyz"}
+    expected = simulate(
+        *native_fmus[2], stop_time=5.0, step=1e-3, source_values={"waypoint.count": 2} | once
+    )
+    assert load_distance(results[1:], "gantry.", expected[1:]) < 1e-6
+    assert expected["load.position.x"][-1] == pytest.approx(0.2, abs=1e-3)
+
+
 def test_parameters_of_no_use_end_the_simulation_with_their_reason(
     native_fmus, tmp_path: Path
 ) -> None:
