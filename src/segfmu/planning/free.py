@@ -42,6 +42,11 @@ KEEPS_UP = 1.005
 # of the last search, in units of the limits, and the least gain that counts
 STEPS = (0.03, 0.01, 0.003, 0.001)
 SHORTER = 1.0 - 1e-6
+# states are multiples of the limit over this: linear algebra differs by up to 1e-12 of the limit
+# from processor to processor, so one number in a million would be rounded in another way
+GRID = 2.0**16
+# durations that differ by a smaller share are equal
+ALIKE = 1e-6
 # factors of velocity, acceleration, jerk and snap limits for each degree of tightness
 TIGHTER = np.array([1.0, 1.0, 0.93, 0.75])
 # a limit of so many times about the largest value of a motion is none
@@ -174,23 +179,47 @@ class _Best:
         return slow
 
     def polish(self) -> None:
-        """Move one free state after the other while the two intervals next to it get shorter."""
+        """Move one free state after the other while the two intervals next to it get shorter.
+
+        The points in the order of the longer first interval, so that a path and its reverse end
+        alike.
+        """
         for step in STEPS:
-            for point, axis, field in np.argwhere(self.part.free):
-                near = self.part.around(int(point))
-                window = self.states[point - 1:point + 2].copy()
-                least = float(near.durations(window).sum())
-                bound = float(_half_range(near.problem)[axis, field])
-                for move in (step * bound, -step * bound):
-                    while True:
-                        trial = window.copy()
-                        trial[1, axis, field] = np.clip(trial[1, axis, field] + move, -bound, bound)
-                        reached = near.quick_total(trial, least * SHORTER)
-                        if not reached < least * SHORTER or near.beyond(trial).any():
-                            break
-                        window, least = trial, reached
-                self.states[point] = window[1]
+            places = np.argwhere(self.part.free)
+            if self._runs_backwards():
+                places = places[np.argsort(-places[:, 0], kind="stable")]
+            for point, axis, field in places.tolist():
+                self._polish(point, axis, field, step)
         self.total = float(self.part.durations(self.states).sum())
+
+    def _runs_backwards(self) -> bool:
+        """Whether the last intervals are longer than the first ones."""
+        durations = self.part.durations(self.states)
+        ahead = durations - durations[::-1]
+        apart = ahead[np.abs(ahead) > ALIKE * durations.max()]
+        return bool(apart.size > 0 and apart[0] < 0.0)
+
+    def _polish(self, point: int, axis: int, field: int, step: float) -> None:
+        """Move a state in the direction that gains more, as long as it gains."""
+        near = self.part.around(point)
+        low, high = -near.problem.lower[axis, field], near.problem.limits[axis, field]
+
+        def moved(states: FloatArray, move: float) -> tuple[float, FloatArray]:
+            trial = states.copy()
+            trial[1, axis, field] = np.clip(trial[1, axis, field] + move, low, high)
+            total = near.quick_total(trial, least * SHORTER)
+            gains = total < least * SHORTER and not near.beyond(trial).any()
+            return (total if gains else np.inf), trial
+
+        window = self.states[point - 1:point + 2].copy()
+        least = float(near.durations(window).sum())
+        size = step * 0.5 * float(high - low)
+        ways = [(*moved(window, move), move) for move in (size, -size)]
+        reached, trial, move = min(ways, key=lambda way: way[0])
+        while reached < np.inf:
+            window, least = trial, reached
+            reached, trial = moved(window, move)
+        self.states[point] = window[1]
 
 
 class _Search:
@@ -260,7 +289,7 @@ class _Search:
     def _rounded(self, shares: FloatArray) -> FloatArray:
         """States without the last digits, which depend on the processor: all plan the same."""
         problem = self.part.problem
-        digits = np.round(shares * 2.0**24) / 2.0**24 * self.limits[None, :, :2]
+        digits = np.round(shares * GRID) / GRID * self.limits[None, :, :2]
         return np.where(self.part.free, digits, problem.states[:, :, WaypointState.VELOCITY:])
 
 
