@@ -16,10 +16,13 @@ from tests.fmu.python.test_slaves import LIMITS, POINTS
 
 # no step ends at the plan's event at 0.1 s, which is a rounding error before a tick
 STEP, STOP = 0.003, 1.998
+ENDS = ((-1.0, "min"), (1.0, "max"))
 UNKIND = {
     "drive.bridge.lag": 0.025, "drive.trolley.lag": 0.013, "drive.trolley.acceleration_max": 0.4,
     "drive.trolley.dead_time": 0.0071,
-    "drive.hoist.force_max": 14.0,
+    "drive.hoist.force_max": 14.0, "drive.bridge.acceleration_min": -0.3,
+    "drive.trolley.acceleration_min": -0.25, "drive.trolley.force_min": -1.2,
+    "drive.hoist.velocity_max": 0.3, "drive.hoist.velocity_min": -0.12,
     "friction.bridge.viscous": 5.0, "friction.trolley.coulomb": 0.5, "friction.hoist.viscous": 4.0,
     "friction.sway.viscous": 0.02,
     "sensor.sample_time": 0.01, "sensor.dead_time": 0.01, "sensor.seed": 2,
@@ -42,11 +45,13 @@ def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, li
     inverse = FlatInverse(crane, trajectory)
     drives = ("bridge", "trolley", "hoist")
     late = parameters["sensor.dead_time"] + max(parameters[f"drive.{d}.dead_time"] for d in drives)
-    bound = "acceleration_max" if driven else "force_max"
+    bound = "acceleration" if driven else "force"
+    pairs = [[parameters[f"drive.{d}.{bound}_{end}"] or s * 1e99 for s, end in ENDS]
+             for d in drives]
     gains = design(
         crane, sample_time=0.01, shortest=0.16, longest=1.5, driven=driven,
         lag=[parameters[f"drive.{d}.lag"] for d in drives], dead_time=late,
-        strongest=[parameters[f"drive.{d}.{bound}"] or 1e99 for d in drives],
+        strongest=[min(most, -least) for least, most in pairs],
     )
 
     def setpoints(time: float) -> Setpoints:

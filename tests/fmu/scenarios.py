@@ -130,6 +130,7 @@ CRANE: dict[str, Scenario] = {
         },
         np.arange(201) / 20.0, motion=swing,
     ),
+    "lifting": Scenario(VELOCITY | LAGS, TIMES[:5], motion=still, held={"velocity.hoist": -0.1}),
     "slack": Scenario(
         {"rope.slack": "free_fall", "feedback.enabled": False}, TIMES[:5], motion=still,
         held={"force.hoist": 1.0},
@@ -169,6 +170,9 @@ CHANGES: Values = {
     "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "limits.x.acceleration": 0.2,
     **{f"limits.{axis}.velocity_min": -0.05 for axis in "xyz"},
     **{f"limits.{axis}.acceleration_min": -0.1 for axis in "xyz"},
+    **{f"drive.{drive}.velocity_min": -0.02 for drive in DRIVES},
+    **{f"drive.{drive}.acceleration_min": -0.1 for drive in DRIVES},
+    **{f"drive.{drive}.force_min": -0.05 for drive in DRIVES},
     "limits.y.acceleration": 0.2, "limits.z.acceleration": 0.05, "planner.smoothness": 5,
     "planner.duration": 80.0, "planner.start_time": 0.3,
     "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,

@@ -323,7 +323,7 @@ def control_calls() -> dict[str, Call]:
         "set_fading": (parameters.copy(),),
         "signal_age": (0.006, 0.01, 0.02),
         "set_steps": (np.linspace(0.0, 1e-3, Sensors.SIZE), 1.0, expected.vector),
-        "drive_bound": (plant, 1),
+        "drive_bound": (plant, 1, -1.0),
         "set_drives": (plant, zeros(Tracking.SIZE)),
         "set_walks": (plant, expected.vector),
         "check_gains": (

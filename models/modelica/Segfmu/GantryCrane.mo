@@ -128,20 +128,29 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "that of GantryFeedforward; above 0, inputs set after a step are those of the end of the next one, and no reference for the errors yet" annotation(Dialog(tab = "setpoint"));
   parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the bridge drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_force_min(unit = "N", max = 0.0) = 0.0 "least force of the bridge drive, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the bridge drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "least acceleration of the bridge drive in mode velocity, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the bridge drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_velocity_min(unit = "m/s", max = 0.0) = 0.0 "least velocity of the bridge drive, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the bridge drive, driving or braking; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_bridge_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the bridge, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_lag(unit = "s", min = 0.0) = 0.0 "time constant of the trolley drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the trolley drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_force_min(unit = "N", max = 0.0) = 0.0 "least force of the trolley drive, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the trolley drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "least acceleration of the trolley drive in mode velocity, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the trolley drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_velocity_min(unit = "m/s", max = 0.0) = 0.0 "least velocity of the trolley drive, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the trolley drive, driving or braking; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_trolley_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the trolley, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_lag(unit = "s", min = 0.0) = 0.0 "time constant of the hoist drive in mode velocity; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the hoist drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_force_min(unit = "N", max = 0.0) = 0.0 "least force of the hoist drive, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the hoist drive in mode velocity; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "least acceleration of the hoist drive in mode velocity, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the hoist drive; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_velocity_min(unit = "m/s", max = 0.0) = 0.0 "least velocity of the hoist drive, below 0; 0: minus the largest" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the hoist drive, driving or braking; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_dead_time(unit = "s", min = 0.0) = 0.0 "from the command of the hoist, setpoint and correction, to the drive; in model exchange 0" annotation(Dialog(tab = "drive"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
@@ -316,9 +325,25 @@ model GantryCrane "Dynamics of a 3-DOF gantry crane from Lagrange's equations, d
   Real friction_hoist_deflection_rate(unit = "m/s") "derivative of friction.hoist.deflection";
   Real power_drives(unit = "W", nominal = 10.0) "power of all drives";
 protected
-  constant Integer feedback_table_length_references[17] = {215, 229, 243, 257, 271, 285, 299, 313, 327, 341, 355, 369, 383, 397, 411, 425, 439};
-  constant Integer feedback_table_bridge_references[17, 5] = [216, 217, 218, 219, 220;
-      230, 231, 232, 233, 234;
+  constant Integer feedback_table_length_references[17] = {224, 238, 252, 266, 280, 294, 308, 322, 336, 350, 364, 378, 392, 406, 420, 434, 448};
+  constant Integer feedback_table_bridge_references[17, 5] = [225, 226, 227, 228, 229;
+      239, 240, 241, 242, 243;
+      253, 254, 255, 256, 257;
+      267, 268, 269, 270, 271;
+      281, 282, 283, 284, 285;
+      295, 296, 297, 298, 299;
+      309, 310, 311, 312, 313;
+      323, 324, 325, 326, 327;
+      337, 338, 339, 340, 341;
+      351, 352, 353, 354, 355;
+      365, 366, 367, 368, 369;
+      379, 380, 381, 382, 383;
+      393, 394, 395, 396, 397;
+      407, 408, 409, 410, 411;
+      421, 422, 423, 424, 425;
+      435, 436, 437, 438, 439;
+      449, 450, 451, 452, 453];
+  constant Integer feedback_table_trolley_references[17, 5] = [230, 231, 232, 233, 234;
       244, 245, 246, 247, 248;
       258, 259, 260, 261, 262;
       272, 273, 274, 275, 276;
@@ -333,48 +358,33 @@ protected
       398, 399, 400, 401, 402;
       412, 413, 414, 415, 416;
       426, 427, 428, 429, 430;
-      440, 441, 442, 443, 444];
-  constant Integer feedback_table_trolley_references[17, 5] = [221, 222, 223, 224, 225;
-      235, 236, 237, 238, 239;
-      249, 250, 251, 252, 253;
-      263, 264, 265, 266, 267;
-      277, 278, 279, 280, 281;
-      291, 292, 293, 294, 295;
-      305, 306, 307, 308, 309;
-      319, 320, 321, 322, 323;
-      333, 334, 335, 336, 337;
-      347, 348, 349, 350, 351;
-      361, 362, 363, 364, 365;
-      375, 376, 377, 378, 379;
-      389, 390, 391, 392, 393;
-      403, 404, 405, 406, 407;
-      417, 418, 419, 420, 421;
-      431, 432, 433, 434, 435;
-      445, 446, 447, 448, 449];
-  constant Integer feedback_table_hoist_references[17, 3] = [226, 227, 228;
-      240, 241, 242;
-      254, 255, 256;
-      268, 269, 270;
-      282, 283, 284;
-      296, 297, 298;
-      310, 311, 312;
-      324, 325, 326;
-      338, 339, 340;
-      352, 353, 354;
-      366, 367, 368;
-      380, 381, 382;
-      394, 395, 396;
-      408, 409, 410;
-      422, 423, 424;
-      436, 437, 438;
-      450, 451, 452];
+      440, 441, 442, 443, 444;
+      454, 455, 456, 457, 458];
+  constant Integer feedback_table_hoist_references[17, 3] = [235, 236, 237;
+      249, 250, 251;
+      263, 264, 265;
+      277, 278, 279;
+      291, 292, 293;
+      305, 306, 307;
+      319, 320, 321;
+      333, 334, 335;
+      347, 348, 349;
+      361, 362, 363;
+      375, 376, 377;
+      389, 390, 391;
+      403, 404, 405;
+      417, 418, 419;
+      431, 432, 433;
+      445, 446, 447;
+      459, 460, 461];
   final parameter Integer real_references[:] = cat(1, {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92, 93, 94, 95,
       96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114,
       115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132,
-      133, 134, 136, 137, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152,
-      153, 154, 155, 156, 157, 158, 160, 161, 162, 163, 164, 165, 166, 168, 169, 170, 171, 172,
-      173, 174, 175, 176, 177, 178, 180, 181, 183, 184, 185, 186, 187, 188, 189, 190, 193, 194,
-      195, 196, 197, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 214},
+      133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 145, 146, 148, 149, 150, 151, 152,
+      153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 169, 170, 171,
+      172, 173, 174, 175, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 189, 190, 192,
+      193, 194, 195, 196, 197, 198, 199, 202, 203, 204, 205, 206, 208, 209, 210, 211, 212, 213,
+      214, 215, 216, 217, 218, 223},
       feedback_table_length_references[1:feedback_table_count],
       FMI.references(feedback_table_bridge_references, feedback_table_count),
       FMI.references(feedback_table_trolley_references, feedback_table_count),
@@ -383,20 +393,23 @@ protected
       sway_y_angle_start, bridge_velocity_start, trolley_velocity_start, rope_velocity_start,
       sway_x_rate_start, sway_y_rate_start, crane_bridge_mass, crane_trolley_mass,
       crane_payload_mass, crane_gravity, crane_rope_min, crane_rope_max, setpoint_lead,
-      drive_bridge_lag, drive_bridge_force_max, drive_bridge_acceleration_max,
-      drive_bridge_velocity_max, drive_bridge_power_max, drive_bridge_dead_time,
-      drive_trolley_lag, drive_trolley_force_max, drive_trolley_acceleration_max,
-      drive_trolley_velocity_max, drive_trolley_power_max, drive_trolley_dead_time,
-      drive_hoist_lag, drive_hoist_force_max, drive_hoist_acceleration_max,
-      drive_hoist_velocity_max, drive_hoist_power_max, drive_hoist_dead_time,
-      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
-      friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
-      friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
-      friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
-      friction_presliding, friction_sway_viscous, travel_bridge_min, travel_bridge_max,
-      travel_bridge_stiffness, travel_bridge_damping, travel_trolley_min, travel_trolley_max,
-      travel_trolley_stiffness, travel_trolley_damping, travel_rope_min, travel_rope_max,
-      travel_rope_stiffness, travel_rope_damping, sensor_sample_time, sensor_dead_time,
+      drive_bridge_lag, drive_bridge_force_max, drive_bridge_force_min,
+      drive_bridge_acceleration_max, drive_bridge_acceleration_min, drive_bridge_velocity_max,
+      drive_bridge_velocity_min, drive_bridge_power_max, drive_bridge_dead_time,
+      drive_trolley_lag, drive_trolley_force_max, drive_trolley_force_min,
+      drive_trolley_acceleration_max, drive_trolley_acceleration_min, drive_trolley_velocity_max,
+      drive_trolley_velocity_min, drive_trolley_power_max, drive_trolley_dead_time,
+      drive_hoist_lag, drive_hoist_force_max, drive_hoist_force_min, drive_hoist_acceleration_max,
+      drive_hoist_acceleration_min, drive_hoist_velocity_max, drive_hoist_velocity_min,
+      drive_hoist_power_max, drive_hoist_dead_time, friction_bridge_viscous,
+      friction_bridge_coulomb, friction_bridge_static, friction_bridge_drag,
+      friction_trolley_viscous, friction_trolley_coulomb, friction_trolley_static,
+      friction_trolley_drag, friction_hoist_viscous, friction_hoist_coulomb,
+      friction_hoist_static, friction_hoist_drag, friction_width, friction_presliding,
+      friction_sway_viscous, travel_bridge_min, travel_bridge_max, travel_bridge_stiffness,
+      travel_bridge_damping, travel_trolley_min, travel_trolley_max, travel_trolley_stiffness,
+      travel_trolley_damping, travel_rope_min, travel_rope_max, travel_rope_stiffness,
+      travel_rope_damping, sensor_sample_time, sensor_dead_time,
       sensor_bridge_position_resolution, sensor_bridge_position_deviation,
       sensor_bridge_position_offset, sensor_trolley_position_resolution,
       sensor_trolley_position_deviation, sensor_trolley_position_offset,
@@ -420,12 +433,12 @@ protected
       FMI.rows(feedback_table_bridge),
       FMI.rows(feedback_table_trolley),
       FMI.rows(feedback_table_hoist));
-  constant Integer integer_references[12] = {87, 135, 138, 159, 167, 179, 182, 192, 198, 211, 212, 213};
+  constant Integer integer_references[12] = {87, 144, 147, 168, 176, 188, 191, 201, 207, 220, 221, 222};
   final parameter Integer integers[12] = {Integer(drive_mode), Integer(rope_slack), sensor_seed, Integer(wind_gust_shape),
       wind_noise_seed, wind_turbulence_seed, payload_count, Integer(feedback_design),
       Integer(feedback_source), Integer(feedback_offset_cause), feedback_table_count,
       Integer(feedback_table_mode)};
-  constant Integer boolean_references[3] = {88, 191, 210};
+  constant Integer boolean_references[3] = {88, 200, 219};
   final parameter Integer booleans[3] = {if start_on_reference then 1 else 0, if feedback_enabled then 1 else 0, if
       feedback_rope_offset then 1 else 0};
   constant Integer input_references[22] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
@@ -459,7 +472,7 @@ protected
       reference_sway_y_rate_used, reference_load_position_x_used, reference_load_position_y_used,
       reference_load_position_z_used, wind_x_used, wind_y_used, wind_z_used};
   FMI.Instance fmu = FMI.Instance(folder, "GantryCrane", getInstanceName(),
-      "{d8c81a1e-62fb-5876-a51d-9e2de222b09c}", 16);
+      "{869e3355-099c-feb0-93b9-e276f70d3d30}", 16);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[16](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";
@@ -549,7 +562,7 @@ equation
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
       {23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 58, 59,
-      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 458, 459, 460}, last);
+      60, 61, 62, 63, 64, 65, 66, 69, 70, 71, 72, 73, 74, 75, 467, 468, 469}, last);
   {error_load_x}
       = FMI.reals(fmu, time, x, {17},
       {reference_load_position_x_used},
@@ -574,7 +587,7 @@ equation
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22},
       {force_bridge_used, force_trolley_used, force_hoist_used, velocity_bridge_used,
       velocity_trolley_used, velocity_hoist_used, wind_x_used, wind_y_used, wind_z_used},
-      {48, 50, 51, 53, 54, 56, 57, 67, 68, 453, 454, 455, 456, 457, 461}, last);
+      {48, 50, 51, 53, 54, 56, 57, 67, 68, 462, 463, 464, 465, 466, 470}, last);
   {friction_bridge_deflection, friction_trolley_deflection, friction_hoist_deflection,
       load_speed, sway_total}
       = FMI.reals(fmu, time, x, {1, 2, 3, 4, 5, 6, 20, 21, 22, 17, 18, 19},

@@ -25,6 +25,12 @@ def require_positive(name: str, value: object) -> None:
         raise InputError(f"{name} must be a finite number > 0, got {shown(value)}")
 
 
+def require_negative(name: str, value: object) -> None:
+    """Raise InputError unless `value` is a finite number below 0."""
+    if not _finite(value) or value >= 0:  # type: ignore[operator]
+        raise InputError(f"{name} must be a finite number < 0, got {shown(value)}")
+
+
 def require_quantity(name: str, value: object) -> None:
     """Raise InputError unless `value` is a number from 1e-9 to 1e9, as crane files have them."""
     require_positive(name, value)

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.crane.checks import require_negative, require_not_negative, require_positive, sized
 from segfmu.crane.variables import Fed, fed
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -24,10 +24,13 @@ SLACK = ("error", "free_fall")
 class Drive:
     """Drive of one axis.
 
-    In force mode it applies its force setpoint, up to `force_max`. In velocity mode it is the
-    frequency converter of section 4.4: lag v' = v* - v, with |v'| at most `acceleration_max`, and
-    its force follows from this motion. If that force exceeds `force_max`, the drive applies
-    `force_max` and its velocity falls behind.
+    In force mode it applies its force setpoint, within its bounds. In velocity mode it is the
+    frequency converter of section 4.4: lag v' = v* - v, with v' within the bounds of the
+    acceleration, and its force follows from this motion. If that force exceeds its bound, the drive
+    applies as much as it can and its velocity falls behind.
+
+    Bounds may differ by direction. Forces and velocities of the hoist are positive where they pay
+    rope out: it lifts with negative ones.
 
     Parameters
     ----------
@@ -35,21 +38,23 @@ class Drive:
         Time constant of the velocity loop [s]. With 0 the velocity equals the setpoint; after
         saturation it reaches it within the next step.
     force_max : float, optional
-        Largest force in either direction [N].
+        Largest force [N].
     acceleration_max : float, optional
-        Largest acceleration in either direction [m/s2], in velocity mode.
+        Largest acceleration [m/s2], in velocity mode.
     dead_time : float
         Time from the command, setpoint and correction, to the drive [s].
     velocity_max : float, optional
-        Largest velocity in either direction [m/s]. Velocity setpoints beyond it are clipped; in
-        force mode the drive applies at most the force that holds it.
+        Largest velocity [m/s]. Velocity setpoints beyond it are clipped; in force mode the drive
+        applies at most the force that holds it.
     power_max : float, optional
         Largest power [W], driving or braking: the force is at most power_max / |v|.
+    force_min, acceleration_min, velocity_min : float, optional
+        Least ones, below zero; None for minus the largest.
 
     Raises
     ------
     InputError
-        For negative times and for bounds that are not positive.
+        For negative times, and for bounds that are zero or of the other sign.
     """
 
     lag: float = 0.0
@@ -58,6 +63,9 @@ class Drive:
     dead_time: float = 0.0
     velocity_max: float | None = None
     power_max: float | None = None
+    force_min: float | None = None
+    acceleration_min: float | None = None
+    velocity_min: float | None = None
 
     def __post_init__(self) -> None:
         require_not_negative("drive lag", self.lag)
@@ -65,6 +73,9 @@ class Drive:
         for name in ("force_max", "acceleration_max", "velocity_max", "power_max"):
             if getattr(self, name) is not None:
                 require_positive(f"drive {name}", getattr(self, name))
+        for name in ("force_min", "acceleration_min", "velocity_min"):
+            if getattr(self, name) is not None:
+                require_negative(f"drive {name}", getattr(self, name))
 
 
 @dataclass(frozen=True)
@@ -177,6 +188,9 @@ DRIVE = tuple(
         "dead_time": fed(Plant, "DEAD_TIME", i),
         "velocity_max": fed(Plant, "VELOCITY_MAX", i, none=(0.0,)),
         "power_max": fed(Plant, "POWER_MAX", i, none=(0.0,)),
+        "force_min": fed(Plant, "FORCE_MIN", i, none=(0.0,)),
+        "acceleration_min": fed(Plant, "ACCELERATION_MIN", i, none=(0.0,)),
+        "velocity_min": fed(Plant, "VELOCITY_MIN", i, none=(0.0,)),
     }
     for i in range(len(DRIVES))
 )

@@ -47,7 +47,8 @@ PAYLOAD_TIME = 2.0
 # rows of the kernel's memory, and entries of its parameters
 ESTIMATE = slice(Tracker.ESTIMATE, Tracker.COMMAND)
 PRESENT = slice(Tracker.PRESENT, Tracker.AHEAD)
-VELOCITIES = slice(Tracking.VELOCITY_MAX, Tracking.POWER_MAX)
+VELOCITIES = slice(Tracking.VELOCITY_MAX, Tracking.VELOCITY_MIN)
+LEAST_VELOCITIES = slice(Tracking.VELOCITY_MIN, Tracking.POWER_MAX)
 POWERS = slice(Tracking.POWER_MAX, Tracking.OFFSET_CAUSE)
 REJECTED = slice(Tracking.REJECTED_DRIFT, Tracking.ENABLED)
 
@@ -71,6 +72,8 @@ class TrackingController:
         a tenth of the load's weight on the rope, whatever is given.
     velocity_max : array_like, shape (3,), optional
         Bounds of the velocity setpoints with what corrections add [m/s]; 0: none.
+    velocity_min : array_like, shape (3,), optional
+        The same of negative ones, not above 0; 0: as `velocity_max`.
     power_max : array_like, shape (3,), optional
         Largest powers of the drives [W], driving or braking; 0: none.
     fade : float
@@ -87,7 +90,8 @@ class TrackingController:
     Raises
     ------
     InputError
-        For different periods, shares outside 0 to 1, empty limits or a negative fade.
+        For different periods, shares outside 0 to 1, empty limits, a `velocity_min` above 0 or a
+        negative fade.
     """
 
     def __init__(
@@ -99,6 +103,7 @@ class TrackingController:
         lower: ArrayLike | None = None,
         upper: ArrayLike | None = None,
         velocity_max: ArrayLike | None = None,
+        velocity_min: ArrayLike | None = None,
         power_max: ArrayLike | None = None,
         fade: float = FADE,
         payload_time: float = PAYLOAD_TIME,
@@ -124,6 +129,12 @@ class TrackingController:
         own[Tracking.OFFSET_ACTS] = rope_offset
         if velocity_max is not None:
             own[VELOCITIES] = sized("velocity_max", velocity_max, 3)
+        if velocity_min is not None:
+            own[LEAST_VELOCITIES] = sized("velocity_min", velocity_min, 3)
+            if (own[LEAST_VELOCITIES] > 0.0).any():
+                raise InputError(
+                    f"velocity_min must not be above 0, got {own[LEAST_VELOCITIES].tolist()}"
+                )
         if power_max is not None:
             own[POWERS] = sized("power_max", power_max, 3)
         limits = own[Tracking.LEAST : Tracking.GAINS_PAYLOAD].reshape(2, Axes.SIZE)

@@ -244,6 +244,7 @@ def signal_age(
 def drive_bound(
     plant: Floats,
     axis: int,
+    sign: float,
     /,
 ) -> float: ...
 

@@ -225,6 +225,7 @@ RANGE = Messages(
     "range", RangeFault,
     {
         RangeStatus.BELOW: "must be at least {LEAST:g}, got {VALUE:g}",
+        RangeStatus.ABOVE: "must be at most {MOST:g}, got {VALUE:g}",
         RangeStatus.OUTSIDE: "must be at least {LEAST:g} and at most {MOST:g}, got {VALUE:g}",
     },
 )

@@ -49,6 +49,8 @@ BOTH: dict[str, Values] = {
     "weak lags": BLOWN | WEAK | LAGS, "away": BLOWN | LAGS | AWAY,
     "bounded": BLOWN | LAGS | AWAY | {"drive.bridge.acceleration_max": 0.5,
                                       "drive.hoist.velocity_max": 0.3},
+    "bounded below": BLOWN | LAGS | {"velocity.bridge": -1.5, "velocity.hoist": -0.4}
+    | {"drive.bridge.acceleration_min": -0.5, "drive.hoist.velocity_min": -0.3},
     "payload": BLOWN | {"payload.count": 1, "payload[1].time": 0.0, "payload[1].mass": 2.0},
     "buffer": BLOWN | {"travel.bridge.max": -0.01, "travel.bridge.stiffness": 50.0},
 }
@@ -58,6 +60,8 @@ ALONE: dict[str, Values] = {
     "away without lag": BLOWN | VELOCITY | {"velocity.bridge": 1.5}
     | {f"drive.{d}.acceleration_max": 0.5 for d in DRIVES},
     "away and weak": BLOWN | VELOCITY | {"velocity.bridge": 1.5, "drive.bridge.force_max": 9.0},
+    "away below without lag": BLOWN | VELOCITY | {"velocity.bridge": -1.5}
+    | {f"drive.{d}.acceleration_min": -0.5 for d in DRIVES},
     "late force": BLOWN | {"drive.bridge.dead_time": 0.02},
     "late": BLOWN | LAGS | AWAY | {f"drive.{d}.dead_time": 0.02 for d in DRIVES},
     "slack": MOVING | VELOCITY | {"rope.slack": "free_fall", "velocity.hoist": 3.0,

@@ -34,7 +34,9 @@ VALUES = {
     "wind.turbulence.length": 800.0, "wind.turbulence.bandwidth": 0.6, "wind.turbulence.seed": 6,
     "wind.air_density": 1.1, "load.drag_area": 0.3, "travel.trolley.stiffness": 50.0,
     "travel.trolley.damping": 4.0, "friction.trolley.static": 7.0, "friction.presliding": 2e-5,
-    "drive.hoist.velocity_max": 0.9, "drive.bridge.power_max": 60.0,
+    "drive.hoist.velocity_max": 0.9, "drive.hoist.velocity_min": -0.4,
+    "drive.trolley.force_min": -7.0, "drive.hoist.acceleration_min": -1.5,
+    "drive.bridge.power_max": 60.0,
     "rope.slack": 2, "wind.noise.bandwidth": 4.0, "wind.noise.seed": 8,
     "payload.count": 2, "payload[1].time": 1.0, "payload[1].mass": 2.0, "payload[2].time": 3.0,
     "payload[2].mass": 0.5,
@@ -49,8 +51,9 @@ def test_ideal_by_default() -> None:
 def test_every_parameter_finds_its_place() -> None:
     assert set(VALUES) <= set(START)
     expected = Rig(
-        Drive(0.01, dead_time=0.04, power_max=60.0), Drive(0.02, force_max=5.0),
-        Drive(0.03, acceleration_max=2.0, velocity_max=0.9),
+        Drive(0.01, dead_time=0.04, power_max=60.0), Drive(0.02, force_max=5.0, force_min=-7.0),
+        Drive(0.03, acceleration_max=2.0, velocity_max=0.9, acceleration_min=-1.5,
+              velocity_min=-0.4),
         Friction((1.0, 2.0, 3.0), (4.0, 5.0, 6.0), 0.02, 0.1,
                  static=(0.0, 7.0, 0.0), presliding=2e-5),
         TravelLimits(
@@ -77,7 +80,10 @@ def test_signals_are_the_measured_part_of_the_state() -> None:
 def test_names_of_the_contract() -> None:
     names = {v.name for v in gantry_crane.spec().variables}
     for axis in ("bridge", "trolley", "hoist"):
-        for quantity in ("lag", "force_max", "acceleration_max", "dead_time"):
+        for quantity in (
+            "lag", "force_max", "force_min", "acceleration_max", "acceleration_min",
+            "velocity_max", "velocity_min", "dead_time",
+        ):
             assert f"drive.{axis}.{quantity}" in names
         for quantity in ("viscous", "coulomb"):
             assert f"friction.{axis}.{quantity}" in names

@@ -37,6 +37,8 @@ ON = ENCODERS | {
     "feedback.source": 2, "sensor.sample_time": 0.01,
     "drive.bridge.lag": 0.025, "drive.trolley.lag": 0.013, "drive.hoist.lag": 0.02,
     "drive.bridge.force_max": 30.0, "drive.trolley.acceleration_max": 0.8,
+    "drive.bridge.force_min": -20.0, "drive.trolley.acceleration_min": -0.6,
+    "drive.bridge.velocity_min": -0.4, "drive.hoist.velocity_max": 0.2,
     "friction.bridge.viscous": 5.0, "friction.bridge.coulomb": 0.4,
     "friction.trolley.coulomb": 0.3, "friction.hoist.viscous": 4.0, "friction.sway.viscous": 0.002,
     "wind.gust.start": 0.5, "wind.gust.duration": 0.7, "wind.gust.force.x": 0.5,
@@ -82,9 +84,14 @@ def loop(driven: bool, values: dict[str, float], **options) -> Loop:
     inverse = FlatInverse(CRANE, plan(POINTS, LIMITS))
     ranges = {"sample_time": 0.01, "shortest": 0.16, "longest": 1.5, "driven": driven}
     lag = tuple(parameters[f"drive.{d}.lag"] for d in ("bridge", "trolley", "hoist"))
-    bound = "acceleration_max" if driven else "force_max"
-    most = np.array([parameters[f"drive.{d}.{bound}"] or 1e99
-                     for d in ("bridge", "trolley", "hoist")])
+    drives, bound = ("bridge", "trolley", "hoist"), "acceleration" if driven else "force"
+    most = np.array([parameters[f"drive.{d}.{bound}_max"] or 1e99 for d in drives])
+    least = np.array([parameters[f"drive.{d}.{bound}_min"] for d in drives])
+    least = np.where(least < 0.0, least, -most)
+    if driven:
+        # the bridge's force moves the load as well
+        mass = CRANE.bridge_mass + CRANE.trolley_mass + CRANE.payload_mass
+        most[0], least[0] = 30.0 / mass, -20.0 / mass
     # errors that quantisation and noise of the sensors have, or usual ones
     steps = {
         n: max(np.hypot(parameters[f"sensor.{s}.resolution"],
@@ -98,11 +105,12 @@ def loop(driven: bool, values: dict[str, float], **options) -> Loop:
     observer = design_observer(
         CRANE, lag=lag, delayed=late / 0.01,
         uncertainty=Uncertainty(wake=values.get("feedback.observer.wake", 1.0), **steps),
-        strongest=most, **ranges,
+        strongest=np.minimum(most, -least), **ranges,
     )
     controller = TrackingController(
-        observer, design_flat(CRANE, lag=lag, dead_time=late, **ranges), lower=-most,
-        upper=most, **options,
+        observer, design_flat(CRANE, lag=lag, dead_time=late, **ranges), lower=least,
+        upper=most, velocity_max=[parameters[f"drive.{d}.velocity_max"] for d in drives],
+        velocity_min=[parameters[f"drive.{d}.velocity_min"] for d in drives], **options,
     )
     state = np.array([values.get(n, REST[i]) for i, n in enumerate(gantry_crane.STATE)])
     plant = Plant(

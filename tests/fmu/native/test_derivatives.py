@@ -34,6 +34,10 @@ CASES = {
                 **{f"travel.{a}.stiffness": 20.0 for a in ("bridge", "trolley", "rope")},
                 "travel.trolley.damping": 3.0, "travel.rope.damping": 2.0},
     "clipped": {**VELOCITY, "drive.trolley.velocity_max": 0.05},
+    "clipped below": {**VELOCITY, "drive.trolley.velocity_min": -0.05,
+                      "drive.bridge.acceleration_min": -0.1, "drive.hoist.velocity_min": -0.02},
+    "saturated below": {"drive.trolley.force_min": -0.1, "drive.bridge.force_min": -0.2,
+                        "drive.bridge.power_max": 0.01, **FRICTION},
     "power": {"drive.bridge.power_max": 0.01, "drive.hoist.power_max": 0.3, **FRICTION},
 }
 

@@ -65,6 +65,19 @@ def test_what_is_tuned_stays_in_its_range(native_fmus, fmi: int, name: str, valu
 
 
 @both
+@pytest.mark.parametrize(
+    ("index", "name"),
+    [(0, "limits.z.velocity_min"), (1, "drive.hoist.velocity_min"), (1, "drive.bridge.force_min")],
+)
+def test_a_least_bound_is_not_above_zero(native_fmus, fmi: int, index: int, name: str) -> None:
+    with Importer(native_fmus[fmi][index]) as fmu:
+        with pytest.raises(Exception, match=STATUS):
+            fmu.set({name: 0.5})
+            fmu.initialise()
+        assert f"{name} must be at most 0, got 0.5" in fmu.messages[-1]
+
+
+@both
 def test_a_step_below_the_resolution_of_time_is_refused(native_fmus, fmi: int) -> None:
     with Importer(native_fmus[fmi][1]) as fmu:
         fmu.set({"force.hoist": -9.81})

@@ -85,6 +85,7 @@ def test_ranges_hold_in_initialisation_mode_too(
         ({"waypoint[1].position.x": float("nan")}, "finite"),
         ({"waypoint.count": 17}, "waypoint.count"),
         ({"crane.payload_mass": -1.0}, "payload_mass"),
+        ({"limits.y.acceleration_min": 0.5}, "y.acceleration_min must be at most 0, got 0.5"),
     ],
 )
 def test_bad_parameters_end_initialisation_with_the_reason(
@@ -96,6 +97,14 @@ def test_bad_parameters_end_initialisation_with_the_reason(
         with pytest.raises(SimulationError, match="could not be initialised") as caught:
             unit.exit_initialization()
         assert words in str(caught.value)
+
+
+def test_a_least_bound_of_a_drive_is_not_above_zero(fmus: tuple[Path, Path]) -> None:
+    with load(fmus[1]) as unit:
+        unit.set({"drive.hoist.velocity_min": 0.5})
+        unit.enter_initialization(0.0, 1.0)
+        with pytest.raises(SimulationError, match="velocity_min must be at most 0"):
+            unit.exit_initialization()
 
 
 def test_crane_stays_at_rest_and_swings_when_pushed(fmus: tuple[Path, Path]) -> None:

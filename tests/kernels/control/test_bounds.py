@@ -11,7 +11,7 @@ from segfmu.kernels.control.bounds import (
     least_correction,
     return_effort,
     return_room,
-    velocity_bound,
+    top_speed,
 )
 from segfmu.kernels.control.records import GainInputs, Gains, Situation, Tick, Tracking
 from segfmu.kernels.crane.records import Axes, DriveMode, State
@@ -89,11 +89,24 @@ def test_power_bounds_accelerations() -> None:
 
 def test_a_hoist_is_no_faster_than_it_can_hold_the_load() -> None:
     own = parameters(DriveMode.VELOCITY, POWER_MAX=1e6, VELOCITY_MAX=4.0)
-    assert velocity_bound(Axes.TROLLEY, own, situation()) == 4.0
-    assert velocity_bound(Axes.ROPE, own, situation()) == pytest.approx(1e6 / WEIGHT)
+    assert top_speed(Axes.TROLLEY, 1.0, own, situation()) == 4.0
+    assert top_speed(Axes.ROPE, 1.0, own, situation()) == pytest.approx(1e6 / WEIGHT)
     own = parameters(DriveMode.VELOCITY, VELOCITY_MAX=4.0)
-    assert velocity_bound(Axes.ROPE, own, situation()) == 4.0
-    assert velocity_bound(Axes.ROPE, parameters(DriveMode.VELOCITY), situation()) == 1e99
+    assert top_speed(Axes.ROPE, 1.0, own, situation()) == 4.0
+    assert top_speed(Axes.ROPE, 1.0, parameters(DriveMode.VELOCITY), situation()) == 1e99
+
+
+def test_velocities_are_bounded_by_their_direction() -> None:
+    own = parameters(DriveMode.VELOCITY, VELOCITY_MAX=4.0, VELOCITY_MIN=-2.0)
+    assert top_speed(Axes.BRIDGE, 1.0, own, situation()) == 4.0
+    assert top_speed(Axes.BRIDGE, -1.0, own, situation()) == 2.0
+    for asked, velocity, expected in (
+        (-1e3, 0.0, -20.0), (-1e3, -1.5, -5.0), (-1e3, -2.5, 0.0), (1e3, -2.5, 65.0),
+        (1e3, 3.5, 5.0),
+    ):
+        row = tick(0.0, asked)
+        bound_correction(Axes.BRIDGE, own, row, situation(velocity))
+        assert row[Tick.CORRECTION, Axes.BRIDGE] == pytest.approx(expected)
 
 
 @pytest.mark.parametrize(("velocity", "expected"), [(0.0, 40.0), (3.5, 5.0), (4.5, 0.0)])

@@ -12,6 +12,7 @@ from segfmu.kernels.control.records import RopeRange, Tracking, TrackingDesign
 from segfmu.kernels.control.setting import (
     drive_bound,
     nominal_payload,
+    set_drives,
     set_fading,
     set_tracking,
     signal_age,
@@ -27,8 +28,8 @@ def plant(mode: int) -> np.ndarray:
     found = np.zeros(Plant.SIZE)
     found[: Masses.SIZE] = 2.2, 1.155, 1.0, 9.81
     found[Plant.MODE] = mode
-    found[Plant.FORCE_MAX : Plant.ACCELERATION_MAX] = 4.0, 0.0, 6.0
-    found[Plant.ACCELERATION_MAX : Plant.VELOCITY_MAX] = 0.0, 0.5, 0.6
+    found[Plant.FORCE_MAX : Plant.FORCE_MIN] = 4.0, 0.0, 6.0
+    found[Plant.ACCELERATION_MAX : Plant.ACCELERATION_MIN] = 0.0, 0.5, 0.6
     return found
 
 
@@ -52,13 +53,32 @@ def test_tracking_follows_from_crane_and_expectations(mode: int) -> None:
     most = [4.0, 1e99, 6.0] if mode == DriveMode.FORCE else [by_force, 0.5, 9.81e-3]
     least = found[Tracking.LEAST : Tracking.GREATEST]
     assert least == pytest.approx([-m for m in most])
-    assert [drive_bound(plant(mode), i) for i in range(3)] == pytest.approx(most)
+    assert [drive_bound(plant(mode), i, -1.0) for i in range(3)] == pytest.approx(most)
     # a hoist cannot push
     pull = 0.0 if mode == DriveMode.FORCE else 0.6
     assert found[Tracking.GREATEST : Tracking.GAINS_PAYLOAD] == pytest.approx([*most[:2], pull])
     assert found[Tracking.PAYLOAD_SHARE] == PERIOD / 4.0
     assert found[Tracking.WAKE_ANGLE] == 2e-3
     assert found[Tracking.POSITION_VARIANCE] == pytest.approx(4e-8 / 12.0)
+
+
+@pytest.mark.parametrize("mode", [DriveMode.FORCE, DriveMode.VELOCITY])
+def test_setpoints_are_bounded_by_their_direction(mode: int) -> None:
+    own, found = plant(mode), np.zeros(Tracking.SIZE)
+    own[Plant.FORCE_MIN : Plant.FORCE_MIN + 3] = -8.0, -0.7, -15.0
+    own[Plant.ACCELERATION_MIN : Plant.ACCELERATION_MIN + 3] = -5.0, -0.9, -0.4
+    own[Plant.VELOCITY_MIN : Plant.VELOCITY_MIN + 3] = -0.1, 0.0, -0.2
+    set_drives(own, found)
+    least = found[Tracking.LEAST : Tracking.GREATEST]
+    greatest = found[Tracking.GREATEST : Tracking.GAINS_PAYLOAD]
+    if mode == DriveMode.FORCE:
+        assert least.tolist() == [-8.0, -0.7, -15.0]
+        assert greatest.tolist() == [4.0, 1e99, 0.0]
+    else:
+        # the bridge and the lowered trolley by their forces, with the load
+        assert least == pytest.approx([-8.0 / 4.355, -0.7 / 2.155, -0.4])
+        assert greatest == pytest.approx([4.0 / 4.355, 0.5, 0.6])
+    assert found[Tracking.VELOCITY_MIN : Tracking.POWER_MAX].tolist() == [-0.1, 0.0, -0.2]
 
 
 @pytest.mark.parametrize(

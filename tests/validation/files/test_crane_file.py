@@ -37,22 +37,31 @@ sway_max = [8.0, 5.0]
 lag = 0.3
 dead_time = 0.03
 velocity_max = 0.75
+velocity_min = -0.7
 acceleration_max = 0.2
+acceleration_min = -0.3
 force_max = 300e3
+force_min = -200e3
 power_max = 100e3
 [trolley]
 lag = 0.2
 dead_time = 0.02
 velocity_max = 4.0
+velocity_min = -3.5
 acceleration_max = 0.8
+acceleration_min = -0.9
 force_max = 100e3
+force_min = -90e3
 power_max = 200e3
 [hoist]
 lag = 0.1
 dead_time = 0.01
 velocity_max = 1.5
+velocity_min = -1.2
 acceleration_max = 0.5
+acceleration_min = -0.4
 force_max = 600e3
+force_min = -550e3
 power_max = 400e3
 [travel]
 bridge = [-10.0, 300.0]

@@ -243,7 +243,7 @@ def tracking_from(
         For inconsistent values.
     """
     plant, design, own = (filled(r, value) for r in (Plant, TrackingDesign, Tracking))
-    most = _strongest(plant)
+    least, greatest = _setpoints(plant)
     bridge, trolley, hoist = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
     age = backend.signal_age(
         float(design[TrackingDesign.DEAD_TIME]), float(design[TrackingDesign.SAMPLING]),
@@ -259,11 +259,12 @@ def tracking_from(
         lag=(bridge, trolley, hoist), delayed=age / feedback.sample_time,
         dead_time=dead_times(plant),
         uncertainty=replace(expected, position=position, length=length, angle=angle),
-        strongest=most,
+        strongest=_strongest(plant),
     )
     return TrackingController(
-        observer, feedback, rejection=_rejection(own), lower=-most, upper=most,
+        observer, feedback, rejection=_rejection(own), lower=least, upper=greatest,
         velocity_max=plant[Plant.VELOCITY_MAX : Plant.VELOCITY_MAX + Axes.SIZE],
+        velocity_min=plant[Plant.VELOCITY_MIN : Plant.VELOCITY_MIN + Axes.SIZE],
         power_max=plant[Plant.POWER_MAX : Plant.POWER_MAX + Axes.SIZE],
         fade=float(own[Tracking.FADE]), payload_time=float(design[TrackingDesign.PAYLOAD_TIME]),
         offset_cause=OFFSET_CAUSES[int(own[Tracking.OFFSET_CAUSE])],
@@ -281,9 +282,18 @@ def _driven(plant: FloatArray) -> bool:
     return bool(plant[Plant.MODE] == DriveMode.VELOCITY)
 
 
+def _setpoints(plant: FloatArray) -> FloatArray:
+    """Least and greatest setpoints of the drives, shape (2, 3) [N] or [m/s2], from a `Plant`."""
+    return np.array([
+        [sign * backend.drive_bound(plant, i, sign) for i in range(Axes.SIZE)]
+        for sign in (-1.0, 1.0)
+    ])
+
+
 def _strongest(plant: FloatArray) -> FloatArray:
-    """Largest setpoints of the drives, shape (3,) [N] or [m/s2], from a `Plant`."""
-    return np.array([backend.drive_bound(plant, i) for i in range(Axes.SIZE)])
+    """Largest setpoints of the drives in both directions, shape (3,) [N] or [m/s2]."""
+    most: FloatArray = np.abs(_setpoints(plant)).min(axis=0)
+    return most
 
 
 def _lateness(value: Value, plant: FloatArray) -> tuple[FloatArray, float]:

@@ -37,15 +37,21 @@ def _drives() -> list[Variable]:
                 f"{name}.force_max", 0.0, "N", f"largest force of the {drive} drive; 0: no bound",
                 minimum=0.0,
             ),
+            _least(f"{name}.force", "N", f"force of the {drive} drive"),
             parameter(
                 f"{name}.acceleration_max", 0.0, "m/s2",
                 f"largest acceleration of the {drive} drive in mode velocity; 0: no bound",
                 minimum=0.0,
             ),
+            _least(
+                f"{name}.acceleration", "m/s2",
+                f"acceleration of the {drive} drive in mode velocity",
+            ),
             parameter(
                 f"{name}.velocity_max", 0.0, "m/s",
                 f"largest velocity of the {drive} drive; 0: no bound", minimum=0.0,
             ),
+            _least(f"{name}.velocity", "m/s", f"velocity of the {drive} drive"),
             parameter(
                 f"{name}.power_max", 0.0, "W",
                 f"largest power of the {drive} drive, driving or braking; 0: no bound",
@@ -58,6 +64,13 @@ def _drives() -> list[Variable]:
             ),
         ]
     return rows
+
+
+def _least(name: str, unit: str, text: str) -> Variable:
+    """The bound in the negative direction beside one in the positive direction."""
+    return parameter(
+        f"{name}_min", 0.0, unit, f"least {text}, below 0; 0: minus the largest", maximum=0.0
+    )
 
 
 def _sway_friction() -> Variable:

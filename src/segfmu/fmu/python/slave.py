@@ -138,10 +138,12 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
             least, most = variable.minimum, variable.maximum
             if variable.enumeration is not None:
                 least, most = 1, len(variable.enumeration.items)
-            if least is None:
+            if least is None and most is None:
                 continue
             fault = np.zeros(RangeFault.SIZE)
-            status = backend.check_range(value, least, inf if most is None else most, fault)
+            status = backend.check_range(
+                value, -inf if least is None else least, inf if most is None else most, fault
+            )
             if status != RangeStatus.INSIDE:
                 raise InputError(f"{variable.name} {RANGE.text(status, fault.tolist())}")
 

@@ -58,11 +58,16 @@ static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d 
 static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place);
 static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times);
 static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place);
+static double side_bound(double sign, double greatest, double least);
 static bool exceeds(double value, double bound);
 static double limited(double value, double bound);
-static double force_bound(array_double_1d plant, int64_t axis, double velocity);
+static double velocity_bound(array_double_1d plant, int64_t axis, double sign);
+static double acceleration_bound(array_double_1d plant, int64_t axis, double sign);
+static double static_bound(array_double_1d plant, int64_t axis, double sign);
+static double force_bound(array_double_1d plant, int64_t axis, double sign, double velocity);
 static void rope_direction(array_double_1d state, array_double_1d limit);
 static double carriage_mass(array_double_1d masses, int64_t axis);
+static double available_force(int64_t axis, double side, array_double_1d limit);
 static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit);
 static double missing_force(int64_t axis, array_double_1d action, array_double_1d limit);
 static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit);
@@ -78,7 +83,7 @@ static double return_effort(void);
 static double return_speed(void);
 static double held_within(double value, double least, double greatest);
 static double scheduled_gain(double length, int64_t axis, int64_t column, array_double_3d gains);
-static double velocity_bound(int64_t axis, array_double_1d parameters, array_double_1d situation);
+static double top_speed(int64_t axis, double sign, array_double_1d parameters, array_double_1d situation);
 static double power_bound(int64_t axis, array_double_1d parameters, array_double_1d situation);
 static double least_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation);
 static double greatest_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation);
@@ -2429,6 +2434,14 @@ int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_
     }
     return first;
 }
+static double side_bound(double sign, double greatest, double least)
+{
+    if ((sign < 0.0) && (least < 0.0))
+    {
+        return -least;
+    }
+    return greatest;
+}
 static bool exceeds(double value, double bound)
 {
     return (bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12));
@@ -2437,16 +2450,34 @@ static double limited(double value, double bound)
 {
     return span_min(span_max(value, -bound), bound);
 }
-static double force_bound(array_double_1d plant, int64_t axis, double velocity)
+static double velocity_bound(array_double_1d plant, int64_t axis, double sign)
+{
+    double result;
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(34) + axis)), (*cspan_at(&plant, INT64_C(37) + axis)));
+    return result;
+}
+static double acceleration_bound(array_double_1d plant, int64_t axis, double sign)
+{
+    double result;
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(28) + axis)), (*cspan_at(&plant, INT64_C(31) + axis)));
+    return result;
+}
+static double static_bound(array_double_1d plant, int64_t axis, double sign)
+{
+    double result;
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(22) + axis)), (*cspan_at(&plant, INT64_C(25) + axis)));
+    return result;
+}
+static double force_bound(array_double_1d plant, int64_t axis, double sign, double velocity)
 {
     double speed;
     double by_power;
     double bound;
-    bound = (*cspan_at(&plant, INT64_C(22) + axis));
-    if ((*cspan_at(&plant, INT64_C(31) + axis)) > 0.0)
+    bound = static_bound(plant, axis, sign);
+    if ((*cspan_at(&plant, INT64_C(40) + axis)) > 0.0)
     {
         speed = span_max(fabs(velocity), 1e-99);
-        by_power = (*cspan_at(&plant, INT64_C(31) + axis)) / speed;
+        by_power = (*cspan_at(&plant, INT64_C(40) + axis)) / speed;
         if ((bound == 0.0) || (by_power < bound))
         {
             bound = by_power;
@@ -2479,6 +2510,17 @@ static double carriage_mass(array_double_1d masses, int64_t axis)
     }
     return 0.0;
 }
+static double available_force(int64_t axis, double side, array_double_1d limit)
+{
+    double result;
+    if (side < 0.0)
+    {
+        result = (*cspan_at(&limit, INT64_C(12) + axis));
+        return result;
+    }
+    result = (*cspan_at(&limit, INT64_C(9) + axis));
+    return result;
+}
 static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit)
 {
     double change;
@@ -2503,21 +2545,27 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
     }
     needed = (*cspan_at(&action, INT64_C(0) + axis)) + carriage_mass(plant, axis) * change;
     needed = needed + (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&limit, INT64_C(6) + axis)) * along;
-    if (!exceeds(needed, (*cspan_at(&limit, INT64_C(9) + axis))))
+    if (needed > 0.0)
+    {
+        side = 1.0;
+    }
+    else
+    {
+        side = -1.0;
+    }
+    if (!exceeds(needed, available_force(axis, side, limit)))
     {
         return 0.0;
     }
-    if (needed > 0.0)
-    {
-        return 1.0;
-    }
-    return -1.0;
+    return side;
 }
 static double missing_force(int64_t axis, array_double_1d action, array_double_1d limit)
 {
+    double side;
     double bound;
     double result;
-    bound = (*cspan_at(&limit, INT64_C(0) + axis)) * (*cspan_at(&limit, INT64_C(9) + axis));
+    side = (*cspan_at(&limit, INT64_C(0) + axis));
+    bound = side * available_force(axis, side, limit);
     result = bound - (*cspan_at(&action, INT64_C(0) + axis));
     return result;
 }
@@ -2574,6 +2622,7 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
 static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit)
 {
     int64_t i;
+    double velocity;
     int64_t Dummy_0000;
     bool changed;
     double side;
@@ -2582,7 +2631,9 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
     {
         (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
         (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
-        (*cspan_at(&limit, INT64_C(9) + i)) = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        velocity = (*cspan_at(&state, INT64_C(5) + i));
+        (*cspan_at(&limit, INT64_C(9) + i)) = force_bound(plant, i, 1.0, velocity);
+        (*cspan_at(&limit, INT64_C(12) + i)) = force_bound(plant, i, -1.0, velocity);
     }
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
     {
@@ -2613,11 +2664,11 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
 }
 static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state)
 {
+    double velocity;
     double bound;
-    bool result;
-    bound = (*cspan_at(&plant, INT64_C(28) + axis));
-    result = (bound > 0.0) && (fabs((*cspan_at(&state, INT64_C(5) + axis))) >= bound);
-    return result;
+    velocity = (*cspan_at(&state, INT64_C(5) + axis));
+    bound = velocity_bound(plant, axis, velocity);
+    return (bound > 0.0) && (fabs(velocity) >= bound);
 }
 static double held_side(int64_t axis, array_double_1d state, array_double_1d derivative, array_double_1d limit)
 {
@@ -2629,7 +2680,7 @@ static double held_side(int64_t axis, array_double_1d state, array_double_1d der
     }
     if ((*cspan_at(&limit, INT64_C(0) + axis)) != 0.0)
     {
-        if (side * (*cspan_at(&limit, INT64_C(12) + axis)) > 0.0)
+        if (side * (*cspan_at(&limit, INT64_C(15) + axis)) > 0.0)
         {
             return 0.0;
         }
@@ -2677,10 +2728,10 @@ static void hold_accelerations(array_double_1d plant, array_double_1d derivative
     {
         mass = carriage_mass(plant, i);
         pull = payload * (*cspan_at(&limit, INT64_C(6) + i)) * along;
-        (*cspan_at(&limit, INT64_C(12) + i)) = 0.0;
+        (*cspan_at(&limit, INT64_C(15) + i)) = 0.0;
         if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
         {
-            (*cspan_at(&limit, INT64_C(12) + i)) = mass * (*cspan_at(&limit, INT64_C(3) + i)) + pull;
+            (*cspan_at(&limit, INT64_C(15) + i)) = mass * (*cspan_at(&limit, INT64_C(3) + i)) + pull;
         }
         else if (i != INT64_C(2))
         {
@@ -2701,7 +2752,7 @@ static void hold_velocities(array_double_1d plant, array_double_1d state, array_
     {
         (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
         (*cspan_at(&limit, INT64_C(3) + i)) = 0.0;
-        (*cspan_at(&limit, INT64_C(12) + i)) = 0.0;
+        (*cspan_at(&limit, INT64_C(15) + i)) = 0.0;
     }
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(16); Dummy_0000 += INT64_C(1))
     {
@@ -2725,8 +2776,8 @@ static void hold_velocities(array_double_1d plant, array_double_1d state, array_
     {
         if ((*cspan_at(&limit, INT64_C(0) + i)) != 0.0)
         {
-            force = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&limit, INT64_C(12) + i));
-            bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+            force = (*cspan_at(&action, INT64_C(0) + i)) + (*cspan_at(&limit, INT64_C(15) + i));
+            bound = force_bound(plant, i, force, (*cspan_at(&state, INT64_C(5) + i)));
             if (exceeds(force, bound))
             {
                 force = limited(force, bound);
@@ -2914,12 +2965,12 @@ static double scheduled_gain(double length, int64_t axis, int64_t column, array_
     result = first + share * ((*cspan_at(&gains, following, INT64_C(1) + axis, column)) - first);
     return result;
 }
-static double velocity_bound(int64_t axis, array_double_1d parameters, array_double_1d situation)
+static double top_speed(int64_t axis, double sign, array_double_1d parameters, array_double_1d situation)
 {
     double power;
     double bound;
-    bound = (*cspan_at(&parameters, INT64_C(30) + axis));
-    power = (*cspan_at(&parameters, INT64_C(33) + axis));
+    bound = side_bound(sign, (*cspan_at(&parameters, INT64_C(30) + axis)), (*cspan_at(&parameters, INT64_C(33) + axis)));
+    power = (*cspan_at(&parameters, INT64_C(36) + axis));
     if (bound <= 0.0)
     {
         bound = 1e+99;
@@ -2936,7 +2987,7 @@ static double power_bound(int64_t axis, array_double_1d parameters, array_double
     double weight;
     double gravity;
     double force;
-    power = (*cspan_at(&parameters, INT64_C(33) + axis));
+    power = (*cspan_at(&parameters, INT64_C(36) + axis));
     if (power <= 0.0)
     {
         return 1e+99;
@@ -2982,16 +3033,18 @@ static double greatest_correction(int64_t axis, array_double_1d parameters, arra
 static void bound_correction(int64_t axis, array_double_1d parameters, array_double_2d tick, array_double_1d situation)
 {
     double correction;
-    double bound;
+    double least;
+    double greatest;
     double velocity;
     double period;
     correction = (*cspan_at(&tick, INT64_C(3), axis));
     if ((int64_t)((*cspan_at(&parameters, INT64_C(0)))) == INT64_C(1))
     {
-        bound = velocity_bound(axis, parameters, situation);
+        least = -top_speed(axis, -1.0, parameters, situation);
+        greatest = top_speed(axis, 1.0, parameters, situation);
         velocity = (*cspan_at(&situation, INT64_C(2) + axis));
         period = (*cspan_at(&parameters, INT64_C(1)));
-        correction = held_within(correction, span_min((-bound) - velocity, 0.0) / period, span_max(bound - velocity, 0.0) / period);
+        correction = held_within(correction, span_min(least - velocity, 0.0) / period, span_max(greatest - velocity, 0.0) / period);
     }
     (*cspan_at(&tick, INT64_C(3), axis)) = held_within(correction, least_correction(axis, parameters, tick, situation), greatest_correction(axis, parameters, tick, situation));
 }
@@ -3037,7 +3090,7 @@ static void bound_return(int64_t axis, array_double_1d parameters, array_double_
     pull = pull * (*cspan_at(&situation, INT64_C(5) + axis));
     damping = slope * (*cspan_at(&situation, INT64_C(8) + axis));
     asked = -(pull + damping);
-    speed = velocity_bound(axis, parameters, situation);
+    speed = top_speed(axis, -pull, parameters, situation);
     if ((slope > 0.0) && (speed < 1e+99))
     {
         reference = fabs((*cspan_at(&tick, INT64_C(1), INT64_C(5) + axis)));
@@ -3800,7 +3853,7 @@ static double acts_late(array_double_1d plant, array_double_1d design)
     lag = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        dead = span_max(dead, (*cspan_at(&plant, INT64_C(34) + axis)));
+        dead = span_max(dead, (*cspan_at(&plant, INT64_C(43) + axis)));
         lag = span_max(lag, (*cspan_at(&plant, INT64_C(19) + axis)));
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) != INT64_C(1))
@@ -4195,21 +4248,25 @@ double segfmu_signal_age(double dead_time, double sampling, double period)
     }
     return age;
 }
-double segfmu_drive_bound(array_double_1d plant, int64_t axis)
+double segfmu_drive_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double moved;
     double by_force;
     double bound;
-    bound = (*cspan_at(&plant, INT64_C(22) + axis));
+    bound = static_bound(plant, axis, sign);
     if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
     {
         moved = carriage_mass(plant, axis) + (*cspan_at(&plant, INT64_C(2)));
         by_force = bound / moved;
-        if ((axis == INT64_C(2)) && (bound > 0.0))
+        if ((axis == INT64_C(2)) && (sign > 0.0))
+        {
+            by_force = 0.0;
+        }
+        else if ((axis == INT64_C(2)) && (bound > 0.0))
         {
             by_force = span_max(by_force - (*cspan_at(&plant, INT64_C(3))), 0.001 * (*cspan_at(&plant, INT64_C(3))));
         }
-        bound = (*cspan_at(&plant, INT64_C(25) + axis));
+        bound = acceleration_bound(plant, axis, sign);
         if ((by_force > 0.0) && ((bound <= 0.0) || (by_force < bound)))
         {
             bound = by_force;
@@ -4228,14 +4285,14 @@ static double weak_drive(void)
 static double drive_strength(array_double_1d plant, int64_t axis)
 {
     double weight;
-    double result;
+    double weaker;
     weight = (*cspan_at(&plant, INT64_C(3)));
     if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(0))
     {
         weight = weight * carriage_mass(plant, axis);
     }
-    result = span_min(segfmu_drive_bound(plant, axis) / (weak_drive() * weight), 1.0);
-    return result;
+    weaker = span_min(segfmu_drive_bound(plant, axis, 1.0), segfmu_drive_bound(plant, axis, -1.0));
+    return span_min(weaker / (weak_drive() * weight), 1.0);
 }
 void segfmu_set_walks(array_double_1d plant, array_double_1d uncertainty)
 {
@@ -4246,7 +4303,6 @@ void segfmu_set_walks(array_double_1d plant, array_double_1d uncertainty)
 void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
 {
     int64_t axis;
-    double bound;
     double greatest;
     (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(18)));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
@@ -4255,20 +4311,16 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
     (*cspan_at(&tracking, INT64_C(6))) = (*cspan_at(&plant, INT64_C(3)));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        bound = segfmu_drive_bound(plant, axis);
-        (*cspan_at(&tracking, INT64_C(15) + axis)) = bound;
-        (*cspan_at(&tracking, INT64_C(12) + axis)) = -bound;
-        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(28) + axis));
-        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(31) + axis));
+        (*cspan_at(&tracking, INT64_C(15) + axis)) = segfmu_drive_bound(plant, axis, 1.0);
+        (*cspan_at(&tracking, INT64_C(12) + axis)) = -segfmu_drive_bound(plant, axis, -1.0);
+        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(34) + axis));
+        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(37) + axis));
+        (*cspan_at(&tracking, INT64_C(36) + axis)) = (*cspan_at(&plant, INT64_C(40) + axis));
     }
     greatest = 0.0;
     if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
     {
-        greatest = 0.9 * (*cspan_at(&plant, INT64_C(3)));
-        if ((*cspan_at(&plant, INT64_C(25) + INT64_C(2))) > 0.0)
-        {
-            greatest = span_min(greatest, (*cspan_at(&plant, INT64_C(25) + INT64_C(2))));
-        }
+        greatest = span_min(0.9 * (*cspan_at(&plant, INT64_C(3))), (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))));
     }
     (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))) = greatest;
 }
@@ -4299,7 +4351,7 @@ void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double l
     (*cspan_at(&tracking, INT64_C(2))) = age / period;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(34) + axis))) / period;
+        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(43) + axis))) / period;
     }
     (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
@@ -4495,7 +4547,7 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     {
         driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
         lagging = driven && ((*cspan_at(&plant, INT64_C(19) + axis)) > 0.0);
-        delay = (*cspan_at(&plant, INT64_C(34) + axis)) / period;
+        delay = (*cspan_at(&plant, INT64_C(43) + axis)) / period;
         if (predicted == INT64_C(1))
         {
             delay = 0.0;
@@ -4552,7 +4604,7 @@ static void track_offset(array_double_1d parameters, array_double_2d tick, array
     offsets = span_rows(&memory, INT64_C(11), INT64_C(11) + INT64_C(14));
     before = (*cspan_at(&offsets, INT64_C(9), INT64_C(5)));
     offset = offset_estimate(parameters, measured, span_row(&memory, INT64_C(6)), offsets);
-    if ((*cspan_at(&parameters, INT64_C(37))) < 0.5)
+    if ((*cspan_at(&parameters, INT64_C(40))) < 0.5)
     {
         offset = 0.0;
         before = 0.0;
@@ -4630,7 +4682,7 @@ static void track_deviation(array_double_1d parameters, array_double_2d memory)
         (*cspan_at(&target, i)) = 0.0;
     }
     moves = 1.0;
-    if ((int64_t)((*cspan_at(&parameters, INT64_C(36)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&parameters, INT64_C(39)))) == INT64_C(1))
     {
         moves = 0.0;
     }
@@ -6589,19 +6641,19 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
 static double compression(array_double_1d plant, int64_t axis, double position)
 {
     double result;
-    if (position > (*cspan_at(&plant, INT64_C(41) + axis)))
+    if (position > (*cspan_at(&plant, INT64_C(50) + axis)))
     {
-        result = position - (*cspan_at(&plant, INT64_C(41) + axis));
+        result = position - (*cspan_at(&plant, INT64_C(50) + axis));
         return result;
     }
-    result = span_min(position - (*cspan_at(&plant, INT64_C(38) + axis)), 0.0);
+    result = span_min(position - (*cspan_at(&plant, INT64_C(47) + axis)), 0.0);
     return result;
 }
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity)
 {
     double pressed;
     double force;
-    if ((*cspan_at(&plant, INT64_C(44) + axis)) == 0.0)
+    if ((*cspan_at(&plant, INT64_C(53) + axis)) == 0.0)
     {
         return 0.0;
     }
@@ -6610,7 +6662,7 @@ static double buffer_force(array_double_1d plant, int64_t axis, double position,
     {
         return 0.0;
     }
-    force = (*cspan_at(&plant, INT64_C(44) + axis)) * pressed + (*cspan_at(&plant, INT64_C(47) + axis)) * velocity;
+    force = (*cspan_at(&plant, INT64_C(53) + axis)) * pressed + (*cspan_at(&plant, INT64_C(56) + axis)) * velocity;
     if (force * pressed <= 0.0)
     {
         return 0.0;
@@ -6625,8 +6677,8 @@ static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array
         (*result_1_0001) = 0.0;
         return 0;
     }
-    (*result_0_0001) = (*cspan_at(&plant, INT64_C(44) + axis));
-    (*result_1_0001) = (*cspan_at(&plant, INT64_C(47) + axis));
+    (*result_0_0001) = (*cspan_at(&plant, INT64_C(53) + axis));
+    (*result_1_0001) = (*cspan_at(&plant, INT64_C(56) + axis));
     return 0;
 }
 static double dry_level(array_double_1d resistance, int64_t axis, double velocity)
@@ -7348,7 +7400,7 @@ void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_dou
 static bool may_slacken(array_double_1d plant)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&plant, INT64_C(67)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&plant, INT64_C(76)))) == INT64_C(1);
     return result;
 }
 static bool is_slack(array_double_1d state)
@@ -7455,7 +7507,7 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         drive = (*cspan_at(&work, INT64_C(18), i));
-        bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        bound = force_bound(plant, i, drive, (*cspan_at(&state, INT64_C(5) + i)));
         if (exceeds(drive, bound))
         {
             drive = limited(drive, bound);
@@ -7493,7 +7545,7 @@ static void slack_derivative(array_double_1d plant, array_double_1d state, array
     {
         needed = carriage_mass(plant, i) * (*cspan_at(&work, INT64_C(18), i));
         drive = needed + (*cspan_at(&work, INT64_C(19), i));
-        bound = force_bound(plant, i, axis_velocity(state, i));
+        bound = force_bound(plant, i, drive, axis_velocity(state, i));
         if (exceeds(drive, bound) && (i != INT64_C(2)))
         {
             drive = limited(drive, bound);
@@ -7536,16 +7588,18 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
         demand = (*cspan_at(&work, INT64_C(18), i));
         if ((*cspan_at(&plant, INT64_C(19) + i)) > 0.0)
         {
-            if (exceeds(demand, (*cspan_at(&plant, INT64_C(28) + i))))
+            bound = velocity_bound(plant, i, demand);
+            if (exceeds(demand, bound))
             {
-                demand = limited(demand, (*cspan_at(&plant, INT64_C(28) + i)));
+                demand = limited(demand, bound);
                 (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
             }
             demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(19) + i));
         }
-        if (exceeds(demand, (*cspan_at(&plant, INT64_C(25) + i))))
+        bound = acceleration_bound(plant, i, demand);
+        if (exceeds(demand, bound))
         {
-            demand = limited(demand, (*cspan_at(&plant, INT64_C(25) + i)));
+            demand = limited(demand, bound);
             (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
         (*cspan_at(&work, INT64_C(18), i)) = demand;
@@ -7558,7 +7612,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
     driven_forces(plant, state, work, derivative);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        bound = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        bound = force_bound(plant, i, (*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&state, INT64_C(5) + i)));
         if (exceeds((*cspan_at(&action, INT64_C(0) + i)), bound))
         {
             limit_accelerations(plant, state, action, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(20)));
@@ -7580,10 +7634,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(41) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(50) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(38) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(47) + axis));
     return INT64_C(6);
 }
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work)
@@ -7904,7 +7958,7 @@ static void add_sinusoid(array_double_1d component, double sine, double cosine, 
 static double drag_factor(array_double_1d plant)
 {
     double result;
-    result = 0.5 * (*cspan_at(&plant, INT64_C(66))) * (*cspan_at(&plant, INT64_C(65)));
+    result = 0.5 * (*cspan_at(&plant, INT64_C(75))) * (*cspan_at(&plant, INT64_C(74)));
     return result;
 }
 static double relative_speed(array_double_1d air)
@@ -7953,10 +8007,10 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     time = start + elapsed;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(54))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(63))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(53)))) / (*cspan_at(&plant, INT64_C(54)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(55))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(62)))) / (*cspan_at(&plant, INT64_C(63)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(64))), share);
     }
     force = span_row(&work, INT64_C(15));
     air = span_row(&work, INT64_C(21));
@@ -7964,9 +8018,9 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         given = (*cspan_at(&work, INT64_C(2), i)) + elapsed * command_slope(i, elapsed, rate);
-        steady = given + (*cspan_at(&plant, INT64_C(50) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(56) + i));
-        (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(59) + i)) + gust * (*cspan_at(&plant, INT64_C(62) + i));
+        steady = given + (*cspan_at(&plant, INT64_C(59) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(65) + i));
+        (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(68) + i)) + gust * (*cspan_at(&plant, INT64_C(71) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -7981,7 +8035,7 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
             add_sinusoid(span_row(&components, k), sine, cosine, force);
         }
     }
-    if ((*cspan_at(&plant, INT64_C(65))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(74))) > 0.0)
     {
         add_drag(plant, state, work);
     }
@@ -7992,7 +8046,7 @@ static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, 
     double slope;
     double result;
     speed = relative_speed(air);
-    if (((*cspan_at(&plant, INT64_C(65))) == 0.0) || (speed == 0.0))
+    if (((*cspan_at(&plant, INT64_C(74))) == 0.0) || (speed == 0.0))
     {
         return 0.0;
     }
@@ -8029,19 +8083,19 @@ static void wind_rates(array_double_1d plant, array_double_2d components, double
     double rate;
     int64_t j;
     gust = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(54)));
+    duration = (*cspan_at(&plant, INT64_C(63)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(53)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(62)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            gust = gust_rate((*cspan_at(&plant, INT64_C(55))), share) / duration;
+            gust = gust_rate((*cspan_at(&plant, INT64_C(64))), share) / duration;
         }
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&air, INT64_C(3) + i)) = gust * (*cspan_at(&plant, INT64_C(62) + i));
-        (*cspan_at(&air, INT64_C(6) + i)) = gust * (*cspan_at(&plant, INT64_C(56) + i));
+        (*cspan_at(&air, INT64_C(3) + i)) = gust * (*cspan_at(&plant, INT64_C(71) + i));
+        (*cspan_at(&air, INT64_C(6) + i)) = gust * (*cspan_at(&plant, INT64_C(65) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -8237,7 +8291,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(13))) = 0.0;
     (*cspan_at(&derivative, INT64_C(14))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(37))) * squares;
+    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(46))) * squares;
     if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(14), INT64_C(6))) >= 0.0))
     {
         (*cspan_at(&derivative, INT64_C(15))) = 0.0;
@@ -8284,7 +8338,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     (*cspan_at(&derivative, INT64_C(18))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(37)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(46)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = torque;
     }
     if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
@@ -8359,16 +8413,16 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if ((*cspan_at(&plant, INT64_C(44) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(53) + i)) > 0.0)
         {
             continue;
         }
         position = axis_position(state, i);
-        if (position < (*cspan_at(&plant, INT64_C(38) + i)) - 1e-09)
+        if (position < (*cspan_at(&plant, INT64_C(47) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if (position > (*cspan_at(&plant, INT64_C(41) + i)) + 1e-09)
+        if (position > (*cspan_at(&plant, INT64_C(50) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -8489,6 +8543,10 @@ int64_t segfmu_check_range(double value, double least, double most, array_double
     if (most > 1.7976931348623157e+308)
     {
         return INT64_C(1);
+    }
+    if (least < -1.7976931348623157e+308)
+    {
+        return INT64_C(3);
     }
     return INT64_C(2);
 }
@@ -19276,8 +19334,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(53)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(54)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(62)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(63)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -19397,7 +19455,7 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
 static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory)
 {
     double bound;
-    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(28) + axis));
+    bound = velocity_bound(span_row(&memory, INT64_C(5)), axis, velocity);
     if (exceeds(velocity, bound))
     {
         (*cspan_at(&memory, INT64_C(8), INT64_C(10) + axis)) = 1.0;
@@ -19437,7 +19495,7 @@ static double longest_delay(array_double_1d plant)
     longest = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        longest = span_max(longest, (*cspan_at(&plant, INT64_C(34) + i)));
+        longest = span_max(longest, (*cspan_at(&plant, INT64_C(43) + i)));
     }
     return longest;
 }
@@ -19660,7 +19718,7 @@ static double next_command(array_double_2d settings, double until, array_double_
     newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(34) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(43) + i));
         latest = present_time(memory) - late + time_tolerance(settings);
         number = command_number(latest, delayed);
         if ((late > 0.0) && (number < newest))
@@ -19690,7 +19748,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
     double end;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(34) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(43) + i));
         if (late > 0.0)
         {
             time = present_time(memory) - late;
@@ -19741,8 +19799,8 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
     double before;
     double mean;
     double after;
-    double most;
     double gained;
+    double most;
     planned = span_row(&memory, INT64_C(10));
     lag = (*cspan_at(&memory, INT64_C(5), INT64_C(19) + axis));
     if (lag <= 0.0)
@@ -19750,7 +19808,7 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
         (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
         return;
     }
-    bound = (*cspan_at(&memory, INT64_C(5), INT64_C(28) + axis));
+    bound = velocity_bound(span_row(&memory, INT64_C(5)), axis, setpoint);
     reached = setpoint;
     if (exceeds(setpoint, bound))
     {
@@ -19763,8 +19821,8 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
         before = (*cspan_at(&planned, INT64_C(3) + axis));
         mean = risen / period;
         after = mean + (before - mean) * exp((-period) / lag);
-        most = period * (*cspan_at(&memory, INT64_C(5), INT64_C(25) + axis));
         gained = risen - lag * (after - before);
+        most = period * acceleration_bound(span_row(&memory, INT64_C(5)), axis, gained);
         if (exceeds(gained, most))
         {
             after = before + (risen - limited(gained, most)) / lag;
@@ -20120,6 +20178,8 @@ static double first_command(int64_t axis, array_double_1d setpoints, array_doubl
 {
     array_double_1d plant;
     double present;
+    double change;
+    double by_force;
     double velocity;
     plant = span_row(&memory, INT64_C(5));
     if (!is_driven(memory))
@@ -20134,11 +20194,13 @@ static double first_command(int64_t axis, array_double_1d setpoints, array_doubl
     }
     velocity = bounded_velocity(axis, velocity, memory);
     present = axis_velocity(span_row(&memory, INT64_C(4)), axis);
-    if (span_max((*cspan_at(&plant, INT64_C(25) + axis)), force_bound(plant, axis, present)) == 0.0)
+    change = velocity - present;
+    by_force = force_bound(plant, axis, change, present);
+    if (span_max(acceleration_bound(plant, axis, change), by_force) == 0.0)
     {
         return 0.0;
     }
-    return 1000000.0 * (velocity - present);
+    return 1000000.0 * change;
 }
 static void act_first(array_double_2d components, array_double_1d setpoints, array_double_2d memory)
 {
@@ -20199,11 +20261,11 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d components, arra
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(68); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(77); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
-    (*cspan_at(&memory, INT64_C(5), INT64_C(53))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(53))), start);
+    (*cspan_at(&memory, INT64_C(5), INT64_C(62))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(62))), start);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = first_deflection(span_row(&memory, INT64_C(5)), i, (*cspan_at(&state, INT64_C(5) + i)));
@@ -20416,16 +20478,16 @@ static int64_t axis_slopes(double* result_0, double* result_1_0001, double* resu
 static double power_slope(array_double_1d plant, int64_t axis, array_double_1d state, array_double_1d action)
 {
     double velocity;
+    double force;
     double bound;
-    double result;
     velocity = (*cspan_at(&state, INT64_C(5) + axis));
-    bound = force_bound(plant, axis, velocity);
-    if (((*cspan_at(&action, INT64_C(3) + axis)) < 0.5) || (bound == (*cspan_at(&plant, INT64_C(22) + axis))))
+    force = (*cspan_at(&action, INT64_C(0) + axis));
+    bound = force_bound(plant, axis, force, velocity);
+    if (((*cspan_at(&action, INT64_C(3) + axis)) < 0.5) || (bound == static_bound(plant, axis, force)))
     {
         return 0.0;
     }
-    result = (-(*cspan_at(&action, INT64_C(0) + axis))) / velocity;
-    return result;
+    return (-force) / velocity;
 }
 static void add_damping(array_double_1d plant, array_double_1d by, array_double_1d row)
 {
@@ -20433,7 +20495,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(37))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(46))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -20504,21 +20566,23 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     double lag;
     double largest;
     double demand;
+    double fastest;
     bool clipped;
     bool bounded;
     action = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         lag = (*cspan_at(&plant, INT64_C(19) + i));
-        largest = force_bound(plant, i, (*cspan_at(&state, INT64_C(5) + i)));
+        largest = force_bound(plant, i, (*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&state, INT64_C(5) + i)));
         demand = (*cspan_at(&command, i));
-        clipped = exceeds(demand, (*cspan_at(&plant, INT64_C(28) + i)));
+        fastest = velocity_bound(plant, i, demand);
+        clipped = exceeds(demand, fastest);
         if (clipped)
         {
-            demand = limited(demand, (*cspan_at(&plant, INT64_C(28) + i)));
+            demand = limited(demand, fastest);
         }
         demand = (demand - (*cspan_at(&state, INT64_C(5) + i))) / lag;
-        bounded = exceeds(demand, (*cspan_at(&plant, INT64_C(25) + i)));
+        bounded = exceeds(demand, acceleration_bound(plant, i, demand));
         if (((*cspan_at(&action, INT64_C(3) + i)) > 0.5) && (!(bounded || clipped)))
         {
             return 0;
@@ -20643,7 +20707,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(37))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(46))) * (*cspan_at(&state, i));
     }
 }
 static void drag_partials(array_double_1d plant, array_double_1d air, array_double_2d work, array_double_2d partials)
@@ -20727,7 +20791,7 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     power_partials(plant, state, rig, work, partials);
     wind_rates(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, span_row(&rig, INT64_C(21)));
-    if ((*cspan_at(&plant, INT64_C(65))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(74))) > 0.0)
     {
         drag_partials(plant, span_row(&rig, INT64_C(21)), work, partials);
     }
@@ -20828,7 +20892,7 @@ int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation
 }
 int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault)
 {
-    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(67)));
+    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(76)));
     if ((exchange == INT64_C(1)) && may_slacken(plant))
     {
         return INT64_C(14);
@@ -20841,7 +20905,7 @@ int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchan
     double late;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        late = (*cspan_at(&plant, INT64_C(34) + axis));
+        late = (*cspan_at(&plant, INT64_C(43) + axis));
         (*cspan_at(&fault, INT64_C(1))) = axis;
         (*cspan_at(&fault, INT64_C(2))) = late;
         (*cspan_at(&fault, INT64_C(3))) = period;

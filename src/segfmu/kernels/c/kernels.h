@@ -32,7 +32,7 @@ SEGFMU_API void segfmu_set_steps(array_double_1d sensors, double longest, array_
 SEGFMU_API bool segfmu_observer_table(array_double_1d plant, double sample_time, array_double_1d uncertainty, int64_t rows, array_double_1d lengths, array_double_1d expected, array_double_2d work, array_double_3d table);
 SEGFMU_API double segfmu_nominal_payload(double expected, double payload);
 SEGFMU_API double segfmu_signal_age(double dead_time, double sampling, double period);
-SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis);
+SEGFMU_API double segfmu_drive_bound(array_double_1d plant, int64_t axis, double sign);
 SEGFMU_API void segfmu_set_walks(array_double_1d plant, array_double_1d uncertainty);
 SEGFMU_API void segfmu_set_drives(array_double_1d plant, array_double_1d tracking);
 SEGFMU_API void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double longest, array_double_1d tracking);

@@ -371,6 +371,12 @@ bool segfmu_range_message(
             report[RANGE_FAULT_LEAST],
             report[RANGE_FAULT_VALUE]);
         return true;
+    case 3:
+        snprintf(text, size,
+            "must be at most %g, got %g",
+            report[RANGE_FAULT_MOST],
+            report[RANGE_FAULT_VALUE]);
+        return true;
     case 2:
         snprintf(text, size,
             "must be at least %g and at most %g, got %g",

@@ -760,7 +760,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "design", 0, in_design->shape[0], 5)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -897,14 +897,17 @@ static PyObject *call_drive_bound(
     PyObject *answer = NULL;
     Py_buffer *in_plant;
     int64_t in_axis;
+    double in_sign;
     (void)self;
-    if (take_count(&call, count, 2)
+    if (take_count(&call, count, 3)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)) {
+        && take_float(&call, 2, &in_sign)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)) {
         answer = PyFloat_FromDouble(segfmu_drive_bound(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            in_axis));
+            in_axis,
+            in_sign));
     }
     release_arguments(&call);
     return answer;
@@ -921,7 +924,7 @@ static PyObject *call_set_walks(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_uncertainty = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
         segfmu_set_walks(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -943,8 +946,8 @@ static PyObject *call_set_drives(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_tracking = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
         segfmu_set_drives(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
@@ -969,9 +972,9 @@ static PyObject *call_set_tracking(
         && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "design", 0, in_design->shape[0], 10)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
         segfmu_set_tracking(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_1d){in_design->buf, {in_design->shape[0]}},
@@ -992,7 +995,7 @@ static PyObject *call_set_fading(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_tracking = take_array(&call, 0, 1, 'd', true)) != NULL
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 38)) {
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
         segfmu_set_fading(
             (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
         answer = Py_NewRef(Py_None);
@@ -1023,7 +1026,7 @@ static PyObject *call_check_gains(
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && (in_fault = take_array(&call, 6, 1, 'd', true)) != NULL
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 4)
         && has_at_least(&call, "table", 2, in_table->shape[2], 11)
@@ -1062,7 +1065,7 @@ static PyObject *call_track_setpoint(
         && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 38)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 41)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
@@ -1604,7 +1607,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -1782,7 +1785,7 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "state", 0, in_state->shape[0], 19)
         && has_at_least(&call, "work", 0, in_work->shape[0], 22)
@@ -2247,9 +2250,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -2270,9 +2273,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -2308,7 +2311,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -2317,7 +2320,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -2348,8 +2351,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -2381,7 +2384,7 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 19)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -2404,7 +2407,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -2434,12 +2437,12 @@ static PyObject *call_rig_start(
         && take_float(&call, 5, &in_start)
         && (in_memory = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -2483,7 +2486,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 68)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -2493,7 +2496,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -2522,7 +2525,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -2567,7 +2570,7 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
         segfmu_rig_outputs(
@@ -2594,7 +2597,7 @@ static PyObject *call_tracking_estimates(
         && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_tracker = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_estimates = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 38)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 41)
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "estimates", 0, in_estimates->shape[0], 7)) {
@@ -2627,7 +2630,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 68)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 15)
@@ -2681,7 +2684,7 @@ static PyObject *call_check_lags(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_exchange)
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2772,7 +2775,7 @@ static PyObject *call_check_slack(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_exchange)
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_slack(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2798,7 +2801,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 68)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},

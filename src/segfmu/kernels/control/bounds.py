@@ -13,6 +13,7 @@ parameters is a `Tracking`, tick a `Tick` with a correction, situation a `Situat
 
 from segfmu.kernels.control.feedback import table_row, table_share
 from segfmu.kernels.control.records import GainInputs, Gains, Situation, Tick, Tracking
+from segfmu.kernels.crane.bounds import side_bound
 from segfmu.kernels.crane.records import Axes, DriveMode, State
 
 
@@ -40,9 +41,16 @@ def scheduled_gain(length: float, axis: int, column: int, gains: 'float[:,:,:]')
     return first + share * (gains[following, Gains.AXES + axis, column] - first)
 
 
-def velocity_bound(axis: int, parameters: 'float[:]', situation: 'float[:]') -> float:
-    """Largest velocity [m/s] of a drive, 1e99 for none; a hoist also has to hold the load at it."""
-    bound = parameters[Tracking.VELOCITY_MAX + axis]
+def top_speed(
+    axis: int, sign: float, parameters: 'float[:]', situation: 'float[:]'
+) -> float:
+    """Largest speed [m/s] of a drive in the direction of a sign, 1e99 for any.
+
+    A hoist also has to hold the load at it.
+    """
+    bound = side_bound(
+        sign, parameters[Tracking.VELOCITY_MAX + axis], parameters[Tracking.VELOCITY_MIN + axis]
+    )
     power = parameters[Tracking.POWER_MAX + axis]
     if bound <= 0.0:
         bound = 1e99
@@ -97,11 +105,12 @@ def bound_correction(
     """Bound a correction, so that the drive can do what it is told, feedforward included."""
     correction = tick[Tick.CORRECTION, axis]
     if int(parameters[Tracking.MODE]) == DriveMode.VELOCITY:
-        bound = velocity_bound(axis, parameters, situation)
+        least = -top_speed(axis, -1.0, parameters, situation)
+        greatest = top_speed(axis, 1.0, parameters, situation)
         velocity = situation[Situation.VELOCITY + axis]
         period = parameters[Tracking.PERIOD]
         correction = held_within(
-            correction, min(-bound - velocity, 0.0) / period, max(bound - velocity, 0.0) / period
+            correction, min(least - velocity, 0.0) / period, max(greatest - velocity, 0.0) / period
         )
     tick[Tick.CORRECTION, axis] = held_within(
         correction, least_correction(axis, parameters, tick, situation),
@@ -148,7 +157,8 @@ def bound_return(
     pull = pull * situation[Situation.PLACE + axis]
     damping = slope * situation[Situation.RATE + axis]
     asked = -(pull + damping)
-    speed = velocity_bound(axis, parameters, situation)
+    # the correction is opposite to the pull
+    speed = top_speed(axis, -pull, parameters, situation)
     if slope > 0.0 and speed < 1e99:
         reference = abs(tick[Tick.REFERENCE, State.VELOCITY + axis])
         fastest = slope * return_speed() * max(speed - reference, 0.0)

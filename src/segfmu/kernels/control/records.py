@@ -221,6 +221,7 @@ class Tracking(Record):
     POSITION_VARIANCE = field("variance of the positions' noise", "m2")
     DELAY = field("age of the signals and dead time of the drive, in samples", size=3)
     VELOCITY_MAX = field("largest velocities of the drives; 0: no bound", "m/s", size=3)
+    VELOCITY_MIN = field("least velocities; 0: minus the largest ones", "m/s", size=3)
     POWER_MAX = field("largest powers of the drives; 0: no bound", "W", size=3)
     OFFSET_CAUSE = field(
         "what a lasting deviation of an angle is, see OffsetCause",

@@ -3,7 +3,7 @@
 from math import ceil, exp, floor, sqrt
 
 from segfmu.kernels.control.records import Tracking, TrackingDesign, Uncertainty
-from segfmu.kernels.crane.bounds import carriage_mass
+from segfmu.kernels.crane.bounds import acceleration_bound, carriage_mass, static_bound
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 
 
@@ -31,19 +31,22 @@ def signal_age(dead_time: float, sampling: float, period: float) -> float:
     return age
 
 
-def drive_bound(plant: 'float[:]', axis: int) -> float:
-    """Greatest setpoint of a drive of a `Plant`, N or m/s2; 1e99 where there is none.
+def drive_bound(plant: 'float[:]', axis: int, sign: float) -> float:
+    """Greatest size of a setpoint of a drive of a `Plant` in the direction of a sign, N or m/s2.
 
-    The acceleration of a velocity drive is also bounded by its force, with which it moves carriage
-    and load.
+    1e99 where there is none. The acceleration of a velocity drive is also bounded by its force,
+    with which it moves carriage and load; a hoist lifts the load with it, and lowers it by its
+    weight.
     """
-    bound = plant[Plant.FORCE_MAX + axis]
+    bound = static_bound(plant, axis, sign)
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
         moved = carriage_mass(plant, axis) + plant[Plant.PAYLOAD_MASS]
         by_force = bound / moved
-        if axis == Axes.ROPE and bound > 0.0:
+        if axis == Axes.ROPE and sign > 0.0:
+            by_force = 0.0
+        elif axis == Axes.ROPE and bound > 0.0:
             by_force = max(by_force - plant[Plant.GRAVITY], 1e-3 * plant[Plant.GRAVITY])
-        bound = plant[Plant.ACCELERATION_MAX + axis]
+        bound = acceleration_bound(plant, axis, sign)
         if by_force > 0.0 and (bound <= 0.0 or by_force < bound):
             bound = by_force
     if bound > 0.0:
@@ -61,7 +64,8 @@ def drive_strength(plant: 'float[:]', axis: int) -> float:
     weight = plant[Plant.GRAVITY]
     if int(plant[Plant.MODE]) == DriveMode.FORCE:
         weight = weight * carriage_mass(plant, axis)
-    return min(drive_bound(plant, axis) / (weak_drive() * weight), 1.0)
+    weaker = min(drive_bound(plant, axis, 1.0), drive_bound(plant, axis, -1.0))
+    return min(weaker / (weak_drive() * weight), 1.0)
 
 
 def set_walks(plant: 'float[:]', uncertainty: 'float[:]') -> None:
@@ -82,16 +86,14 @@ def set_drives(plant: 'float[:]', tracking: 'float[:]') -> None:
     tracking[Tracking.MASSES + Axes.ROPE] = plant[Plant.PAYLOAD_MASS]
     tracking[Tracking.GRAVITY] = plant[Plant.GRAVITY]
     for axis in range(Axes.SIZE):
-        bound = drive_bound(plant, axis)
-        tracking[Tracking.GREATEST + axis] = bound
-        tracking[Tracking.LEAST + axis] = -bound
+        tracking[Tracking.GREATEST + axis] = drive_bound(plant, axis, 1.0)
+        tracking[Tracking.LEAST + axis] = -drive_bound(plant, axis, -1.0)
         tracking[Tracking.VELOCITY_MAX + axis] = plant[Plant.VELOCITY_MAX + axis]
+        tracking[Tracking.VELOCITY_MIN + axis] = plant[Plant.VELOCITY_MIN + axis]
         tracking[Tracking.POWER_MAX + axis] = plant[Plant.POWER_MAX + axis]
     greatest = 0.0
     if int(plant[Plant.MODE]) == DriveMode.VELOCITY:
-        greatest = 0.9 * plant[Plant.GRAVITY]
-        if plant[Plant.ACCELERATION_MAX + Axes.ROPE] > 0.0:
-            greatest = min(greatest, plant[Plant.ACCELERATION_MAX + Axes.ROPE])
+        greatest = min(0.9 * plant[Plant.GRAVITY], tracking[Tracking.GREATEST + Axes.ROPE])
     tracking[Tracking.GREATEST + Axes.ROPE] = greatest
 
 

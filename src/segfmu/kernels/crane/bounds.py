@@ -10,6 +10,16 @@ from math import cos, sin
 from segfmu.kernels.crane.records import Action, Axes, ForceLimit, Plant, State
 
 
+def side_bound(sign: float, greatest: float, least: float) -> float:
+    """Magnitude of the bound in the direction of a sign; 0: no bound.
+
+    greatest: of positive values, 0: none; least: of negative ones, below 0, or 0: as the other.
+    """
+    if sign < 0.0 and least < 0.0:
+        return -least
+    return greatest
+
+
 def exceeds(value: float, bound: float) -> bool:
     """Whether a magnitude exceeds a bound by more than rounding; 0 is no bound."""
     return bound > 0.0 and abs(value) > bound * (1.0 + 1e-12)
@@ -20,13 +30,30 @@ def limited(value: float, bound: float) -> float:
     return min(max(value, -bound), bound)
 
 
-def force_bound(plant: 'float[:]', axis: int, velocity: float) -> float:
-    """Largest force [N] of a drive at a velocity [m/s]; 0: no bound.
+def velocity_bound(plant: 'float[:]', axis: int, sign: float) -> float:
+    """Largest speed [m/s] of a drive in the direction of a sign; 0: no bound."""
+    return side_bound(sign, plant[Plant.VELOCITY_MAX + axis], plant[Plant.VELOCITY_MIN + axis])
+
+
+def acceleration_bound(plant: 'float[:]', axis: int, sign: float) -> float:
+    """Largest acceleration [m/s2] of a velocity drive in the direction of a sign; 0: no bound."""
+    return side_bound(
+        sign, plant[Plant.ACCELERATION_MAX + axis], plant[Plant.ACCELERATION_MIN + axis]
+    )
+
+
+def static_bound(plant: 'float[:]', axis: int, sign: float) -> float:
+    """Largest force [N] of a drive at rest in the direction of a sign; 0: no bound."""
+    return side_bound(sign, plant[Plant.FORCE_MAX + axis], plant[Plant.FORCE_MIN + axis])
+
+
+def force_bound(plant: 'float[:]', axis: int, sign: float, velocity: float) -> float:
+    """Largest force [N] of a drive in the direction of a sign, at a velocity [m/s]; 0: no bound.
 
     Power bounds hold for driving and braking: in the field-weakening range the force that a motor
     has falls with its speed in both directions, and a converter that feeds back is sized alike.
     """
-    bound = plant[Plant.FORCE_MAX + axis]
+    bound = static_bound(plant, axis, sign)
     if plant[Plant.POWER_MAX + axis] > 0.0:
         speed = max(abs(velocity), 1e-99)
         by_power = plant[Plant.POWER_MAX + axis] / speed
@@ -62,7 +89,9 @@ def limit_accelerations(
     for i in range(3):
         limit[ForceLimit.SIDE + i] = 0.0
         limit[ForceLimit.CHANGE + i] = 0.0
-        limit[ForceLimit.BOUND + i] = force_bound(plant, i, state[State.VELOCITY + i])
+        velocity = state[State.VELOCITY + i]
+        limit[ForceLimit.BOUND + i] = force_bound(plant, i, 1.0, velocity)
+        limit[ForceLimit.LOWER + i] = force_bound(plant, i, -1.0, velocity)
     for _ in range(16):
         changed = False
         for i in range(3):
@@ -102,16 +131,26 @@ def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:
         along = along + limit[ForceLimit.ROPE + i] * limit[ForceLimit.CHANGE + i]
     needed = action[Action.FORCE + axis] + carriage_mass(plant, axis) * change
     needed = needed + plant[Plant.PAYLOAD_MASS] * limit[ForceLimit.ROPE + axis] * along
-    if not exceeds(needed, limit[ForceLimit.BOUND + axis]):
-        return 0.0
     if needed > 0.0:
-        return 1.0
-    return -1.0
+        side = 1.0
+    else:
+        side = -1.0
+    if not exceeds(needed, available_force(axis, side, limit)):
+        return 0.0
+    return side
+
+
+def available_force(axis: int, side: float, limit: 'float[:]') -> float:
+    """Magnitude [N] of the largest force of a drive on a side; 0: no bound."""
+    if side < 0.0:
+        return limit[ForceLimit.LOWER + axis]
+    return limit[ForceLimit.BOUND + axis]
 
 
 def missing_force(axis: int, action: 'float[:]', limit: 'float[:]') -> float:
     """Difference [N] from a drive's demanded force to the bound on its side."""
-    bound = limit[ForceLimit.SIDE + axis] * limit[ForceLimit.BOUND + axis]
+    side = limit[ForceLimit.SIDE + axis]
+    bound = side * available_force(axis, side, limit)
     return bound - action[Action.FORCE + axis]
 
 
@@ -149,9 +188,10 @@ def change_accelerations(plant: 'float[:]', action: 'float[:]', limit: 'float[:]
 
 
 def at_velocity_bound(plant: 'float[:]', axis: int, state: 'float[:]') -> bool:
-    """Whether a drive has its largest velocity."""
-    bound = plant[Plant.VELOCITY_MAX + axis]
-    return bound > 0.0 and abs(state[State.VELOCITY + axis]) >= bound
+    """Whether a drive has its largest velocity in its direction."""
+    velocity = state[State.VELOCITY + axis]
+    bound = velocity_bound(plant, axis, velocity)
+    return bound > 0.0 and abs(velocity) >= bound
 
 
 def hold_velocities(
@@ -183,7 +223,7 @@ def hold_velocities(
     for i in range(3):
         if limit[ForceLimit.SIDE + i] != 0.0:
             force = action[Action.FORCE + i] + limit[ForceLimit.ADDED + i]
-            bound = force_bound(plant, i, state[State.VELOCITY + i])
+            bound = force_bound(plant, i, force, state[State.VELOCITY + i])
             if exceeds(force, bound):
                 force = limited(force, bound)
             action[Action.FORCE + i] = force

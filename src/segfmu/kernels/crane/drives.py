@@ -5,6 +5,7 @@
 
 from segfmu.kernels.crane._crane import crane_driven, crane_rhs
 from segfmu.kernels.crane.bounds import (
+    acceleration_bound,
     at_velocity_bound,
     carriage_mass,
     exceeds,
@@ -12,6 +13,7 @@ from segfmu.kernels.crane.bounds import (
     hold_velocities,
     limit_accelerations,
     limited,
+    velocity_bound,
 )
 from segfmu.kernels.crane.records import (
     Action,
@@ -34,7 +36,7 @@ def forced_derivative(
     fast = False
     for i in range(3):
         drive = work[Work.DEMAND, i]
-        bound = force_bound(plant, i, state[State.VELOCITY + i])
+        bound = force_bound(plant, i, drive, state[State.VELOCITY + i])
         if exceeds(drive, bound):
             drive = limited(drive, bound)
             action[Action.SATURATED + i] = 1.0
@@ -76,12 +78,14 @@ def driven_derivative(
     for i in range(3):
         demand = work[Work.DEMAND, i]
         if plant[Plant.LAG + i] > 0.0:
-            if exceeds(demand, plant[Plant.VELOCITY_MAX + i]):
-                demand = limited(demand, plant[Plant.VELOCITY_MAX + i])
+            bound = velocity_bound(plant, i, demand)
+            if exceeds(demand, bound):
+                demand = limited(demand, bound)
                 action[Action.SATURATED + i] = 1.0
             demand = (demand - axis_velocity(state, i)) / plant[Plant.LAG + i]
-        if exceeds(demand, plant[Plant.ACCELERATION_MAX + i]):
-            demand = limited(demand, plant[Plant.ACCELERATION_MAX + i])
+        bound = acceleration_bound(plant, i, demand)
+        if exceeds(demand, bound):
+            demand = limited(demand, bound)
             action[Action.SATURATED + i] = 1.0
         work[Work.DEMAND, i] = demand
     if is_slack(state):
@@ -89,7 +93,7 @@ def driven_derivative(
         return
     driven_forces(plant, state, work, derivative)
     for i in range(3):
-        bound = force_bound(plant, i, state[State.VELOCITY + i])
+        bound = force_bound(plant, i, action[Action.FORCE + i], state[State.VELOCITY + i])
         if exceeds(action[Action.FORCE + i], bound):
             limit_accelerations(
                 plant, state, action, work[Work.DEMAND, :], work[Work.LIMIT, :]
@@ -124,7 +128,7 @@ def slack_derivative(
     for i in range(3):
         needed = carriage_mass(plant, i) * work[Work.DEMAND, i]
         drive = needed + work[Work.FRICTION, i]
-        bound = force_bound(plant, i, axis_velocity(state, i))
+        bound = force_bound(plant, i, drive, axis_velocity(state, i))
         if exceeds(drive, bound) and i != Axes.ROPE:
             drive = limited(drive, bound)
             action[Action.SATURATED + i] = 1.0

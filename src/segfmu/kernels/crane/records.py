@@ -166,13 +166,25 @@ class Plant(Resistance):
         "largest forces of the drives", "N", size=3,
         variables=[f"drive.{d}.force_max" for d in DRIVES],
     )
+    FORCE_MIN = field(
+        "least forces, below 0; 0: minus the largest ones", "N", size=3,
+        variables=[f"drive.{d}.force_min" for d in DRIVES],
+    )
     ACCELERATION_MAX = field(
         "largest accelerations by velocity drives", "m/s2", size=3,
         variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
     )
+    ACCELERATION_MIN = field(
+        "least accelerations, below 0; 0: minus the largest ones", "m/s2", size=3,
+        variables=[f"drive.{d}.acceleration_min" for d in DRIVES],
+    )
     VELOCITY_MAX = field(
         "largest velocities of the drives", "m/s", size=3,
         variables=[f"drive.{d}.velocity_max" for d in DRIVES],
+    )
+    VELOCITY_MIN = field(
+        "least velocities, below 0; 0: minus the largest ones", "m/s", size=3,
+        variables=[f"drive.{d}.velocity_min" for d in DRIVES],
     )
     POWER_MAX = field(
         "largest powers of the drives, driving or braking", "W", size=3,
@@ -383,6 +395,7 @@ class ForceLimit(Record):
     CHANGE = field("change of its acceleration", "m/s2", size=3)
     ROPE = field("direction of the rope in the coordinates of the drives", size=3)
     BOUND = field("largest force at the present velocity, 0: no bound", "N", size=3)
+    LOWER = field("the same of forces below 0, as a magnitude", "N", size=3)
     ADDED = field("force that holds a drive at its largest velocity", "N", size=3)
 
 

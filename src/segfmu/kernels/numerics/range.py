@@ -4,7 +4,7 @@ from segfmu.kernels.numerics.records import RangeFault, RangeStatus
 
 
 def check_range(value: float, least: float, most: float, fault: 'float[:]') -> int:
-    """Whether a value is within its range; a `RangeStatus`. No range without an end below."""
+    """Whether a value is within its range; a `RangeStatus`."""
     fault[RangeFault.VALUE] = value
     fault[RangeFault.LEAST] = least
     fault[RangeFault.MOST] = most
@@ -12,4 +12,6 @@ def check_range(value: float, least: float, most: float, fault: 'float[:]') -> i
         return RangeStatus.INSIDE
     if most > 1.7976931348623157e308:
         return RangeStatus.BELOW
+    if least < -1.7976931348623157e308:
+        return RangeStatus.ABOVE
     return RangeStatus.OUTSIDE

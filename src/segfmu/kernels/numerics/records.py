@@ -38,11 +38,12 @@ class GivenTime(Codes):
 
 
 class RangeStatus(Codes):
-    """Whether a value is in its range. BELOW: no, and the range has no end above."""
+    """Whether a value is in its range. BELOW, ABOVE: no, and the range has no other end."""
 
     INSIDE = 0
     BELOW = 1
     OUTSIDE = 2
+    ABOVE = 3
 
 
 class RangeFault(Record):

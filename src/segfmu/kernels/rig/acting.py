@@ -3,7 +3,7 @@
 `setpoints` and `memory` are described in kernels/rig/rig.py.
 """
 
-from segfmu.kernels.crane.bounds import force_bound
+from segfmu.kernels.crane.bounds import acceleration_bound, force_bound
 from segfmu.kernels.crane.records import Axes, Plant, PlantState, PlantStatus, Report, Work
 from segfmu.kernels.crane.slack import axis_velocity, change_rope, may_slacken
 from segfmu.kernels.numerics.records import Stages
@@ -26,10 +26,12 @@ def first_command(axis: int, setpoints: 'float[:]', memory: 'float[:,:]') -> flo
         return velocity
     velocity = bounded_velocity(axis, velocity, memory)
     present = axis_velocity(memory[Memory.STATE, :], axis)
-    if max(plant[Plant.ACCELERATION_MAX + axis], force_bound(plant, axis, present)) == 0.0:
+    change = velocity - present
+    by_force = force_bound(plant, axis, change, present)
+    if max(acceleration_bound(plant, axis, change), by_force) == 0.0:
         return 0.0
     # at once is within a microsecond
-    return 1e6 * (velocity - present)
+    return 1e6 * change
 
 
 def act_first(

@@ -11,7 +11,15 @@ from segfmu.kernels.crane._partials import (
     crane_load_partials,
     crane_rhs_partials,
 )
-from segfmu.kernels.crane.bounds import at_velocity_bound, exceeds, force_bound, limited
+from segfmu.kernels.crane.bounds import (
+    acceleration_bound,
+    at_velocity_bound,
+    exceeds,
+    force_bound,
+    limited,
+    static_bound,
+    velocity_bound,
+)
 from segfmu.kernels.crane.buffers import buffer_slopes
 from segfmu.kernels.crane.friction import deflection_rate, friction_slopes
 from segfmu.kernels.crane.records import (
@@ -49,10 +57,11 @@ def power_slope(
 ) -> float:
     """Derivative of a drive's force by its velocity [N s/m], where its power bounds it."""
     velocity = state[State.VELOCITY + axis]
-    bound = force_bound(plant, axis, velocity)
-    if action[Action.SATURATED + axis] < 0.5 or bound == plant[Plant.FORCE_MAX + axis]:
+    force = action[Action.FORCE + axis]
+    bound = force_bound(plant, axis, force, velocity)
+    if action[Action.SATURATED + axis] < 0.5 or bound == static_bound(plant, axis, force):
         return 0.0
-    return -action[Action.FORCE + axis] / velocity
+    return -force / velocity
 
 
 def forced_partials(
@@ -109,13 +118,14 @@ def demand_partials(
     action = rig[Work.ACTION, :]
     for i in range(3):
         lag = plant[Plant.LAG + i]
-        largest = force_bound(plant, i, state[State.VELOCITY + i])
+        largest = force_bound(plant, i, action[Action.FORCE + i], state[State.VELOCITY + i])
         demand = command[i]
-        clipped = exceeds(demand, plant[Plant.VELOCITY_MAX + i])
+        fastest = velocity_bound(plant, i, demand)
+        clipped = exceeds(demand, fastest)
         if clipped:
-            demand = limited(demand, plant[Plant.VELOCITY_MAX + i])
+            demand = limited(demand, fastest)
         demand = (demand - state[State.VELOCITY + i]) / lag
-        bounded = exceeds(demand, plant[Plant.ACCELERATION_MAX + i])
+        bounded = exceeds(demand, acceleration_bound(plant, i, demand))
         if action[Action.SATURATED + i] > 0.5 and not (bounded or clipped):
             return False
         if largest > 0.0 and abs(action[Action.FORCE + i]) >= largest * (1.0 - 1e-9):

@@ -9,7 +9,7 @@ at the ticks of the controller; between them setpoints count as linear.
 
 from math import exp
 
-from segfmu.kernels.crane.bounds import exceeds, limited
+from segfmu.kernels.crane.bounds import acceleration_bound, exceeds, limited, velocity_bound
 from segfmu.kernels.crane.records import Axes, Plant, State
 from segfmu.kernels.rig.records import Clock, Memory, Planned, Setpoints
 
@@ -39,7 +39,7 @@ def follow_setpoint(
     if lag <= 0.0:
         planned[Planned.ACCELERATION + axis] = slope
         return
-    bound = memory[Memory.PLANT, Plant.VELOCITY_MAX + axis]
+    bound = velocity_bound(memory[Memory.PLANT, :], axis, setpoint)
     reached = setpoint
     if exceeds(setpoint, bound):
         reached = limited(setpoint, bound)
@@ -50,8 +50,8 @@ def follow_setpoint(
         before = planned[Planned.ACCELERATION + axis]
         mean = risen / period
         after = mean + (before - mean) * exp(-period / lag)
-        most = period * memory[Memory.PLANT, Plant.ACCELERATION_MAX + axis]
         gained = risen - lag * (after - before)
+        most = period * acceleration_bound(memory[Memory.PLANT, :], axis, gained)
         if exceeds(gained, most):
             after = before + (risen - limited(gained, most)) / lag
         planned[Planned.ACCELERATION + axis] = after

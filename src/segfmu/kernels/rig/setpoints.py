@@ -3,7 +3,7 @@
 `setpoints` and `memory` are described in kernels/rig/rig.py.
 """
 
-from segfmu.kernels.crane.bounds import exceeds, limited
+from segfmu.kernels.crane.bounds import exceeds, limited, velocity_bound
 from segfmu.kernels.crane.records import CommandRates, DriveMode, Plant, Report, Work
 from segfmu.kernels.rig.records import Memory
 
@@ -34,7 +34,7 @@ def setpoint_rates(
 
 def bounded_velocity(axis: int, velocity: float, memory: 'float[:,:]') -> float:
     """A velocity within the bound of its drive, which counts as saturated beyond it."""
-    bound = memory[Memory.PLANT, Plant.VELOCITY_MAX + axis]
+    bound = velocity_bound(memory[Memory.PLANT, :], axis, velocity)
     if exceeds(velocity, bound):
         memory[Memory.REPORT, Report.STEP_SATURATED + axis] = 1.0
         return limited(velocity, bound)

@@ -9,6 +9,7 @@ from segfmu.validation.files.keys import (
     RANGE,
     Bound,
     Key,
+    LowerBound,
     NotNegative,
     NotNegativeTriple,
     Number,
@@ -37,12 +38,27 @@ class DriveTable(Table):
         Bound | None,
         Key("greatest velocity", "m/s", ("drive.{}.velocity_max",), NO_BOUND),
     ] = None
+    velocity_min: Annotated[
+        LowerBound | None,
+        Key("least velocity, below 0; the hoist lifts with it", "m/s", ("drive.{}.velocity_min",),
+            "minus `velocity_max`"),
+    ] = None
     acceleration_max: Annotated[
         Bound | None,
         Key("greatest acceleration", "m/s2", ("drive.{}.acceleration_max",), NO_BOUND),
     ] = None
+    acceleration_min: Annotated[
+        LowerBound | None,
+        Key("least acceleration, below 0", "m/s2", ("drive.{}.acceleration_min",),
+            "minus `acceleration_max`"),
+    ] = None
     force_max: Annotated[
         Bound | None, Key("greatest force", "N", ("drive.{}.force_max",), NO_BOUND)
+    ] = None
+    force_min: Annotated[
+        LowerBound | None,
+        Key("least force, below 0; the hoist pulls with it", "N", ("drive.{}.force_min",),
+            "minus `force_max`"),
     ] = None
     power_max: Annotated[
         Bound | None,

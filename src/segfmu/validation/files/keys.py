@@ -145,6 +145,9 @@ SwayPair = Annotated[
 ]
 # of drives; the least is that with which plans are made
 Bound = Annotated[float, Field(ge=1e-5, le=1e12), NUMBER]
+# in the negative direction
+LowerBound = Annotated[float, Field(ge=-1e12, le=-1e-5), NUMBER]
+LowerBoundTriple = Annotated[list[LowerBound], Field(min_length=3, max_length=3)]
 BoundTriple = Annotated[list[Bound], Field(min_length=3, max_length=3)]
 Seed = Annotated[int, Field(ge=0, le=LARGEST_SEED, strict=True)]
 
