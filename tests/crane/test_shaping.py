@@ -97,6 +97,13 @@ def test_the_trapezoid_is_a_motion_within_its_limits(distance: float) -> None:
     assert not acceleration[-1]
 
 
+def test_long_after_its_end_a_trapezoid_rests_in_its_place() -> None:
+    motion = Trapezoid(1.0, 0.3, 0.7, start=0.5)
+    assert float(motion(motion.duration, 0)) == pytest.approx(1.5, abs=1e-15)
+    assert motion([10.0, 1e6], 0).tolist() == [float(motion(motion.duration, 0))] * 2
+    assert motion([10.0, 1e6], 1).tolist() == [float(motion(motion.duration, 1))] * 2
+
+
 def test_the_trapezoid_takes_the_least_time() -> None:
     assert Trapezoid(1.0, 0.5, 1.0).duration == pytest.approx(2.0 + 0.5)
     assert Trapezoid(0.04, 0.5, 1.0).duration == pytest.approx(0.4)

@@ -174,3 +174,22 @@ def test_limits_with_one_of_them_changed() -> None:
     found = replace(Limits(1.0, 1.0, 4.0), velocity=2.0)
     assert repr(found) == "Limits(velocity=2.0, acceleration=1.0, jerk=4.0)"
     assert plan([Waypoint(0.0), Waypoint(1.0)], found).duration > 0.0
+
+
+@pytest.mark.parametrize(
+    ("name", "smoothness"), [("jerk", 2), ("snap", 3), ("crackle", 4), ("pop", 5)]
+)
+def test_a_derivative_that_may_jump_is_not_given(name: str, smoothness: int) -> None:
+    start = Waypoint([0.0], **{name: [0.1]})
+    limits = Limits(*[1.0] * (smoothness + 1))
+    with pytest.raises(InputError, match=f"waypoint 1: {name} is .*with smoothness {smoothness}"):
+        plan([start, MOVE[1]], limits, smoothness=smoothness)
+
+
+def test_a_start_on_another_plan_stays_as_it_is_to_the_last_bit() -> None:
+    states = [[1e-18], [1e-18], [0.1]]
+    found = plan([Waypoint([0.0], *states), MOVE[1]], ONE)
+    start = found.waypoints[0]
+    assert [start.velocity, start.acceleration, start.jerk] == states
+    rounded = plan([Waypoint([0.0], *states[:2]), MOVE[1]], ONE).waypoints[0]
+    assert [rounded.velocity, rounded.acceleration] == [[0.0], [0.0]]

@@ -257,6 +257,9 @@ TAMPERED = {
     "dwell at the end that is missing": lambda: replace(
         planned(4), waypoints=(*planned(4).waypoints[:2], Waypoint([1.0, 0.8], dwell=0.5))
     ),
+    "rest at the end that is too long": lambda: replace(
+        plan([*POINTS[:2], Waypoint([1.0, 0.8], dwell=0.5)], LIMITS), waypoints=tuple(POINTS)
+    ),
     "late start in the times": lambda: replace(
         planned(4), axis_waypoint_times=np.add(
             planned(4).axis_waypoint_times, [[1.0], [0.0], [0.0]])

@@ -71,6 +71,19 @@ def test_a_stop_is_met_exactly_at_the_farthest_place(
     assert refused.value.time == pytest.approx(found.x, abs=0.01)
 
 
+def test_stops_of_both_sides_are_met(tmp_path: Path) -> None:
+    path = tmp_path / "mission.toml"
+    words = "takes the bridge to (-?)0.3.* m at .* s, beyond its end stops at"
+    for sign in (1.0, -1.0):
+        crane = CRANE.replace("[0.0, {stop!r}]", str(sorted([0.0, sign * 0.301])))
+        (tmp_path / "crane.toml").write_text(crane, encoding="utf-8")
+        points = POINTS if sign > 0.0 else POINTS.replace("[0.3", "[-0.3")
+        path.write_text('crane = "crane.toml"\n' + LIMITS + points, encoding="utf-8")
+        with pytest.raises(InfeasibleError, match=words) as refused:
+            planned.planned(load_mission(path))
+        assert sign * refused.value.value > 0.301
+
+
 def test_an_axis_that_may_stick_as_it_moves_off_is_told() -> None:
     """A hoist of 1 kg that loses 1 N over 1 mm/s; bridge and trolley are heavier and faster."""
     still = {"coulomb": 3.0, "static": 4.0}

@@ -86,6 +86,19 @@ def test_a_tighter_limit_is_found(order: int) -> None:
     assert judged(touch) == 0
 
 
+def test_a_tighter_limit_of_the_negative_direction_is_found() -> None:
+    peak = -plan(POINTS, LIMITS).extrema(2)[0][0]
+
+    def tighten(arrays) -> None:
+        arrays["lower"][0, 1] = peak * (1.0 - 1e-6)
+
+    def touch(arrays) -> None:
+        arrays["lower"][0, 1] = peak
+
+    assert judged(tighten) == 1
+    assert judged(touch) == 0
+
+
 def late_arrival(shift: float) -> int:
     """The verdict of minutes that end with a pop that changes within 74 us, all times shifted."""
     limits = Limits(velocity=0.1354, acceleration=0.0534, snap=0.437, crackle=13.0)

@@ -1666,10 +1666,8 @@ void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, ar
     int64_t row;
     double least;
     double most;
-    double slowest;
-    double fastest;
-    double longest;
-    double shortest;
+    double pull;
+    double lean;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
@@ -1682,8 +1680,9 @@ void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, ar
         widen_range(INT64_C(2), axis, least, most, ranges);
     }
     widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
-    sum_range(&slowest, &fastest, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
-    if (gravity + slowest <= 0.0)
+    sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
+    pull = gravity + least;
+    if (pull <= 0.0)
     {
         for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
         {
@@ -1691,13 +1690,10 @@ void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, ar
         }
         return;
     }
-    longest = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / (gravity + slowest);
-    shortest = span_max(-(*cspan_at(&ranges, INT64_C(1), INT64_C(2))), 0.0) / (gravity + fastest);
+    lean = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
-        sum_range(&least, &most, axis, 1.0, longest, timing, coefficients, offsets, work);
-        widen_range(INT64_C(2), axis, least, most, ranges);
-        sum_range(&least, &most, axis, 1.0, shortest, timing, coefficients, offsets, work);
+        sum_range(&least, &most, axis, 1.0, lean, timing, coefficients, offsets, work);
         widen_range(INT64_C(2), axis, least, most, ranges);
     }
 }

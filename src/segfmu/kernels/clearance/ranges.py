@@ -1,7 +1,7 @@
 """Where a path leads at most: boxes beyond that need no closer look.
 
 The trolley is ahead of the load by lean p'', with lean = -z / (z'' + g). In each piece of an axis
-it is between where the least and the greatest lean of all pieces would have it.
+it is between the load and where the greatest lean of all pieces would have it.
 """
 
 from segfmu.kernels.clearance.records import Box, Part, Ranges
@@ -30,17 +30,15 @@ def path_ranges(
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
     # up to the trolley
     widen_range(Ranges.ROPE_LOW, 2, 0.0, 0.0, ranges)
-    slowest, fastest = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
-    if gravity + slowest <= 0.0:
+    least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
+    pull = gravity + least
+    if pull <= 0.0:
         for axis in range(2):
             widen_range(Ranges.ROPE_LOW, axis, -1e300, 1e300, ranges)
         return
-    longest = max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / (gravity + slowest)
-    shortest = max(-ranges[Ranges.LOAD_HIGH, 2], 0.0) / (gravity + fastest)
+    lean = max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / pull
     for axis in range(2):
-        least, most = sum_range(axis, 1.0, longest, timing, coefficients, offsets, work)
-        widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
-        least, most = sum_range(axis, 1.0, shortest, timing, coefficients, offsets, work)
+        least, most = sum_range(axis, 1.0, lean, timing, coefficients, offsets, work)
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
 
 

@@ -1,0 +1,27 @@
+"""What a campaign found, from its table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pyarrow
+import pytest
+
+from segfmu.validation.campaigns.result import CampaignResult
+
+
+@pytest.mark.parametrize(("margins", "worst"), [
+    ([0.3, -0.1, float("nan"), 0.2], 12), ([0.3, float("nan"), -0.1, 0.2], 11),
+    ([0.3, -0.1, None, 0.2], 11), ([None] * 4, None),
+])
+def test_a_margin_that_is_no_number_is_the_worst(
+    margins: list[float | None], worst: int | None
+) -> None:
+    held = [None if m is None else m >= 0.0 for m in margins]
+    table = pyarrow.table({
+        "run": [10, 11, 12, 13], "margin.c": pyarrow.array(margins, pyarrow.float64()),
+        "holds.c": pyarrow.array(held, pyarrow.bool_()),
+    })
+    (found,) = CampaignResult("n", Path(), (), ("c",), table).summaries
+    assert (found.run, found.judged) == (worst, sum(m is not None for m in margins))
+    assert found.held == sum(bool(h) for h in held)
