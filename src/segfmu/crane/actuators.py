@@ -21,9 +21,11 @@ from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_start
 from segfmu.crane.drive_task import SEARCHED, Task, with_motion
 from segfmu.crane.equipment import Friction
+from segfmu.crane.evolution import precedes
 from segfmu.crane.inverse import require_flat
 from segfmu.crane.limit_search import (
     EXACT,
+    KEPT,
     Found,
     attempt,
     just_kept,
@@ -81,7 +83,7 @@ class ActuatedPlan:
     @property
     def passed(self) -> bool:
         """Whether all bounds hold, to 1e-9."""
-        return all(found.use <= EXACT.most for found in self.uses)
+        return all(found.use <= KEPT for found in self.uses)
 
 
 def plan_actuated(
@@ -261,7 +263,7 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
         needs = demands_in_state(task.crane, point, task.friction)
         worst = int((needs / bounds.vector).argmax())
         found = BoundUse(BOUNDS[worst], float(needs[worst]), float(bounds.vector[worst]), 0.0)
-        if found.use > EXACT.most:
+        if found.use > KEPT:
             raise exceeded(f"waypoint {number}: ", found, "its state alone")
 
 
@@ -278,7 +280,7 @@ def _searched(task: Task, bounds: ActuatorBounds, progress: Callable[[float], No
     for part, known in ((1, None), (2, replace(rest, task=replace(rest.task, free=task.free)))):
         with suppress(InfeasibleError):
             found = _search(task, bounds, _part(progress, part), known)
-            if found.duration < best.duration:
+            if precedes(found.rank, best.rank):
                 return found
     return best
 
@@ -312,7 +314,7 @@ def _search(
         if rough is None:
             break
         exact = just_kept(replace(rough.task, bounds=task.bounds), rough.table, EXACT)
-        if exact is not None and exact.use <= EXACT.most:
+        if exact is not None and exact.kept:
             return exact
         starts.append((rough.task, rough.table))
     raise refused(starts, bounds)
@@ -326,12 +328,12 @@ def _timed(
     if best is None or not best.allowed:
         # refused with the planner's reason, such as a duration that is too short
         task.require_path(task.plan(found.table))
-    if best is None or best.use > EXACT.most:
+    if best is None or not best.kept:
         best = just_kept(task, found.table, EXACT)
-    if best is None or best.use > EXACT.most:
+    if best is None or not best.kept:
         rough = shortest([(task, found.table)], (), GENERATIONS, progress)
         best = just_kept(rough.task, rough.table, EXACT) if rough else None
-    if best is None or best.use > EXACT.most:
+    if best is None or not best.kept:
         raise refused([(task, found.table)], bounds)
     return best
 

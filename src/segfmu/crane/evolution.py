@@ -1,15 +1,18 @@
 """Minimisation by evolution of samples with an adapted covariance (CMA-ES).
 
 N. Hansen, The CMA Evolution Strategy: A Tutorial, arXiv:1604.00772. Only the order of the values
-counts, so values may be of any kind that can be compared, and kinks and plateaus do no harm. Places
-without a value are sampled again. The random numbers are seeded: the same problem has the same
-result, also where linear algebra rounds in another way.
+counts, so kinks and plateaus do no harm. Places without a value are sampled again.
+
+The random numbers are seeded, and the same problem has the same result on every processor: values
+are ordered with a tolerance, and all else is sums, products and roots in a fixed order, which every
+processor rounds alike, or is rounded to few digits.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from math import exp, log, sqrt
 
 import numpy as np
 
@@ -19,8 +22,31 @@ SMALLEST_STEP = 1e-4
 # samples of a generation over its size, at most; and the step's factor where too few have a value
 SAMPLES = 3
 NARROWER = 0.7
-# decimals of moves in standard deviations: rounding errors of processors must not decide
-DIGITS = 6
+# decimals of moves in standard deviations, and of logarithms and exponentials
+DIGITS, EXACT_DIGITS = 6, 9
+# values that differ by a smaller share are equal
+EQUAL = 1e-9
+# the root of a covariance: its least eigenvalue over the trace, steps, and the last one's size
+SHARE, STEPS, LAST = 1e-14, 80, 1e-8
+
+Value = tuple[bool, float]
+
+
+def precedes(one: Value, other: Value) -> bool:
+    """Whether a value comes before another one by more than rounding."""
+    return one[0] < other[0] or (one[0] == other[0] and other[1] - one[1] > EQUAL * abs(other[1]))
+
+
+def ranked(values: Sequence[Value]) -> list[int]:
+    """Indices in ascending order of the values, equal ones in the given order."""
+    order = sorted(range(len(values)), key=values.__getitem__)
+    found, equal = [], order[:1]
+    for last, index in pairwise(order):
+        if precedes(values[last], values[index]):
+            found += sorted(equal)
+            equal = []
+        equal.append(index)
+    return found + sorted(equal)
 
 
 class Evolution:
@@ -37,75 +63,94 @@ class Evolution:
     def __init__(self, start: FloatArray, step: float) -> None:
         n = start.size
         self.mean, self.step = start.copy(), step
-        self.size = 4 + int(3.0 * np.log(n))
+        self.size = 4 + int(3.0 * log(n))
         half = self.size // 2
-        weights = np.log(half + 0.5) - np.log(np.arange(1, half + 1))
+        logarithms = [log(half + 0.5) - log(i) for i in range(1, half + 1)]
+        weights = np.round(logarithms, EXACT_DIGITS)
         self.weights = weights / weights.sum()
         self.mass = 1.0 / float((self.weights**2).sum())
         self.covariance = np.eye(n)
-        self.paths = np.zeros((2, n))
+        self.straight, self.path = np.zeros(n), np.zeros(n)
         self.generation = 0
         self.random = np.random.default_rng(2)
         mass = self.mass
         self.fade = (4.0 + mass / n) / (n + 4.0 + 2.0 * mass / n)
         self.step_fade = (mass + 2.0) / (n + mass + 5.0)
-        self.damping = 1.0 + 2.0 * max(0.0, ((mass - 1.0) / (n + 1.0)) ** 0.5 - 1.0)
+        self.damping = 1.0 + 2.0 * max(0.0, sqrt((mass - 1.0) / (n + 1.0)) - 1.0)
         self.damping += self.step_fade
         self.rank_one = 2.0 / ((n + 1.3) ** 2 + mass)
         rank = 2.0 * (mass - 2.0 + 1.0 / mass) / ((n + 2.0) ** 2 + mass)
         self.rank = min(1.0 - self.rank_one, rank)
-        self.length = n**0.5 * (1.0 - 0.25 / n + 1.0 / (21.0 * n * n))
+        self.length = sqrt(n) * (1.0 - 0.25 / n + 1.0 / (21.0 * n * n))
 
-    def advance(self, value: Callable[[FloatArray], Any]) -> None:
+    def advance(self, value: Callable[[FloatArray], Value | None]) -> None:
         """Sample one generation, judge it by `value`, and adapt mean, step and covariance.
 
         Where less than half a generation has a value other than None, the step shrinks instead.
         """
-        n = self.mean.size
-        spread, axes = np.linalg.eigh(self.covariance)
-        spread = np.sqrt(np.maximum(spread, 1e-20))
-        # unlike its eigenvectors, the root of the covariance is unique
-        root = (axes * spread) @ axes.T
+        root, inverse = roots(self.covariance)
         moves, values = [], []
         for _ in range(SAMPLES * self.size):
-            move = np.round(root @ self.random.standard_normal(n), DIGITS)
+            normal = self.random.standard_normal(self.mean.size)
+            move = (root * normal).sum(axis=1).round(DIGITS)
             found = value(self.mean + self.step * move)
             if found is not None:
                 moves.append(move)
                 values.append(found)
             if len(values) == self.size:
                 break
-        if len(values) < self.weights.size:
+        half = self.weights.size
+        if len(values) < half:
             self.step *= NARROWER
             return
-        order = sorted(range(len(values)), key=values.__getitem__)
-        chosen = np.array(moves)[order[: self.weights.size]]
-        shift = self.weights @ chosen
+        chosen = np.array(moves)[ranked(values)[:half]]
+        shift = (self.weights[:, None] * chosen).sum(axis=0)
         self.mean = self.mean + self.step * shift
-        self._adapt(chosen, shift, axes @ ((axes.T @ shift) / spread))
+        self._adapt(chosen, shift, (inverse * shift).sum(axis=1))
 
     def _adapt(self, chosen: FloatArray, shift: FloatArray, whitened: FloatArray) -> None:
         n = self.mean.size
         self.generation += 1
-        straight, path = self.paths
-        keep = self.step_fade
-        straight = (1.0 - keep) * straight + (keep * (2.0 - keep) * self.mass) ** 0.5 * whitened
-        length = float(np.linalg.norm(straight))
-        settled = length / (1.0 - (1.0 - keep) ** (2 * self.generation)) ** 0.5
+        keep, gain = self.step_fade, self.fade * (2.0 - self.fade)
+        self.straight = (1.0 - keep) * self.straight
+        self.straight += sqrt(keep * (2.0 - keep) * self.mass) * whitened
+        length = sqrt(float((self.straight**2).sum()))
+        settled = length / sqrt(1.0 - (1.0 - keep) ** (2 * self.generation))
         calm = float(settled < (1.4 + 2.0 / (n + 1.0)) * self.length)
-        path = (1.0 - self.fade) * path
-        path = path + calm * (self.fade * (2.0 - self.fade) * self.mass) ** 0.5 * shift
-        self.paths = np.array([straight, path])
-        lost = self.rank_one * (1.0 - calm) * self.fade * (2.0 - self.fade)
+        self.path = (1.0 - self.fade) * self.path + calm * sqrt(gain * self.mass) * shift
+        kept = 1.0 - self.rank_one - self.rank + self.rank_one * (1.0 - calm) * gain
+        squares = self.weights[:, None, None] * chosen[:, :, None] * chosen[:, None, :]
         self.covariance = (
-            (1.0 - self.rank_one - self.rank + lost) * self.covariance
-            + self.rank_one * np.outer(path, path)
-            + self.rank * (chosen.T * self.weights) @ chosen
+            kept * self.covariance + self.rank_one * (self.path[:, None] * self.path)
+            + self.rank * squares.sum(axis=0)
         )
-        self.step *= float(np.exp(keep / self.damping * (length / self.length - 1.0)))
+        growth = exp(keep / self.damping * (length / self.length - 1.0))
+        self.step *= round(growth, EXACT_DIGITS)
 
     @property
     def settled(self) -> bool:
         """Whether the samples hardly differ any more."""
-        largest = float(self.covariance.diagonal().max()) ** 0.5
-        return bool(self.step * largest < SMALLEST_STEP)
+        largest = float(self.covariance.diagonal().max())
+        return self.step * sqrt(largest) < SMALLEST_STEP
+
+
+def roots(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The symmetric root of a positive definite matrix (n, n) and its inverse.
+
+    Newton's method without inverses (N. Higham, Functions of Matrices, 2008, eq. 6.35).
+    """
+    one = np.eye(len(matrix))
+    scale = float(matrix.trace())
+    root, inverse = matrix / scale + SHARE * one, one
+    for _ in range(STEPS):
+        step = 1.5 * one - 0.5 * _product(inverse, root)
+        root, inverse = _product(root, step), _product(step, inverse)
+        if float(np.abs(step - one).max()) < LAST:
+            break
+    return sqrt(scale) * root, inverse / sqrt(scale)
+
+
+def _product(one: FloatArray, other: FloatArray) -> FloatArray:
+    """Of two matrices, in an order of sums that no library chooses."""
+    product: FloatArray = (one[:, :, None] * other).sum(axis=1)
+    return product

@@ -17,7 +17,7 @@ import numpy as np
 from segfmu.crane.demand import peaks, rough_peaks
 from segfmu.crane.drive_task import SEARCHED, Task
 from segfmu.crane.equipment import Friction
-from segfmu.crane.evolution import Evolution
+from segfmu.crane.evolution import EQUAL, Evolution, precedes, ranked
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray, shown
@@ -29,6 +29,8 @@ STEP = 0.35
 REACH = 5.0
 # moves of free states in units of the limit, relative to those of the limits' logarithms
 STATE_SHARE = 0.15
+# bounds used beyond this are exceeded: what is planned up to a bound uses it but for rounding
+KEPT = 1.0 + 1e-9
 # slower than this a plan does not keep the bounds either, and limits would vanish
 SLOWEST = 1e-6
 # paces without a plan, after which limits are given up
@@ -69,9 +71,14 @@ class Found:
         return self.task.allows(self.trajectory)
 
     @property
+    def kept(self) -> bool:
+        """Whether the bounds hold."""
+        return self.use <= KEPT
+
+    @property
     def rank(self) -> tuple[bool, float]:
         """Plans that keep the bounds first, the shortest first; else by their use."""
-        return (self.use > 1.0, self.use if self.use > 1.0 else self.duration)
+        return (not self.kept, self.duration if self.kept else self.use)
 
 
 @dataclass(frozen=True)
@@ -84,20 +91,17 @@ class Look:
         Largest magnitudes of all demands for crane, trajectory and friction, shape (14,).
     full : float
         A plan with a bound used up to this is fast enough.
-    most : float
-        A plan keeps the bounds if it uses none beyond this.
     trials : int
         Paces tried.
     """
 
     peaks: Callable[[Crane, Trajectory, Friction], FloatArray]
     full: float
-    most: float
     trials: int
 
 
-ROUGH = Look(rough_peaks, 0.98, 1.0, 6)
-EXACT = Look(lambda *motion: peaks(*motion)[0], 1.0 - 1e-6, 1.0 + 1e-9, 40)
+ROUGH = Look(rough_peaks, 0.98, 6)
+EXACT = Look(lambda *motion: peaks(*motion)[0], 1.0 - 1e-6, 40)
 
 
 def paced(task: Task, table: FloatArray, pace: float) -> FloatArray:
@@ -128,9 +132,9 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
     failures, unclear = 0, False
     for _ in range(look.trials):
         found = attempt(task, table, pace, look)
-        gains = best is None or (found is not None and _better(found, best, look))
+        gains = best is None or (found is not None and precedes(found.rank, best.rank))
         # the path is looked at where it may become the result: that takes longer than the plan
-        if found is None or (gains and found.use <= look.most and not found.allowed):
+        if found is None or (gains and found.kept and not found.allowed):
             failures, unclear = failures + 1, found is not None
             if failures == FAILURES:
                 break
@@ -138,27 +142,27 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
             slow, fast = (pace, fast) if last is not None and pace < last[0] else (slow, pace)
             pace = _between(slow, fast, pace)
             continue
-        if last is not None and found.use != last[1] and min(found.use, last[1]) > 0.0:
+        if last is not None and min(found.use, last[1]) > 0.0 and _differ(found.use, last[1]):
             rise = np.log(found.use / last[1]) / np.log(pace / last[0])
             growth = min(max(float(rise), 0.5), 4.0)
         last = (pace, found.use)
         if gains:
             best = found
-        if found.use <= look.most:
+        if found.kept:
             slow = max(slow, pace)
             capped = np.array_equal(found.table, paced(task, table, 2.0 * pace))
             if found.use >= look.full or (capped and not task.free.any()):
                 break
         else:
             fast = min(fast, pace)
-        aim = 0.5 * (look.full + min(look.most, 1.0))
+        aim = 0.5 * (look.full + 1.0)
         pace *= (aim / max(found.use, 1e-3)) ** (1.0 / growth)
         if not slow < pace < fast:
             pace = _between(slow, fast, last[0])
         if pace < SLOWEST:
             break
     # no matter how nearly others keep the bounds, if those that do have no clear path
-    return None if unclear and best is not None and best.use > look.most else best
+    return None if unclear and best is not None and not best.kept else best
 
 
 def _between(slow: float, fast: float, pace: float) -> float:
@@ -166,12 +170,6 @@ def _between(slow: float, fast: float, pace: float) -> float:
     if not np.isfinite(fast):
         return 2.0 * pace
     return 0.5 * fast if slow == 0.0 else float((slow * fast) ** 0.5)
-
-
-def _better(found: Found, best: Found, look: Look) -> bool:
-    if found.use <= look.most and best.use <= look.most:
-        return found.duration < best.duration
-    return found.use < best.use
 
 
 def shortest(
@@ -187,7 +185,7 @@ def shortest(
     tried = [found for found in (_best(starts), _best(calm)) if found is not None]
     if not tried:
         return None
-    best, first = min(tried, key=lambda found: found.rank), tried[-1]
+    best, first = _first(tried), tried[-1]
     coordinates = _Coordinates(first)
     if coordinates.size == 0:
         return best
@@ -199,7 +197,7 @@ def shortest(
         found = just_kept(*coordinates.at(place), ROUGH)
         if found is None:
             return None
-        if found.rank < best.rank:
+        if precedes(found.rank, best.rank):
             best = found
         return found.rank
 
@@ -215,7 +213,15 @@ def shortest(
 
 def _best(starts: Sequence[tuple[Task, FloatArray]]) -> Found | None:
     tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
-    return min(tried, key=lambda found: found.rank, default=None)
+    return _first(tried) if tried else None
+
+
+def _differ(one: float, other: float) -> bool:
+    return abs(one - other) > EQUAL * max(one, other)
+
+
+def _first(tried: Sequence[Found]) -> Found:
+    return tried[ranked([found.rank for found in tried])[0]]
 
 
 class _Coordinates:

@@ -1,0 +1,79 @@
+"""A small version of `python -m tests.processors`, and what it finds differences by."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.compiler import needs_kernels
+from tests.processors.agreement import TOLERANCE, Difference, durations
+from tests.processors.problems import Problem, problems, rewritten
+from tests.processors.variants import CORES, LIBM, SIMD, Variant, builds, processors
+
+# the kinds of n = 5 and 6 are for the command: their searches take seconds
+SMOOTHNESS = (2, 3, 4)
+
+
+@pytest.fixture(scope="module")
+def given() -> list[Problem]:
+    found = [p for p in problems(200) if p["n"] in SMOOTHNESS]
+    assert {p["kind"] for p in found} >= {"rest", "moving", "ties", "free states", "drives"}
+    return found
+
+
+@pytest.fixture(scope="module")
+def expected(given: list[Problem], tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+    found = durations(given, tmp_path_factory.mktemp("expected"))
+    assert (found > 0.0).mean() > 0.7
+    return found
+
+
+def agrees(difference: Difference) -> None:
+    assert difference.wrong.size == 0, str(difference)
+
+
+@pytest.fixture(scope="module")
+def variants() -> dict[str, Variant]:
+    return {variant.name: variant for variant in processors()}
+
+
+@pytest.mark.parametrize("name", [*(f"OPENBLAS_CORETYPE={core}" for core in CORES), SIMD, LIBM])
+def test_durations_are_those_of_other_processors(
+    name: str, variants: dict[str, Variant], given: list[Problem], expected: np.ndarray,
+    tmp_path: Path,
+) -> None:
+    variant = variants[name]
+    if variant.skipped:
+        pytest.skip(variant.skipped)
+    agrees(Difference(variant.name, durations(given, tmp_path, variant), expected))
+
+
+@needs_kernels
+def test_durations_are_those_of_kernels_without_optimisation_and_with_fma(
+    given: list[Problem], expected: np.ndarray, tmp_path: Path
+) -> None:
+    """All compilers in the command; here one that is there."""
+    found = [v for v in builds(tmp_path, ("gcc",), ("-O0",)) if not v.skipped]
+    if not found:
+        pytest.skip("no gcc")
+    for variant in found:
+        agrees(Difference(variant.name, durations(given, tmp_path, variant), expected))
+
+
+def test_durations_follow_from_the_motion_not_from_how_it_is_written(
+    given: list[Problem], expected: np.ndarray, tmp_path: Path
+) -> None:
+    for name, changed, factors in rewritten(given):
+        found = durations(changed, tmp_path)
+        agrees(Difference(name, np.where(found > 0.0, found / factors, found), expected))
+
+
+def test_differences_and_refusals_are_found() -> None:
+    expected = np.array([1.0, 2.0, -1.0, 3.0, -1.0])
+    found = np.array([1.0 + 2e-9, 2.0 + 1e-12, -1.0, -1.0, 4.0])
+    difference = Difference("other", found, expected)
+    assert difference.wrong.tolist() == [0, 3, 4]
+    assert difference.shares[0] == pytest.approx(2.0 * TOLERANCE, rel=1e-6)
+    assert "3 above" in str(difference) and "2 refused" in str(difference)
