@@ -34,8 +34,14 @@ PLAIN = (
     "-std=c99", "-w", "-Werror=implicit-function-declaration", "-fPIC", "-shared",
     "-fno-sanitize=all",
 )
+# as setup.py does
+LIMITED = () if sysconfig.get_config_var("Py_GIL_DISABLED") else ("-DPy_LIMITED_API=0x030B0000",)
+UNDEFINED = ("-undefined", "dynamic_lookup") if sys.platform == "darwin" else ()
+COMPILERS = ("gcc", "clang", "zig")
 OPTIMISED = ("-O0", "-O2", "-O3")
-CONTRACTED = ("-ffp-contract=off",), ("-mfma", "-ffp-contract=fast")
+# products and sums rounded once
+FUSED = ("-mfma", "-ffp-contract=fast")
+CONTRACTED = ("-ffp-contract=off",), FUSED
 
 
 @dataclass(frozen=True)
@@ -99,42 +105,36 @@ def processors() -> Iterator[Variant]:
     )
 
 
-def compilers() -> Iterator[tuple[str, list[str], str]]:
-    """Name, command, and why it is skipped."""
-    for name in ("gcc", "clang"):
-        path = shutil.which(name)
-        yield name, [path or name], "" if path else "not installed"
-    zig = find_spec("ziglang") is not None
-    yield "zig", [sys.executable, "-m", "ziglang", "cc"], "" if zig else "not installed"
+def builds(folder: Path) -> Iterator[Variant]:
+    """The kernels by all compilers, at every optimisation, without and with FMA."""
+    for compiler in COMPILERS:
+        for level in OPTIMISED:
+            for flags in CONTRACTED:
+                yield build(folder, compiler, level, *flags)
 
 
-def builds(
-    folder: Path, names: tuple[str, ...] = (), optimised: tuple[str, ...] = OPTIMISED
-) -> Iterator[Variant]:
-    """The kernels of all compilers, or those named, at every optimisation, without and with FMA."""
-    for name, command, skipped in compilers():
-        if names and name not in names:
-            continue
-        for options in ((level, *flags) for level in optimised for flags in CONTRACTED):
-            title = " ".join((name, *options))
-            reason = skipped
-            if "-mfma" in options and not (X86 and has("FMA3")):
-                reason = reason or "the processor has no FMA, or not that of Intel and AMD"
-            if reason:
-                yield Variant(title, skipped=reason)
-                continue
-            target = folder / (title.replace(" ", "").replace("=", "") + ".so")
-            compiled(command, options, target)
-            yield Variant(title, kernels=target)
-
-
-def compiled(command: list[str], options: tuple[str, ...], target: Path) -> None:
-    """Compile the kernels to a module of Python."""
-    include = sysconfig.get_path("include")
+def build(folder: Path, compiler: str, *options: str) -> Variant:
+    """The kernels by a compiler with options, as a module of Python."""
+    title = " ".join((compiler, *options))
+    command = _command(compiler)
+    if not command:
+        return Variant(title, skipped="not installed")
+    if FUSED[0] in options and not (X86 and has("FMA3")):
+        return Variant(title, skipped="the processor has no FMA, or not that of Intel and AMD")
+    target = folder / (title.replace(" ", "").replace("=", "") + ".so")
     sources = [str(TARGET / name) for name in ("module.c", "kernels.c")]
-    undefined = ("-undefined", "dynamic_lookup") if sys.platform == "darwin" else ()
     subprocess.run(
-        [*command, *PLAIN, *options, f"-I{include}", "-DPy_LIMITED_API=0x030B0000", *sources,
-         *undefined, "-lm", "-o", str(target)],
+        [*command, *PLAIN, *LIMITED, *options, f"-I{sysconfig.get_path('include')}", *sources,
+         *UNDEFINED, "-lm", "-o", str(target)],
         check=True,
     )
+    return Variant(title, kernels=target)
+
+
+def _command(compiler: str) -> list[str]:
+    """How to call a compiler; empty where it is not installed."""
+    if compiler == "zig":
+        found = find_spec("ziglang") is not None
+        return [sys.executable, "-m", "ziglang", "cc"] if found else []
+    path = shutil.which(compiler)
+    return [path] if path else []
