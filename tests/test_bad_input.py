@@ -1,15 +1,17 @@
-"""Bad input to the real command: one line on stderr that names file and key, exit code 2."""
+"""Bad input to the command: one line on stderr that names file and key, exit code 2."""
 
 from __future__ import annotations
 
 import os
 import subprocess
 import sys
+from contextlib import chdir, redirect_stderr, redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import pytest
 
-from segfmu import InputError, load_mission
+from segfmu import InputError, cli, load_mission
 from segfmu.validation.files.scenario_file import load_scenario
 
 CRANE = "bridge_mass = 2.2\ntrolley_mass = 1.155\npayload_mass = 1.0\n"
@@ -23,11 +25,19 @@ POINTS = (
 GOOD = 'crane = "crane.toml"\n' + LIMITS + POINTS
 
 
+COMMAND = Path(sys.executable).with_name("segfmu")
+
+
 def segfmu(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [Path(sys.executable).with_name("segfmu"), *words], capture_output=True, text=True,
-        cwd=cwd, timeout=120,
-    )
+    """What the command does in this process, where it needs no imports."""
+    said, complained = StringIO(), StringIO()
+    with pytest.MonkeyPatch.context() as patch, chdir(cwd):
+        patch.setattr(sys, "argv", ["segfmu", *words])
+        # what the usage is told of is then the first word of these
+        patch.setattr(sys.modules["__main__"], "__package__", None)
+        with redirect_stdout(said), redirect_stderr(complained):
+            code = cli.run()
+    return subprocess.CompletedProcess(words, code, said.getvalue(), complained.getvalue())
 
 
 def refused(cwd: Path, *words: str) -> str:
@@ -63,6 +73,16 @@ MISSIONS = {
     "key of a crane": ("crane =", "rope_max = 1.0\ncrane =", "a key elsewhere: crane.rope_max"),
     "wrong type": ("[0.0, 0.0, -0.5]", '"origin"', "waypoints.1.position: "),
 }
+
+
+def test_a_process_of_its_own_says_the_same(tmp_path: Path) -> None:
+    files(tmp_path, GOOD.replace("jerk = 2.0", "jerk = 1e30"))
+    for words in (("plan", "mission.toml"), ("plann",), ("plan", "mission.toml", "-o", "")):
+        done = subprocess.run(
+            [COMMAND, *words], capture_output=True, text=True, cwd=tmp_path, timeout=120,
+        )
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr == refused(tmp_path, *words)
 
 
 @pytest.mark.parametrize("name", MISSIONS)
@@ -219,7 +239,7 @@ def test_the_way_between_waypoints_is_between_the_end_stops(
 def test_output_without_the_characters_of_a_name(encoding: str, tmp_path: Path) -> None:
     files(tmp_path, 'name = "Kran \u2192 S\u00fcd"\n' + GOOD)
     done = subprocess.run(
-        [Path(sys.executable).with_name("segfmu"), "plan", "mission.toml"], cwd=tmp_path,
+        [COMMAND, "plan", "mission.toml"], cwd=tmp_path,
         capture_output=True, timeout=120, env=os.environ | {"PYTHONIOENCODING": encoding},
     )
     assert (done.returncode, done.stderr) == (0, b"")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.campaign import campaign
 from tests.compiler import needs_native
 
 pytestmark = pytest.mark.skipif(
@@ -79,27 +80,36 @@ def test_while_it_starts(number: signal.Signals, delay: float, tmp_path: Path) -
     stopped(process, number)
 
 
-@pytest.mark.parametrize("number", CODES, ids=lambda n: n.name)
-def test_while_it_builds_and_simulates(number: signal.Signals, tmp_path: Path) -> None:
-    """Temporary folders go, wherever it is; half-written files are not left."""
-    # the first run compiles the binaries if no test did; a stop then would be all that others see
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> float:
+    """How long a run takes [s]; it compiles the binaries if no test did."""
+    folder = tmp_path_factory.mktemp("whole")
     began = time.monotonic()
-    process = started(tmp_path, "simulate", str(MISSION), "-o", "out", "--step", "0.005")
+    process = started(folder, "simulate", str(MISSION), "-o", "out", "--step", "0.005")
     _, error = process.communicate(timeout=300)
     assert (process.returncode, error) == (0, "")
-    whole = time.monotonic() - began
-    assert not list((tmp_path / "temporary").iterdir())
+    assert not list((folder / "temporary").iterdir())
+    return min(time.monotonic() - began, 4.0)
+
+
+@pytest.mark.parametrize("number", CODES, ids=lambda n: n.name)
+@campaign(3, 12, "parts")
+def test_while_it_builds_and_simulates(
+    number: signal.Signals, parts: int, whole: float, tmp_path: Path
+) -> None:
+    """Temporary folders go, wherever it is; half-written files are not left."""
     caught = 0
-    for part in range(6):
+    for part in range(parts):
         process = started(tmp_path, "simulate", str(MISSION), "-o", f"out{part}", "--step", "0.005")
-        time.sleep(0.16 * part * min(whole, 4.0))
+        # both signals together at twice as many times
+        time.sleep((part + 0.5 * (number == signal.SIGTERM)) / parts * 0.9 * whole)
         caught += stopped(process, number)
         assert not list((tmp_path / "temporary").iterdir())
         left = (tmp_path / f"out{part}").glob("*")
         assert {p.name for p in left} <= {
             "GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png", "report.html",
         }
-    assert caught >= 2
+    assert caught >= parts // 3
 
 
 @needs_native

@@ -28,7 +28,7 @@ def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
     return CC
 
 
-@campaign(500, 20_000)
+@campaign(200, 20_000)
 # every source is in one of the two; the command makes all four
 @pytest.mark.parametrize(("fmi", "spec"), [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1])])
 def test_random_calls_end_with_a_status(

@@ -89,6 +89,15 @@ def test_a_step_below_the_resolution_of_time_is_refused(native_fmus, fmi: int) -
 
 
 @both
+def test_a_stop_before_the_start_is_refused(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][0]) as fmu:
+        with pytest.raises(Exception, match=STATUS):
+            fmu.begin(1.0, 0.5)
+        assert "the stop time 0.5 s is before the start time 1 s" in fmu.messages[-1]
+        fmu.begin(1.0, 1.0)
+
+
+@both
 @pytest.mark.parametrize("index", [0, 1])
 def test_outputs_that_overflow_are_an_error(native_fmus, fmi: int, index: int) -> None:
     with Importer(native_fmus[fmi][index]) as fmu:

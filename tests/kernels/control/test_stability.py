@@ -29,10 +29,13 @@ def checked(
 
 
 def growth(
-    crane: Crane, length: float, row: np.ndarray, driven: bool, lag: float, late: int,
+    crane: Crane, length: float, row: np.ndarray, driven: bool, lag: float, late: float,
     period: float,
 ) -> float:
-    """Largest eigenvalue of bridge and sway in x under gains (11,), by Runge-Kutta steps."""
+    """Largest eigenvalue of bridge and sway in x under gains (11,), by Runge-Kutta steps.
+
+    late: dead time in samples; of a part of a sample the correction before acts at first.
+    """
     carriage, weight = crane.bridge_mass + crane.trolley_mass, crane.payload_mass * crane.gravity
 
     def slope(x: np.ndarray, u: float) -> np.ndarray:
@@ -45,8 +48,8 @@ def growth(
             a, c = u, 0.0
         return np.array([velocity, rate, a, -(crane.gravity * angle + a) / length, c])
 
-    def sample(x: np.ndarray, u: float) -> np.ndarray:
-        h = period / 20
+    def moved(x: np.ndarray, u: float, time: float) -> np.ndarray:
+        h = time / 20
         for _ in range(20):
             a = slope(x, u)
             b = slope(x + h / 2 * a, u)
@@ -55,11 +58,14 @@ def growth(
         return x
 
     gains = row[[0, 3, 5, 8, 10]]
-    columns = []
-    for unit in np.eye(5 + late):
+    columns, kept = [], int(np.ceil(late))
+    for unit in np.eye(5 + kept):
         state, waiting = unit[:5], [*unit[5:], -float(gains @ unit[:5])]
-        columns.append(np.concatenate([sample(state, waiting[0]), waiting[1:]]))
-    return float(np.abs(np.linalg.eigvals(np.array(columns).T[_used(driven, lag, late)])).max())
+        first = (late - kept + 1.0) % 1.0 * period
+        state = moved(state, waiting[0], first)
+        state = moved(state, waiting[int(first > 0.0)], period - first)
+        columns.append(np.concatenate([state, waiting[1:]]))
+    return float(np.abs(np.linalg.eigvals(np.array(columns).T[_used(driven, lag, kept)])).max())
 
 
 def _used(driven: bool, lag: float, late: int) -> tuple[np.ndarray, np.ndarray]:
@@ -95,6 +101,23 @@ def test_growth_is_the_largest_eigenvalue(
                 assert fault[SetupFault.BOUND] == pytest.approx(expected, rel=1e-5)
         elif expected < 0.999 and status == SetupStatus.UNSTABLE:
             assert fault[SetupFault.DRIVE] != Axes.BRIDGE
+
+
+@pytest.mark.parametrize("late", [0.5, 1.25, 2.5])
+@pytest.mark.parametrize("size", CRANES)
+def test_of_a_part_of_a_sample_both_corrections_count(size: str, late: float) -> None:
+    """Each by its share of the sample, of which only the place within it is left out."""
+    crane, length = CRANES[size]
+    period = 0.06 * np.sqrt(length / crane.gravity)
+    gains = design(crane, sample_time=period, shortest=length, longest=length)
+    scaled = gains.gains.copy()
+    scaled[:, 0] *= 30.0
+    feedback = SwayFeedback(period, gains.lengths, scaled, gains.payload)
+    expected = growth(crane, length, scaled[0, 0], False, 0.0, late, period)
+    status, fault = checked(crane, feedback, False, 0.0, late * period, False)
+    assert (status, fault[SetupFault.DRIVE]) == (SetupStatus.UNSTABLE, Axes.BRIDGE)
+    assert expected > 1.05
+    assert fault[SetupFault.BOUND] - 1.0 == pytest.approx(expected - 1.0, rel=0.02)
 
 
 def test_an_observer_predicts_over_dead_times_and_a_lag_must_be_known() -> None:

@@ -10,13 +10,16 @@ from segfmu.kernels.control.records import (
     Estimate,
     Fading,
     Gains,
+    Held,
     Observer,
+    OffsetCause,
     Tracker,
     Tracking,
     VelocityCommand,
 )
 from segfmu.kernels.control.records import Tick as Records
-from segfmu.kernels.control.tracking import track_setpoint
+from segfmu.kernels.control.tracking import track_deviation, track_hoist, track_setpoint
+from segfmu.kernels.crane.records import Axes, Coordinates, State
 
 REFERENCE = np.array([0.5, -0.2, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 FEEDFORWARD = np.array([1.0, 0.0, -9.81])
@@ -122,3 +125,30 @@ def test_the_payload_is_estimated_from_what_holds_it() -> None:
         found.append(1.0 + tick.memory[Tracker.FADING, Fading.PAYLOAD])
     assert found[-1] == pytest.approx(1.5, abs=1e-6)
     assert max(found) < 1.5 + 1e-6
+
+
+@pytest.mark.parametrize("cause", [int(OffsetCause.WIND), int(OffsetCause.SENSOR)])
+def test_wind_moves_carriage_and_rope_and_a_wrong_sensor_neither(cause: int) -> None:
+    """At 2 m, wind of g / 10: the rope hangs at 0.1 rad, by 0.2 m aside and 0.01 m too high."""
+    tick = Tick()
+    tick.parameters[Tracking.REJECTED_WIND] = 1.0
+    tick.parameters[Tracking.OFFSET_CAUSE] = cause
+    tick.memory[Tracker.SIGNALS, Coordinates.POSITION + Axes.ROPE] = 2.0
+    tick.memory[Tracker.PRESENT, Estimate.WIND] = 0.981
+    track_deviation(tick.parameters, tick.memory)
+    moves = cause != OffsetCause.SENSOR
+    deviation, target = tick.memory[Tracker.DEVIATION], tick.memory[Tracker.TARGET]
+    assert deviation[State.POSITION] == pytest.approx(0.2 * moves)
+    assert deviation[State.ANGLE] == pytest.approx(-0.1)
+    assert target[State.POSITION + Axes.ROPE] == pytest.approx(2.0 + 0.01 * moves)
+
+
+@pytest.mark.parametrize(("share", "force", "bound"), [(8.9, -1e4, 9.0), (-0.9, 1e3, -0.98)])
+def test_the_estimate_of_the_payload_has_bounds(share: float, force: float, bound: float) -> None:
+    tick = Tick()
+    tick.parameters[Tracking.PAYLOAD_SHARE] = 0.02
+    tick.memory[Tracker.HELD, Held.AWAKE] = 1.0
+    tick.memory[Tracker.HELD, Held.CORRECTION + Axes.ROPE] = force
+    tick.memory[Tracker.FADING, Fading.PAYLOAD] = share
+    track_hoist(tick.parameters, tick.memory)
+    assert tick.memory[Tracker.FADING, Fading.PAYLOAD] == bound

@@ -53,6 +53,18 @@ def test_near_its_end_a_piece_keeps_its_digits() -> None:
     assert end_derivative(0, 1, 2, timing, coefficients) == 0.0
 
 
+def test_a_derivative_that_is_rounding_at_the_end_is_zero() -> None:
+    """One piece of y = 3 (0.7 - t)^4: its powers do not cancel to the last bit."""
+    timing = np.array([[0.0, 0.7]])
+    coefficients = np.zeros((1, 8))
+    coefficients[0, :5] = 3.0 * np.array([0.7**4, -4.0 * 0.7**3, 6.0 * 0.7**2, -4.0 * 0.7, 1.0])
+    bare = [np.polynomial.Polynomial(coefficients[0]).deriv(order)(0.7) for order in (1, 2, 3)]
+    assert np.abs(bare).max() > 0.0
+    for order in (1, 2, 3):
+        assert end_derivative(0, 1, order, timing, coefficients) == 0.0
+    assert end_derivative(0, 1, 4, timing, coefficients) == pytest.approx(72.0)
+
+
 def test_plans_are_joined_axis_by_axis() -> None:
     timing, coefficients, offsets = cut(0.5)
     rows = len(timing)

@@ -26,7 +26,8 @@ from tests.cosim.probe.build import build
 from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, command, run, write
 
 # some seconds of work, so that there is a half
-LONG = CAMPAIGN.replace("runs = 40", "runs = 300").replace(
+RUNS = 160
+LONG = CAMPAIGN.replace("runs = 40", f"runs = {RUNS}").replace(
     "[sampling]", "[changes]\nstep = 0.002\n\n[sampling]"
 )
 
@@ -42,26 +43,26 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
-    """A longer one, uninterrupted, on two workers."""
+    """A longer one, uninterrupted."""
     require_native()
     folder = tmp_path_factory.mktemp("long")
-    run(write(folder, LONG), "-o", folder / "out", "--jobs", "2")
+    run(write(folder, LONG), "-o", folder / "out", "--jobs", "1")
     return load_result(folder / "out")
 
 
 def test_every_run_is_that_of_its_scenario_file(whole: CampaignResult, tmp_path: Path) -> None:
     campaign = load_campaign(whole.folder.parent / "c.toml")
     assert whole.column("run") == list(range(40))
-    for number in (0, 17, 39):
-        path = write_run(tmp_path, campaign, number)
-        with Runner() as runner:
-            found = runner.run(load_scenario(path))
+    paths = {number: write_run(tmp_path, campaign, number) for number in (0, 17, 39)}
+    with Runner() as runner:
+        results = {number: runner.run(load_scenario(path)) for number, path in paths.items()}
+    for number, found in results.items():
         for finding in found.findings:
             assert whole.column(f"margin.{finding.name}")[number] == finding.margin
             assert whole.column(f"holds.{finding.name}")[number] is finding.passed
         assert whole.column("passed")[number] is found.passed
         assert whole.column("arrival")[number] == found.known["arrival"]
-        scenario = load_scenario(path)
+        scenario = load_scenario(paths[number])
         assert scenario.mission.simulation.initial_sway[0] == whole.column("sway")[number]
         assert scenario.mission.crane.controller.design == whole.column("design")[number]
 
@@ -70,9 +71,9 @@ def test_the_same_seed_gives_the_same_table(whole: CampaignResult, tmp_path: Pat
     run(write(tmp_path), "-o", tmp_path / "out", "--jobs", "2")
     same = load_result(tmp_path / "out").table
     assert same.equals(whole.table) and same.schema == whole.table.schema
-    other = CAMPAIGN.replace("seed = 3", "seed = 4")
-    run(write(tmp_path / "4", other), "-o", tmp_path / "4" / "out", "--jobs", "2")
-    assert load_result(tmp_path / "4" / "out").column("sway") != whole.column("sway")
+    other = load_campaign(write(tmp_path / "4", CAMPAIGN.replace("seed = 3", "seed = 4")))
+    samples = [run.sample["sway"] for run in other.runs]
+    assert len(samples) == 40 and samples != whole.column("sway")
 
 
 def test_the_worst_run_is_told_and_its_command_shows_it(
@@ -101,7 +102,7 @@ def test_the_sway_at_the_start_is_what_counts(whole: CampaignResult) -> None:
 
 def killed_at_half(process: subprocess.Popen[bytes], out: Path) -> None:
     deadline = time.monotonic() + 120.0
-    while rows(out) < 100:
+    while rows(out) < RUNS // 3:
         assert process.poll() is None and time.monotonic() < deadline
         time.sleep(0.05)
     process.send_signal(signal.SIGKILL)
@@ -121,9 +122,9 @@ def test_a_killed_campaign_goes_on_where_it_was(long: CampaignResult, tmp_path: 
         killed_at_half(process, out)
     before = {p: p.read_bytes() for p in (out / "parts").glob("*.parquet")}
     kept = rows(out)
-    assert 100 <= kept < 300
-    done = run(path, "-o", out, "--jobs", "2")
-    assert f"{kept} of 300 runs were there" in done.stdout
+    assert RUNS // 3 <= kept < RUNS
+    done = run(path, "-o", out, "--jobs", "1")
+    assert f"{kept} of {RUNS} runs were there" in done.stdout
     assert before and load_result(out).table.equals(long.table)
     assert (out / "runs.parquet").read_bytes() == (long.folder / "runs.parquet").read_bytes()
 
@@ -170,7 +171,7 @@ def test_a_worker_that_is_killed_loses_nothing(
         stderr=subprocess.PIPE, text=True,
     ) as process:
         deadline = time.monotonic() + 120.0
-        while rows(out) < 50:
+        while rows(out) < RUNS // 6:
             assert process.poll() is None and time.monotonic() < deadline
             time.sleep(0.05)
         workers[0].kill()
@@ -224,7 +225,7 @@ def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_pat
     probe = build(tmp_path, 2)
     scenario = SCENARIO + FAILING.format(path=probe.as_posix())
     path = write(tmp_path, FAILURES, scenario)
-    done = run(path, "-o", tmp_path / "out", "--jobs", "2", code=1)
+    done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
     result = load_result(tmp_path / "out")
     errors = dict(result.errors)
     assert set(errors) == {2, 3, 5}
