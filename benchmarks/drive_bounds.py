@@ -81,7 +81,7 @@ def _row(
 ) -> Record:
     used = None
     if found is not None and bounds is not None:
-        used = largest_use(SHIP_TO_SHORE, found, bounds.vector, SAMPLES)
+        used = largest_use(SHIP_TO_SHORE, found, bounds, SAMPLES)
     return {
         "plan": name, "duration s": float(duration), "over optimum": float(duration / optimum),
         "use": used,
@@ -93,7 +93,7 @@ def _container() -> list[Record]:
     for shape in SHAPES:
         begin = perf_counter()
         found = plan_actuated(SHIP_TO_SHORE, STACK, None, CONTAINER, shape=shape)
-        used = largest_use(SHIP_TO_SHORE, found.trajectory, CONTAINER.vector, SAMPLES)
+        used = largest_use(SHIP_TO_SHORE, found.trajectory, CONTAINER, SAMPLES)
         rows.append({
             "plan": shape, "duration s": found.trajectory.duration, "use": used,
             "active": ", ".join(use.name for use in found.active),
@@ -116,7 +116,7 @@ def _random(count: int) -> Record:
             missed += feasible(problem)
             continue
         times.append(perf_counter() - begin)
-        used = largest_use(problem.crane, found, problem.bounds.vector, SAMPLES)
+        used = largest_use(problem.crane, found, problem.bounds, SAMPLES)
         exceeded += used > 1.0 + TOLERANCE
     return {
         "cranes": count, "bounds exceeded": exceeded, "refused": refused,
@@ -152,6 +152,6 @@ def feasible(problem: DriveProblem) -> bool:
                 found = plan(rest.waypoints, Limits(*np.minimum(table, caps)))
             except InfeasibleError:
                 continue
-            if largest_use(problem.crane, found, problem.bounds.vector, 2001) <= 1.0:
+            if largest_use(problem.crane, found, problem.bounds, 2001) <= 1.0:
                 return True
     return False

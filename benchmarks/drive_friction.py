@@ -95,7 +95,7 @@ def _plan(case: Case, shape: str, coulomb: float, viscous: float) -> tuple[float
     found = plan_actuated(
         case.crane, [Waypoint(start), Waypoint(end)], None, bounds, shape=shape, friction=friction
     ).trajectory
-    return found.duration, largest_use(case.crane, found, bounds.vector, SAMPLES, friction)
+    return found.duration, largest_use(case.crane, found, bounds, SAMPLES, friction)
 
 
 def _random(count: int) -> Record:
@@ -122,7 +122,7 @@ def _random(count: int) -> Record:
         except InfeasibleError:
             refused += 1
             continue
-        used = largest_use(crane, found, bounds.vector, SAMPLES, friction)
+        used = largest_use(crane, found, bounds, SAMPLES, friction)
         largest = max(largest, used)
         exceeded += used > 1.0 + TOLERANCE
     return {

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 
-from segfmu import Crane, Trajectory
+from segfmu import ActuatorBounds, Crane, Trajectory
 from segfmu.crane import Friction
 
 FloatArray = NDArray[np.float64]
@@ -42,7 +42,7 @@ def _root(a: FloatArray) -> FloatArray:
 def demands(
     crane: Crane, trajectory: Trajectory, times: FloatArray, friction: Friction | None = None
 ) -> FloatArray:
-    """Magnitudes of force, velocity, acceleration, power and sway, shape (times, 14).
+    """Force, velocity, acceleration, power and sway, shape (times, 14).
 
     With friction the times are samples from the start on, close enough for contacts to be followed.
     """
@@ -67,10 +67,10 @@ def demands(
         position = np.stack([place[0] for place in places], axis=-1)
         force = force + friction_along(crane, friction, position, velocity)
     sway = np.stack(
-        [np.arctan2(pull[0, 0], np.hypot(pull[1, 0], pull[2, 0])),
+        [np.arctan2(-pull[0, 0], np.hypot(pull[1, 0], pull[2, 0])),
          np.arctan2(pull[1, 0], pull[2, 0])], axis=-1,
     )
-    return np.asarray(np.abs(np.hstack([force, velocity, acceleration, force * velocity, sway])))
+    return np.hstack([force, velocity, acceleration, force * velocity, sway])
 
 
 def friction_along(
@@ -102,29 +102,46 @@ def friction_along(
 
 
 def largest_use(
-    crane: Crane, trajectory: Trajectory, bounds: FloatArray, samples: int,
+    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, samples: int,
     friction: Friction | None = None,
 ) -> float:
-    """Largest share of a bound, (14,), among equidistant samples of a plan."""
+    """Largest share of a bound, each direction against its own, among equidistant samples."""
+    return float(shares(crane, trajectory, bounds, samples, friction).max())
+
+
+def shares(
+    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, samples: int,
+    friction: Friction | None = None,
+) -> FloatArray:
+    """Largest shares of the bounds in the positive and the negative direction, shape (2, 14)."""
     times = np.linspace(0.0, trajectory.duration, samples)
-    return float((demands(crane, trajectory, times, friction).max(axis=0) / bounds).max())
+    found = demands(crane, trajectory, times, friction)
+    upper = [bounds.force, bounds.velocity, bounds.acceleration, bounds.power, bounds.sway_angle]
+    least = [bounds.force_min, bounds.velocity_min, bounds.acceleration_min]
+    lower = [np.where(np.isinf(b), u, -b) for b, u in zip(least, upper, strict=False)]
+    return np.array([
+        found.max(axis=0) / np.concatenate(upper),
+        -found.min(axis=0) / np.concatenate([*lower, *upper[3:]]),
+    ])
 
 
 def shortest_transfer(
     distance: float, rope: float, gravity: float, velocity: float, acceleration: float,
-    intervals: int, tolerance: float,
+    intervals: int, tolerance: float, *, braking: float | None = None,
 ) -> float:
     """Shortest time [s] of a carriage that takes a hanging load from rest to rest, linearised.
 
     By bisection over linear programs in the carriage's acceleration, constant in each interval. The
-    pendulum is exact; no smoothness is asked for.
+    pendulum is exact; no smoothness is asked for. braking: the acceleration backwards, if that
+    differs.
     """
+    ranges = (-acceleration if braking is None else -braking, acceleration)
     low = distance / velocity
     high = low + velocity / acceleration + 4.0 * np.pi * (rope / gravity) ** 0.5
     frequency = (gravity / rope) ** 0.5
     while high - low > tolerance * high:
         middle = 0.5 * (low + high)
-        if _reaches(middle, distance, frequency, velocity, acceleration, intervals):
+        if _reaches(middle, distance, frequency, velocity, ranges, intervals):
             high = middle
         else:
             low = middle
@@ -132,8 +149,8 @@ def shortest_transfer(
 
 
 def _reaches(
-    duration: float, distance: float, frequency: float, velocity: float, acceleration: float,
-    intervals: int,
+    duration: float, distance: float, frequency: float, velocity: float,
+    ranges: tuple[float, float], intervals: int,
 ) -> bool:
     step = duration / intervals
     left = duration - step * np.arange(intervals + 1)
@@ -149,6 +166,6 @@ def _reaches(
         linprog(
             np.zeros(intervals), A_ub=np.vstack([gained, -gained]),
             b_ub=np.full(2 * intervals, velocity), A_eq=effects, b_eq=[0.0, distance, 0.0, 0.0],
-            bounds=(-acceleration, acceleration), method="highs",
+            bounds=ranges, method="highs",
         ).status == 0
     )

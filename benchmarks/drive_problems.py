@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,11 +22,28 @@ class DriveProblem:
     waypoints: tuple[Waypoint, ...]
 
 
-def drive_problems(count: int, seed: int = SEED) -> Iterator[DriveProblem]:
-    """Cranes from 1 kg to 100 t; bounds known in part; waypoints that rest, move or are free."""
+def drive_problems(
+    count: int, seed: int = SEED, *, directed: bool = False
+) -> Iterator[DriveProblem]:
+    """Cranes from 1 kg to 100 t; bounds known in part; waypoints that rest, move or are free.
+
+    directed: known bounds differ by direction, by a factor of up to three.
+    """
     random = np.random.default_rng(seed)
     for _ in range(count):
-        yield _problem(random)
+        problem = _problem(random)
+        yield replace(problem, bounds=_directed(random, problem)) if directed else problem
+
+
+def _directed(random: np.random.Generator, problem: DriveProblem) -> ActuatorBounds:
+    bounds = problem.bounds
+    factors = -(3.0 ** random.uniform(-1.0, 1.0, (3, 3)))
+    # the hoist still has to hold the load
+    factors[0, 2] = min(factors[0, 2], -1.0)
+    names = ("force", "velocity", "acceleration")
+    own = {name: getattr(bounds, name) for name in (*names, "power", "sway_angle")}
+    least = {f"{n}_min": f * own[n] for n, f in zip(names, factors, strict=True)}
+    return ActuatorBounds(**own, **least)
 
 
 def _problem(random: np.random.Generator) -> DriveProblem:

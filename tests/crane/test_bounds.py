@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from segfmu import ActuatorBounds, Crane, InputError, Waypoint
@@ -29,7 +30,10 @@ def test_a_state_at_rest_asks_for_no_friction_and_one_that_moves_for_all() -> No
     crane = Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
     friction = Friction(coulomb=(4.0, 3.0, 2.0), static=(5.0, 4.0, 3.0))
     still = demands_in_state(crane, Waypoint([0.7, 0.4, -0.9]), friction)
-    assert still[Demand.FORCE : Demand.VELOCITY] == pytest.approx([0.0, 0.0, 9.81])
+    forces = still[:, Demand.FORCE : Demand.VELOCITY]
+    assert forces == pytest.approx(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 9.81]]))
     # far above the width over which friction falls
     moving = demands_in_state(crane, Waypoint([0.7, 0.4, -0.9], [0.3, -0.2, 0.1]), friction)
-    assert moving[Demand.FORCE : Demand.VELOCITY] == pytest.approx([4.0, 3.0, 9.81 + 2.0], rel=1e-6)
+    forces = moving[:, Demand.FORCE : Demand.VELOCITY]
+    expected = np.array([[4.0, 0.0, 0.0], [0.0, 3.0, 9.81 + 2.0]])
+    assert forces == pytest.approx(expected, rel=1e-6)

@@ -14,7 +14,11 @@ from segfmu.crane import ActuatorBounds, bound_uses
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.validation.criteria import judge
 from segfmu.validation.drive_use import bound_table, run_uses
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.crane_parameters import bounds as crane_bounds
 from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.reading import checked
+from segfmu.validation.monitor import drive_use
 from segfmu.validation.plots import plot_drives
 
 CRANE = """
@@ -52,7 +56,7 @@ def test_a_mission_without_limits_is_as_fast_as_the_drives(tmp_path: Path) -> No
     found = bound_uses(task.build_crane(), trajectory, bounds)
     # samples alone miss a peak with a kink
     times = np.union1d(np.linspace(0.0, trajectory.duration, 20_001), trajectory.events)
-    largest = demands(task.build_crane(), trajectory, times).max(axis=0)
+    largest = np.abs(demands(task.build_crane(), trajectory, times)).max(axis=0)
     for use, peak in zip(found, largest, strict=True):
         assert use.peak == pytest.approx(peak, rel=1e-3, abs=1e-9)
     assert 0.999 < max(use.use for use in found) <= 1.0 + 1e-9
@@ -102,6 +106,34 @@ def test_the_use_of_a_run_is_part_of_its_verdict() -> None:
     tight = ActuatorBounds(acceleration=[None, 0.39, None])
     failed = [row for row in judge(rows, 1.0, 1e-3, 0.1, tight).rows if not row.passed]
     assert [row.name for row in failed] == ["use of the bound of trolley acceleration"]
+
+
+def test_a_run_is_compared_with_the_bound_of_each_direction() -> None:
+    names = (
+        *(f"drive.{d}.force" for d in ("bridge", "trolley", "hoist")), "bridge.velocity",
+        "trolley.velocity", "rope.velocity", "sway.x.angle", "sway.y.angle", "time",
+        *(f"drive.{d}.power" for d in ("bridge", "trolley", "hoist")),
+    )
+    rows = np.zeros(101, dtype=[(name, float) for name in names])
+    time = rows["time"] = np.linspace(0.0, 1.0, 101)
+    rows["trolley.velocity"] = np.where(time < 0.6, time, 0.6 - 2.0 * (time - 0.6))
+    rows["drive.trolley.force"] = np.where(time < 0.6, 2.0, -4.0)
+    own = {"velocity_max": 1.2, "velocity_min": -0.25, "force_max": 2.5, "force_min": -5.0,
+           "acceleration_max": 4.0, "acceleration_min": -2.5}
+    crane = checked(CraneFile, {
+        "bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0, "trolley": own,
+    }, "crane")
+    found = {use.name: use for use in run_uses(rows, crane_bounds(crane))}
+    expected = {
+        "trolley velocity": 0.5, "trolley velocity_min": 0.8, "trolley force": 0.8,
+        "trolley force_min": 0.8, "trolley acceleration": 0.25, "trolley acceleration_min": 0.8,
+    }
+    for name, use in expected.items():
+        assert found[name].use == pytest.approx(use, rel=1e-2), name
+    assert found["trolley velocity_min"].time == pytest.approx(1.0)
+    use = drive_use(rows, crane)
+    # 2 of 2.5 N ahead, then 2 of 2.5 m/s2 and 4 of 5 N back
+    assert use == pytest.approx(0.8, rel=1e-2)
 
 
 def test_a_run_uses_what_its_rows_have_at_most() -> None:

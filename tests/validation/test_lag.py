@@ -58,6 +58,18 @@ def test_setpoints_beyond_a_drive_are_told() -> None:
     assert beyond_drives(forced, planned(task)) == ""
 
 
+def test_setpoints_beyond_the_bound_of_their_direction_are_told() -> None:
+    """The hoist lifts: its setpoints are negative."""
+    drive = {**HALL["crane"]["hoist"], "lag": 1.0, "velocity_max": 2.0, "velocity_min": -0.13}
+    task = segfmu.load_mission({**HALL, "crane": {**HALL["crane"], "hoist": drive}})
+    told = beyond_drives(task, planned(task))
+    assert "reaches -0.2" in told and "its velocity_min is -0.13 m/s" in told
+    # and they are positive as it comes to rest
+    other = {**drive, "velocity_max": 0.05, "velocity_min": -2.0}
+    task = segfmu.load_mission({**HALL, "crane": {**HALL["crane"], "hoist": other}})
+    assert "its velocity_max is 0.05 m/s" in beyond_drives(task, planned(task))
+
+
 @pytest.mark.parametrize("backend", ["native", "python"])
 def test_a_lag_that_no_run_could_follow_is_refused(backend: str, tmp_path) -> None:
     if backend == "native":

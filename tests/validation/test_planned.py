@@ -117,7 +117,7 @@ def test_friction_of_the_crane_file_is_part_of_plan_and_tables() -> None:
     assert bounds is not None
     times = np.linspace(0.0, trajectory.duration, 20_001)
     known = task.build_friction()
-    needs = demands(task.build_crane(), trajectory, times, known).max(axis=0)
+    needs = np.abs(demands(task.build_crane(), trajectory, times, known)).max(axis=0)
     used = bound_uses(task.build_crane(), trajectory, bounds, known)
     assert max(use.use for use in used) == pytest.approx(1.0, abs=1e-5)
     # samples come that close to the peak, and no sample exceeds the bound

@@ -14,12 +14,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.crane.bounds import NAMES as BOUNDS
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_start
-from segfmu.crane.drive_task import SEARCHED, Task, with_motion
+from segfmu.crane.drive_task import (
+    COLUMNS,
+    DIRECTED,
+    SEARCHED,
+    Task,
+    first_senses,
+    with_motion,
+)
 from segfmu.crane.equipment import Friction
 from segfmu.crane.evolution import precedes
 from segfmu.crane.inverse import require_flat
@@ -107,7 +113,8 @@ def plan_actuated(
     """Plan the load's trajectory as fast as the bounds of the crane's drives allow.
 
     Limits of velocity, acceleration, jerk and snap are found for each axis by itself, and free
-    states with them. If the plan with the given limits keeps the bounds, it is the result.
+    states with them; where a drive or a limit of the load differs by direction, limits of velocity
+    and acceleration for each. If the plan with the given limits keeps the bounds, it is the result.
 
     Parameters
     ----------
@@ -115,9 +122,7 @@ def plan_actuated(
     waypoints : sequence of Waypoint
         Of the axes x, y, z.
     limits : Limits or None
-        Limits of the load that hold as well; None for those that follow from the bounds alone. Of
-        a velocity or acceleration that differs by direction the search keeps the smaller one in
-        both.
+        Limits of the load that hold as well; None for those that follow from the bounds alone.
     bounds : ActuatorBounds
         Of the drives and, by `ActuatorBounds.tightened`, those that the mission sets itself.
     smoothness, shape, synchronize, sample_time, duration, position_min, position_max, axis_names
@@ -220,8 +225,21 @@ def _task(
     options: dict[str, Any], clearance: Clearance | None, friction: Friction,
 ) -> Task:
     """The task with free states at rest; those of axes that pass a waypoint are unknowns."""
-    caps = np.full((3, SEARCHED), np.inf)
-    higher = {}
+    first, states = united(np.array([p.planned for p in waypoints]))
+    rest = np.nan_to_num(np.swapaxes(states, 1, 2))
+    resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))
+    free = _passing(waypoints, first) & np.isnan(np.swapaxes(states, 1, 2)[:, 1:])
+    senses = first_senses(resting)
+    caps, higher = _caps(limits, senses)
+    return Task(
+        crane, resting, free, first, bounds.table, caps, senses, higher, options, clearance,
+        friction,
+    )
+
+
+def _caps(limits: Limits | None, senses: FloatArray) -> tuple[FloatArray, dict[str, Any]]:
+    """Given limits as the task has them, (3, 6), and those above the snap."""
+    caps, higher = np.full((3, COLUMNS), np.inf), {}
     if limits is not None:
         for i, name in enumerate(NAMES):
             values = np.broadcast_to(getattr(limits, name), (3,))
@@ -229,15 +247,11 @@ def _task(
                 caps[:, i] = values
             elif limited(values):
                 higher[name] = values
-        # the search knows one limit for both directions
-        caps[:, :2] = np.minimum(caps[:, :2], limits.lower(3))
-    first, states = united(np.array([p.planned for p in waypoints]))
-    rest = np.nan_to_num(np.swapaxes(states, 1, 2))
-    resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))
-    free = _passing(waypoints, first) & np.isnan(np.swapaxes(states, 1, 2)[:, 1:])
-    return Task(
-        crane, resting, free, first, bounds.vector, caps, higher, options, clearance, friction
-    )
+        both = caps[:, :DIRECTED].copy(), limits.lower(3)
+        turned = senses[:, None] < 0.0
+        caps[:, :DIRECTED] = np.where(turned, *both[::-1])
+        caps[:, SEARCHED:] = np.where(turned, *both)
+    return caps, higher
 
 
 def _passing(waypoints: tuple[Waypoint, ...], first: NDArray[np.intp]) -> NDArray[np.bool_]:
@@ -261,13 +275,28 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
         if free.any():
             continue
         needs = demands_in_state(task.crane, point, task.friction)
-        worst = int((needs / bounds.vector).argmax())
-        found = BoundUse(BOUNDS[worst], float(needs[worst]), float(bounds.vector[worst]), 0.0)
+        found = max(uses(bounds, needs, np.zeros(needs.shape)), key=lambda use: use.use)
         if found.use > KEPT:
             raise exceeded(f"waypoint {number}: ", found, "its state alone")
 
 
 def _searched(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
+    """The shortest plan found; none with the smaller bounds in both directions is shorter."""
+    if not task.directed.any():
+        return _freely(task, bounds, progress)
+    try:
+        narrow = _freely(task.narrow, bounds, lambda share: progress(0.5 * share))
+    except InfeasibleError:
+        return _freely(task, bounds, progress)
+    known = replace(narrow, task=replace(narrow.task, bounds=task.bounds, caps=task.caps))
+    with suppress(InfeasibleError):
+        found = _search(task, bounds, lambda share: progress(0.5 * (1.0 + share)), known)
+        if precedes(found.rank, known.rank):
+            return found
+    return known
+
+
+def _freely(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
     """The shortest plan found; none with rest at the free states is shorter."""
     if not task.free.any():
         return _search(task, bounds, progress)
@@ -294,8 +323,8 @@ def _search(
     task: Task, bounds: ActuatorBounds, progress: Callable[[float], None],
     known: Found | None = None,
 ) -> Found:
-    """The shortest plan found, its peaks exact; with free states from a plan that is known."""
-    tables = starting_tables(task, bounds)
+    """The shortest plan found, its peaks exact; perhaps from a plan that is known."""
+    tables = starting_tables(task)
     starts = [(task, paced(task, table, 1.0)) for table in tables]
     calm: list[tuple[Task, FloatArray]] = []
     if task.free.any():
@@ -306,6 +335,7 @@ def _search(
     if known is not None:
         calm.append((known.task, known.table))
     unknowns = SEARCHED * task.moving.size + int(task.free.sum())
+    unknowns += int(task.directed[task.moving].sum())
     generations = GENERATIONS + MORE_GENERATIONS * unknowns
     for margin in (0.0, MARGIN):
         aims = [(replace(t, bounds=(1.0 - margin) * task.bounds), table) for t, table in starts]

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Demand
-from segfmu.planning.arrays import FloatArray, Frozen, limit_values
+from segfmu.planning.arrays import FloatArray, Frozen, limit_values, lower_values
 
 # one value, or one per drive of which some may be None
 Given = ArrayLike | Sequence[float | None] | None
@@ -26,11 +26,15 @@ NAMES = (
     *(f"{drive} {quantity}" for quantity in QUANTITIES[:-1] for drive in DRIVES),
     "sway angle x", "sway angle y",
 )
+# a magnitude that stands for no bound where infinity stands for another one
+UNBOUNDED = 1e300
+# that may differ in the negative direction
+DIRECTED = ("force", "velocity", "acceleration")
 
 
 @dataclass(frozen=True, eq=False)
 class ActuatorBounds(Frozen):
-    """Bounds of a crane's drives, the same in both directions.
+    """Bounds of a crane's drives.
 
     Parameters
     ----------
@@ -40,11 +44,14 @@ class ActuatorBounds(Frozen):
         force times velocity, driving or braking.
     sway_angle : array_like, scalar or shape (2,), optional
         Of the rope about both axes [rad].
+    force_min, velocity_min, acceleration_min : array_like, scalar or shape (3,), optional
+        In the negative direction, below zero; None or -infinity for the same bound in both. The
+        hoist lifts with a negative velocity and pulls with a negative force.
 
     Raises
     ------
     InputError
-        For values that are not positive and for other shapes.
+        For values of the other sign or zero, and for other shapes.
     """
 
     force: FloatArray
@@ -52,6 +59,9 @@ class ActuatorBounds(Frozen):
     acceleration: FloatArray
     power: FloatArray
     sway_angle: FloatArray
+    force_min: FloatArray
+    velocity_min: FloatArray
+    acceleration_min: FloatArray
 
     def __init__(
         self,
@@ -60,28 +70,53 @@ class ActuatorBounds(Frozen):
         acceleration: Given = None,
         sway_angle: Given = None,
         power: Given = None,
+        *,
+        force_min: Given = None,
+        velocity_min: Given = None,
+        acceleration_min: Given = None,
     ) -> None:
         given = (force, velocity, acceleration, power, sway_angle)
         for name, value in zip(QUANTITIES, given, strict=True):
-            size = 2 if name == "sway_angle" else 3
             values = limit_values(name, cast(Any, value), required=False)
-            if values.ndim == 1 and values.size not in (1, size):
-                raise InputError(f"{name} has {values.size} values; give one, or {size}")
-            bounds = np.where(values > 0.0, values, np.inf)
-            object.__setattr__(self, name, np.broadcast_to(bounds, (size,)))
+            self._set(name, np.where(values > 0.0, values, np.inf))
+        least = (force_min, velocity_min, acceleration_min)
+        for name, value in zip(DIRECTED, least, strict=True):
+            self._set(f"{name}_min", lower_values(f"{name}_min", cast(Any, value)))
+
+    def _set(self, name: str, values: FloatArray) -> None:
+        size = 2 if name == "sway_angle" else 3
+        if values.ndim == 1 and values.size not in (1, size):
+            raise InputError(f"{name} has {values.size} values; give one, or {size}")
+        object.__setattr__(self, name, np.broadcast_to(values, (size,)))
+
+    def lower(self, name: str) -> FloatArray:
+        """Magnitudes of the bounds of a quantity in the negative direction, infinite: none."""
+        own: FloatArray = getattr(self, name)
+        if name not in DIRECTED:
+            return own
+        least = getattr(self, f"{name}_min")
+        return np.asarray(np.where(np.isinf(least), own, -least))
 
     @property
     def vector(self) -> FloatArray:
-        """All bounds in the order of `NAMES`, infinite where absent, shape (14,)."""
+        """All bounds of the positive direction in the order of `NAMES`, shape (14,).
+
+        Infinite where absent.
+        """
         return np.concatenate([getattr(self, name) for name in QUANTITIES])
+
+    @property
+    def table(self) -> FloatArray:
+        """Magnitudes of the bounds in the positive and in the negative direction, shape (2, 14)."""
+        return np.array([self.vector, np.concatenate([self.lower(n) for n in QUANTITIES])])
 
     @property
     def known(self) -> bool:
         """Whether there is any bound."""
-        return bool(np.isfinite(self.vector).any())
+        return bool(np.isfinite(self.table).any())
 
     def tightened(self, other: ActuatorBounds) -> ActuatorBounds:
-        """The lower of two bounds each: those of the drives and those that a mission sets.
+        """The smaller of two bounds each: those of the drives and those that a mission sets.
 
         Raises
         ------
@@ -89,9 +124,15 @@ class ActuatorBounds(Frozen):
             For anything but ActuatorBounds.
         """
         require_bounds("other", other)
-        return ActuatorBounds(
-            **{n: np.minimum(getattr(self, n), getattr(other, n)) for n in QUANTITIES}
-        )
+        bounds: dict[str, Any] = {
+            n: np.minimum(getattr(self, n), getattr(other, n)) for n in QUANTITIES
+        }
+        for name in DIRECTED:
+            lower = np.minimum(self.lower(name), other.lower(name))
+            # beyond what any drive has, where only the positive direction has a bound
+            least = np.where(np.isinf(lower), -UNBOUNDED, -lower)
+            bounds[f"{name}_min"] = np.where(lower == bounds[name], -np.inf, least)
+        return ActuatorBounds(**bounds)
 
 
 def require_bounds(name: str, value: object) -> None:
@@ -107,11 +148,11 @@ class BoundUse:
     Attributes
     ----------
     name : str
-        Such as "trolley force".
+        Such as "trolley force"; "trolley force_min" in the negative direction if bounds differ.
     peak : float
-        Largest magnitude in the motion, SI units.
+        Largest magnitude in the motion, SI units; in the bound's direction, if bounds differ.
     bound : float
-        Infinite if there is none.
+        Its magnitude, infinite if there is none.
     time : float
         When the peak is reached [s].
     """
@@ -133,11 +174,24 @@ class BoundUse:
 
 
 def uses(bounds: ActuatorBounds, peaks: FloatArray, times: FloatArray) -> tuple[BoundUse, ...]:
-    """The use of every bound for peaks and their times in the order of `NAMES`, shape (14,)."""
-    return tuple(
-        BoundUse(name, float(peak), float(bound), float(time))
-        for name, peak, bound, time in zip(NAMES, peaks, bounds.vector, times, strict=True)
-    )
+    """The use of every bound, in the order of `NAMES`.
+
+    peaks, times (2, 14): greatest magnitudes in the positive and in the negative direction. Where
+    both have the same bound they are one.
+    """
+    found = []
+    for i, (upper, lower) in enumerate(bounds.table.T.tolist()):
+        one = upper == lower
+        for side, bound in enumerate((upper,) if one else (upper, lower)):
+            row = int(peaks[:, i].argmax()) if one else side
+            name = f"{NAMES[i]}_min" if side else NAMES[i]
+            found.append(BoundUse(name, float(peaks[row, i]), bound, float(times[row, i])))
+    return tuple(found)
+
+
+def sides(values: FloatArray) -> FloatArray:
+    """Greatest magnitudes (2, columns) of values (rows, columns) in both directions."""
+    return np.maximum([values.max(axis=0), -values.min(axis=0)], 0.0)
 
 
 assert len(NAMES) == Demand.SIZE

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike
 
+from segfmu.crane.bounds import sides
 from segfmu.crane.contacts import NONE, Contacts, resistance
 from segfmu.crane.equipment import Friction
 from segfmu.crane.parameters import Crane
@@ -50,7 +51,7 @@ def demands(
 
 
 def demands_in_state(crane: Crane, point: Waypoint, friction: Friction = NONE) -> FloatArray:
-    """Magnitudes of the demands in the state of a waypoint, shape (14,).
+    """Magnitudes of the demands in the state of a waypoint in both directions, shape (2, 14).
 
     An axis that moves slides; one at rest needs no more than what it carries.
     """
@@ -62,7 +63,7 @@ def demands_in_state(crane: Crane, point: Waypoint, friction: Friction = NONE) -
     # far from where it turned
     rows[:, 0, Contact.POSITION] = np.where(velocity == 0.0, 0.0, -np.sign(velocity) * FAR)
     rows[velocity == 0.0, 0, Contact.RELEASED] = 1.0
-    return np.asarray(np.abs(_of(flat, np.zeros(1), known, rows)[0]))
+    return sides(_of(flat, np.zeros(1), known, rows))
 
 
 def _at(contacts: Contacts, trajectory: LoadTrajectory, times: FloatArray) -> FloatArray:
@@ -95,7 +96,7 @@ def joints(trajectory: LoadTrajectory, more: ArrayLike = ()) -> FloatArray:
 def rough_peaks(
     crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
 ) -> FloatArray:
-    """Largest magnitudes among samples, shape (14,): a look, not a proof."""
+    """Greatest magnitudes among samples in both directions, (2, 14): a look, not a proof."""
     ends = joints(trajectory)
     shares = ends[:-1, None] + np.diff(ends)[:, None] * np.array([0.0, 0.21, 0.5, 0.79])
     even = np.linspace(0.0, trajectory.duration, 129)
@@ -103,34 +104,38 @@ def rough_peaks(
     turns = contacts.times
     # friction is greatest as a contact begins to slide
     times = np.sort(np.concatenate([shares.ravel(), even, turns, 0.5 * (turns[1:] + turns[:-1])]))
-    peaks: FloatArray = np.abs(_at(contacts, trajectory, times)).max(axis=0)
-    return peaks
+    return sides(_at(contacts, trajectory, times))
 
 
 def peaks(
     crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
 ) -> tuple[FloatArray, FloatArray]:
-    """Exact largest magnitudes of all demands and their times [s], shapes (14,)."""
+    """Exact greatest magnitudes of all demands in the positive and in the negative direction.
+
+    Also their times [s]; shapes (2, 14). 0 at time 0 where there is none in a direction.
+    """
     contacts = Contacts(crane, friction, trajectory)
     ends = joints(trajectory, contacts.times)
+    found, moments = np.zeros((2, Demand.SIZE)), np.zeros((2, Demand.SIZE))
     if ends.size < 2:
-        return np.abs(_at(contacts, trajectory, ends)[0]), np.zeros(Demand.SIZE)
+        return sides(_at(contacts, trajectory, ends)), moments
     starts, lengths, series = _resolved(contacts, trajectory, ends)
     grid = np.linspace(-1.0, 1.0, GRID)
-    values = np.abs(chebyshev.chebval(grid, series))
-    best = values.max(axis=(1, 2))
-    moments = np.empty(Demand.SIZE)
-    found = np.empty(Demand.SIZE)
-    for i in range(Demand.SIZE):
-        # a grid misses a peak by no more than this share of it
-        near = np.flatnonzero(values[i].max(axis=1) >= best[i] * (1.0 - 0.01))
-        at = grid[values[i, near].argmax(axis=1)]
-        places = _stationary(series[:, i][:, near], at)
-        moments_near = starts[near] + 0.5 * (places + 1.0) * lengths[near]
-        heights = np.abs(_at(contacts, trajectory, moments_near)[:, i])
-        worst = int(heights.argmax())
-        found[i], moments[i] = heights[worst], moments_near[worst]
-    return found, moments
+    values = chebyshev.chebval(grid, series)
+    # a grid misses a peak by no more than this
+    missed = 0.01 * np.abs(values).max(axis=(1, 2))
+    for side, sign in enumerate((1.0, -1.0)):
+        best = (sign * values).max(axis=(1, 2))
+        for i in np.flatnonzero(best > -missed):
+            heights = sign * values[i]
+            near = np.flatnonzero(heights.max(axis=1) >= best[i] - missed[i])
+            at = grid[heights[near].argmax(axis=1)]
+            places = _stationary(sign * series[:, i][:, near], at)
+            moments_near = starts[near] + 0.5 * (places + 1.0) * lengths[near]
+            exact = sign * _at(contacts, trajectory, moments_near)[:, i]
+            worst = int(exact.argmax())
+            found[side, i], moments[side, i] = exact[worst], moments_near[worst]
+    return np.maximum(found, 0.0), moments
 
 
 def _resolved(
@@ -173,7 +178,7 @@ def _scale(size: FloatArray) -> FloatArray:
 
 
 def _stationary(series: FloatArray, at: FloatArray) -> FloatArray:
-    """Stationary points of series (17, pieces) near starts (pieces,), by Newton's method."""
+    """Maxima of series (17, pieces) near starts (pieces,), by Newton's method."""
     slope, bend = chebyshev.chebder(series, axis=0), chebyshev.chebder(series, 2, axis=0)
     reach = 2.0 / (GRID - 1)
     low, high = np.maximum(at - reach, -1.0), np.minimum(at + reach, 1.0)
@@ -184,8 +189,8 @@ def _stationary(series: FloatArray, at: FloatArray) -> FloatArray:
         with np.errstate(all="ignore"):
             step = np.where(change != 0.0, rate / change, 0.0)
         place = np.clip(place - np.nan_to_num(step), low, high)
-    best = np.abs(chebyshev.chebval(place, series, tensor=False))
-    return np.where(best >= np.abs(chebyshev.chebval(at, series, tensor=False)), place, at)
+    best = chebyshev.chebval(place, series, tensor=False)
+    return np.where(best >= chebyshev.chebval(at, series, tensor=False), place, at)
 
 
 @cache

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 
 import numpy as np
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
 from segfmu.crane.demand import peaks
-from segfmu.crane.drive_task import WEIGHTLESS, Task
+from segfmu.crane.drive_task import HOIST, WEIGHTLESS, Task
 from segfmu.crane.limit_search import ROUGH, just_kept
 from segfmu.errors import InfeasibleError
 from segfmu.kernels.crane.records import Demand
@@ -38,9 +39,13 @@ def require_start(task: Task) -> None:
 
     A hoist below the load's weight is refused by the search, which tells what a plan needs.
     """
-    for i, drive in enumerate(DRIVES):
-        weight = task.weight if drive == "hoist" else 0.0
-        friction, bound = float(task.sticking[i]), float(task.bounds[Demand.FORCE + i])
+    for i, side in product(range(len(DRIVES)), range(2)):
+        held = task.weight if i == HOIST else 0.0
+        # what the rope carries pulls against the drive or, where it pays out, with it
+        weight = held if side else 0.0
+        friction = float(task.sticking[i]) if task.goes[side, i] else 0.0
+        friction = friction if side else max(friction - held, 0.0)
+        bound = float(task.bounds[side, Demand.FORCE + i])
         least = weight + friction
         if friction == 0.0 and bound < least * (1.0 - WEIGHTLESS):
             continue
@@ -49,10 +54,12 @@ def require_start(task: Task) -> None:
             what = " and ".join(text for text, force in parts.items() if force)
             remedy = {"lower the load's mass": weight, "lower the friction": friction}
             others = " or ".join(text for text, force in remedy.items() if force)
+            directed = side and bound != float(task.bounds[0, Demand.FORCE + i])
+            name = f"{DRIVES[i]} force_min" if directed else f"{DRIVES[i]} force"
             raise InfeasibleError(
-                f"{drive} force needs more than {least:.9g} N, {what}, for any motion; "
+                f"{name} needs more than {least:.9g} N, {what}, for any motion; "
                 f"the bound is {bound:.9g} N; raise the bound or {others}",
-                limit=f"{drive} force", value=least, bound=bound,
+                limit=name, value=least, bound=bound,
             )
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from segfmu.crane.demand import peaks, rough_peaks
-from segfmu.crane.drive_task import SEARCHED, Task
+from segfmu.crane.drive_task import DIRECTED, SEARCHED, Task
 from segfmu.crane.equipment import Friction
 from segfmu.crane.evolution import EQUAL, Evolution, precedes, ranked
 from segfmu.crane.parameters import Crane
@@ -23,7 +23,7 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.arrays import FloatArray, shown
 from segfmu.planning.trajectory import Trajectory
 
-ORDERS = np.arange(1, SEARCHED + 1)
+ORDERS = np.array([1, 2, 3, 4, 1, 2])
 # of the logarithms of limits: first standard deviation, and farthest from the start
 STEP = 0.35
 REACH = 5.0
@@ -48,8 +48,8 @@ class Found:
     ----------
     task : Task
         With the states of its waypoints.
-    table : ndarray, shape (3, 4)
-        Its limits.
+    table : ndarray, shape (3, 6)
+        Its limits, see `Task.limits`.
     trajectory : Trajectory
     use : float
         Largest share of a bound, of what it leaves beyond the demand at rest.
@@ -88,7 +88,8 @@ class Look:
     Attributes
     ----------
     peaks : callable
-        Largest magnitudes of all demands for crane, trajectory and friction, shape (14,).
+        Greatest magnitudes of all demands in both directions for crane, trajectory and friction,
+        shape (2, 14).
     full : float
         A plan with a bound used up to this is fast enough.
     trials : int
@@ -157,7 +158,8 @@ def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
             fast = min(fast, pace)
         aim = 0.5 * (look.full + 1.0)
         pace *= (aim / max(found.use, 1e-3)) ** (1.0 / growth)
-        if not slow < pace < fast:
+        # a pace that was tried is one but for rounding
+        if not slow * (1.0 + EQUAL) < pace < fast * (1.0 - EQUAL):
             pace = _between(slow, fast, last[0])
         if pace < SLOWEST:
             break
@@ -231,15 +233,22 @@ class _Coordinates:
         self.start = start
         self.axes = start.task.moving
         self.free = np.argwhere(start.task.free)
-        self.size = SEARCHED * self.axes.size + len(self.free)
+        directed = np.argwhere(start.task.directed)
+        self.back = directed[np.isin(directed[:, 0], self.axes)]
+        self.size = SEARCHED * self.axes.size + len(self.back) + len(self.free)
 
     def at(self, place: FloatArray) -> tuple[Task, FloatArray]:
         """Task and table of a place, whose zero is the start."""
         task, table = self.start.task, self.start.table.copy()
         count = SEARCHED * self.axes.size
-        factors = np.exp(np.clip(place[:count], -REACH, REACH)).reshape(-1, SEARCHED)
-        table[self.axes] *= factors
+        last = count + len(self.back)
+        factors = np.exp(np.clip(place[:last], -REACH, REACH))
+        own = factors[:count].reshape(-1, SEARCHED)
+        table[self.axes] *= np.hstack([own, own[:, :DIRECTED]])
+        for (axis, order), factor in zip(self.back, factors[count:], strict=True):
+            table[axis, SEARCHED + order] = factor * self.start.table[axis, SEARCHED + order]
         states = task.states
-        for (point, order, axis), move in zip(self.free, place[count:], strict=True):
-            states[point, order, axis] += STATE_SHARE * move * self.start.table[axis, order]
+        for (point, order, axis), move in zip(self.free, place[last:], strict=True):
+            size = task.senses[axis] * self.start.table[axis, order]
+            states[point, order, axis] += STATE_SHARE * move * size
         return task.with_states(states), table

@@ -10,14 +10,13 @@ from math import isfinite, pi, tan
 
 import numpy as np
 
-from segfmu.crane.bounds import DRIVES, ActuatorBounds
-from segfmu.crane.drive_task import SEARCHED, Task
+from segfmu.crane.bounds import DRIVES
+from segfmu.crane.drive_task import COLUMNS, DIRECTED, HOIST, SEARCHED, Task
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.kernels.crane.records import RopeDemand
+from segfmu.kernels.crane.records import Demand, RopeDemand
 from segfmu.kernels.messages import ROPE_LIMITS
 from segfmu.planning.arrays import FloatArray
 
-HOIST = 2
 BELOW = RopeDemand.BELOW_TROLLEY
 # least bounds of a drive [m/s, m/s2]: in slower plans the clock is too coarse for ramps
 SLOWEST = 1e-5
@@ -34,8 +33,8 @@ HOIST_RAMP = 0.3
 JERK, SNAP = 1.9, 5.8
 
 
-def starting_tables(task: Task, bounds: ActuatorBounds) -> list[FloatArray]:
-    """Tables of limits (3, 4), one per multiple of the ramps' duration.
+def starting_tables(task: Task) -> list[FloatArray]:
+    """Tables of limits (3, 6), one per multiple of the ramps' duration.
 
     Raises
     ------
@@ -47,16 +46,17 @@ def starting_tables(task: Task, bounds: ActuatorBounds) -> list[FloatArray]:
     _require_below(task)
     rope = max(-float(p.position[HOIST]) for p in task.waypoints)
     swing = pi * (rope / task.crane.gravity) ** 0.5
-    _require_pace(task, bounds)
-    motions = {int(axis): _rigid(task, bounds, int(axis)) for axis in task.moving}
+    _require_pace(task)
+    motions = [(int(axis), *_both_ways(task, int(axis))) for axis in task.moving]
     tables = []
     for multiple in MULTIPLES:
-        table = np.ones((3, SEARCHED))
-        for axis, (velocity, acceleration, distance) in motions.items():
+        table = np.ones((3, COLUMNS))
+        for axis, (velocity, acceleration, distance), back in motions:
             rise = min(velocity / acceleration, (distance / acceleration) ** 0.5)
             ramp = multiple * (HOIST_RAMP * rise if axis == HOIST else min(swing, 2.0 * rise))
+            most = max(acceleration, back[1])
             table[axis] = (
-                velocity, acceleration, JERK * acceleration / ramp, SNAP * acceleration / ramp**2
+                velocity, acceleration, JERK * most / ramp, SNAP * most / ramp**2, *back
             )
         tables.append(np.minimum(table, task.caps))
     return tables
@@ -74,31 +74,59 @@ def _require_below(task: Task) -> None:
             )
 
 
-def _require_pace(task: Task, bounds: ActuatorBounds) -> None:
+def _require_pace(task: Task) -> None:
     for axis in task.moving.tolist():
-        for name, unit in (("velocity", "m/s"), ("acceleration", "m/s2")):
-            bound = float(getattr(bounds, name)[axis])
-            if bound < SLOWEST:
+        for name, first, unit in (
+            ("velocity", Demand.VELOCITY, "m/s"), ("acceleration", Demand.ACCELERATION, "m/s2")
+        ):
+            upper, lower = task.bounds[:, first + axis].tolist()
+            if min(upper, lower) < SLOWEST:
+                bound = name if upper < SLOWEST else f"{name}_min"
                 raise InputError(
-                    f"axis {'xyz'[axis]}: {DRIVES[axis]} {name} must have a bound of at least "
-                    f"{SLOWEST:g} {unit}, got {bound:g} {unit}; raise the bound"
+                    f"axis {'xyz'[axis]}: {DRIVES[axis]} {bound} must have a bound of at least "
+                    f"{SLOWEST:g} {unit}, got {min(upper, lower):g} {unit}; raise the bound"
                 )
 
 
-def _rigid(task: Task, bounds: ActuatorBounds, axis: int) -> tuple[float, float, float]:
-    """Velocity, acceleration and largest distance of an axis, as if the rope were rigid."""
-    crane, power = task.crane, float(bounds.power[axis])
-    velocity = min(float(bounds.velocity[axis]), float(task.caps[axis, 0]))
+def _both_ways(
+    task: Task, axis: int
+) -> tuple[tuple[float, float, float], FloatArray]:
+    """`_rigid` of an axis ahead, and velocity and acceleration backwards."""
+    sense = float(task.senses[axis])
+    ahead = _rigid(task, axis, sense)
+    if not task.directed[axis].any():
+        return ahead, np.array(ahead[:DIRECTED])
+    back = _rigid(task, axis, -sense)
+    return ahead, np.where(task.directed[axis], back[:DIRECTED], ahead[:DIRECTED])
+
+
+def _rigid(task: Task, axis: int, sign: float) -> tuple[float, float, float]:
+    """Velocity, acceleration and largest distance of an axis, as if the rope were rigid.
+
+    In the direction of a sign, in which the load is accelerated; a hoist lifts it by its pull, and
+    lowers it by its weight.
+    """
+    crane, power = task.crane, float(task.bounds[0, Demand.POWER + axis])
+    # a rope that gets longer lowers the load
+    side = 1 if (sign < 0.0) != (axis == HOIST) else 0
+    force, fastest_drive, strongest = task.bounds[side, : Demand.POWER].reshape(-1, 3)[:, axis]
+    lowered = axis == HOIST and side == 0 and bool(task.directed[axis, 1])
+    if axis == HOIST:
+        force = task.bounds[1, Demand.FORCE + axis]
+    cap = 0 if sign == task.senses[axis] else SEARCHED
+    velocity = min(float(fastest_drive), float(task.caps[axis, cap]))
     held = float(task.sticking[axis]) + (task.weight if axis == HOIST else 0.0)
     mass = crane.payload_mass
     mass += (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, 0.0)[axis]
     distance = float(np.abs(np.diff([p.position[axis] for p in task.waypoints])).max())
     fastest = float(np.abs(task.states[:, 0, axis]).max())
-    accelerations = [float(bounds.acceleration[axis]), float(task.caps[axis, 1])]
-    if isfinite(bounds.force[axis]):
-        accelerations.append(max((bounds.force[axis] - held) / mass, LEAST * crane.gravity))
-    if axis != HOIST and isfinite(bounds.sway_angle[axis]):
-        accelerations.append(crane.gravity * tan(min(float(bounds.sway_angle[axis]), STEEPEST)))
+    accelerations = [float(strongest), float(task.caps[axis, cap + 1])]
+    if lowered:
+        accelerations.append(TAUT * crane.gravity)
+    elif isfinite(force):
+        accelerations.append(max((float(force) - held) / mass, LEAST * crane.gravity))
+    if axis != HOIST and isfinite(sway := float(task.bounds[0, Demand.SWAY + axis])):
+        accelerations.append(crane.gravity * tan(min(sway, STEEPEST)))
     acceleration = min(accelerations)
     if isfinite(power) and not isfinite(acceleration):
         # constant power covers the distance in about this time

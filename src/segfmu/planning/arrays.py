@@ -17,6 +17,9 @@ FloatArray = NDArray[np.float64]
 Range = ArrayLike | Sequence[float | None] | None
 ABSENT = np.array(inf)
 ABSENT.flags.writeable = False
+# of a limit in the negative direction: as in the positive one
+SAME = np.array(-inf)
+SAME.flags.writeable = False
 
 
 class Frozen:
@@ -118,6 +121,22 @@ def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> Float
         raise InputError(f"{name} must be greater than 0, got {_given(value)}")
     if required and inf in values:
         raise InputError(f"{name} must be finite, got {_given(value)}")
+    array.setflags(write=False)
+    return array
+
+
+def lower_values(name: str, value: Range) -> FloatArray:
+    """Return limits in the negative direction, 0-d or (axes,); None becomes -infinity."""
+    if value is None:
+        return SAME
+    array = numbers(name, _replaced(value, -inf))
+    if array.ndim > 1 or array.size == 0:
+        raise InputError(f"{name} must be a number or one per axis, got shape {array.shape}")
+    if not all(v < 0.0 for v in array.ravel().tolist()):
+        raise InputError(
+            f"{name} must be less than 0, got {_given(value)}; leave it out for the same in both "
+            "directions"
+        )
     array.setflags(write=False)
     return array
 

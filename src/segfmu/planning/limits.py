@@ -13,16 +13,15 @@ from segfmu.planning.arrays import (
     ABSENT,
     FloatArray,
     Frozen,
+    Range,
     as_index,
     limit_values,
-    numbers,
+    lower_values,
 )
 
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # in the negative direction
 LOWER = ("velocity_min", "acceleration_min")
-SAME = -ABSENT
-SAME.setflags(write=False)
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
 
 
@@ -65,15 +64,15 @@ class Limits(Frozen):
         crackle: ArrayLike | None = None,
         pop: ArrayLike | None = None,
         *,
-        velocity_min: ArrayLike | None = None,
-        acceleration_min: ArrayLike | None = None,
+        velocity_min: Range = None,
+        acceleration_min: Range = None,
     ) -> None:
         given = (velocity, acceleration, jerk, snap, crackle, pop)
         for i, (name, value) in enumerate(zip(NAMES, given, strict=True)):
             values = limit_values(f"limits.{name}", value, required=i < 2)
             object.__setattr__(self, name, values)
-        for name, value in zip(LOWER, (velocity_min, acceleration_min), strict=True):
-            object.__setattr__(self, name, _lower(name, value))
+        for name, least in zip(LOWER, (velocity_min, acceleration_min), strict=True):
+            object.__setattr__(self, name, lower_values(f"limits.{name}", least))
         sizes = {v.size for v in (*self._all(), *self._lower()) if v.ndim == 1}
         if len(sizes) > 1:
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
@@ -139,6 +138,16 @@ class Limits(Frozen):
             tables[size] = self._table(*size)
         return tables[size]
 
+    def sides(self, axes: int, smoothness: int) -> FloatArray:
+        """`table` in the positive direction and, as magnitudes, in the negative one.
+
+        Returns
+        -------
+        ndarray, shape (2, axes, smoothness + 1)
+        """
+        upper = self.table(axes, smoothness)
+        return np.array([upper, np.hstack([self.lower(axes), upper[:, len(LOWER) :]])])
+
     def _table(self, axes: int, smoothness: int) -> FloatArray:
         table = np.zeros((axes, smoothness + 1))
         for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
@@ -165,21 +174,6 @@ def _require_axes(name: str, values: FloatArray, axes: int) -> None:
             f"limits.{name} has {values.size} values for {axes} axes; "
             "give one value, or one per axis"
         )
-
-
-def _lower(name: str, given: ArrayLike | None) -> FloatArray:
-    """A limit in the negative direction, 0-d or (axes,), checked; -infinity: as in the other."""
-    if given is None:
-        return SAME
-    values = numbers(f"limits.{name}", given)
-    if values.ndim > 1 or values.size == 0:
-        raise InputError(
-            f"limits.{name} must be a number or one per axis, got shape {values.shape}"
-        )
-    if not (values < 0.0).all():
-        raise InputError(f"limits.{name} must be less than 0, got {values.tolist()}")
-    values.setflags(write=False)
-    return values
 
 
 def limited(values: FloatArray) -> bool:

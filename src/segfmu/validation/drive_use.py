@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
 
-from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
+from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, sides, uses
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.units import shown
 
@@ -20,9 +20,9 @@ RUN_MARGIN = 0.01
 
 def run_uses(rows: NDArray[np.void], bounds: ActuatorBounds) -> tuple[BoundUse, ...]:
     """Use of every bound in the rows of a co-simulation."""
-    found = np.abs(run_demands(rows))
-    at = found.argmax(axis=0)
-    return uses(bounds, found[at, np.arange(at.size)], rows["time"][at])
+    found = run_demands(rows)
+    at = np.array([found.argmax(axis=0), found.argmin(axis=0)])
+    return uses(bounds, sides(found), rows["time"][at])
 
 
 def run_demands(rows: NDArray[np.void]) -> FloatArray:

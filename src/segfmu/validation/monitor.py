@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.files.scenario_tables import CriterionTable, moment
 from segfmu.validation.signal_table import read_table
@@ -128,31 +129,34 @@ def drive_use(rows: NDArray[np.void], crane: CraneFile) -> FloatArray:
         If the crane file has no such bounds.
     """
     axes = {"bridge": "bridge", "trolley": "trolley", "hoist": "rope"}
-    shares = []
-    for drive in DRIVES:
-        own = getattr(crane, drive)
+    known, shares = bounds(crane), []
+    for i, drive in enumerate(DRIVES):
         signals = {
-            f"drive.{drive}.force": own.force_max, f"{axes[drive]}.velocity": own.velocity_max,
-            f"drive.{drive}.power": own.power_max,
+            "force": f"drive.{drive}.force", "velocity": f"{axes[drive]}.velocity",
+            "acceleration": f"{axes[drive]}.velocity", "power": f"drive.{drive}.power",
         }
-        shares += [np.abs(_column(rows, n)) / most for n, most in signals.items() if most]
-        if own.acceleration_max:
-            velocity = _column(rows, f"{axes[drive]}.velocity")
-            shares.append(_acceleration(rows["time"], velocity) / own.acceleration_max)
+        for quantity, signal in signals.items():
+            limits = getattr(known, quantity)[i], known.lower(quantity)[i]
+            for sign, most in zip((1.0, -1.0), limits, strict=True):
+                if np.isfinite(most):
+                    values = sign * _column(rows, signal)
+                    if quantity == "acceleration":
+                        values = _acceleration(rows["time"], values)
+                    shares.append(values / most)
     if not shares:
         raise InputError(
             "the kind drives needs force_max, velocity_max, acceleration_max or power_max of a "
             "drive of the crane"
         )
-    use: FloatArray = np.max(shares, axis=0)
+    use: FloatArray = np.maximum(np.max(shares, axis=0), 0.0)
     return use
 
 
 def _acceleration(times: FloatArray, velocity: FloatArray) -> FloatArray:
-    """Of each row the greater mean of the intervals beside it."""
+    """Of each row the greater mean of the intervals beside it, at least 0."""
     if times.size < 2:
         return np.zeros(times.size)
-    means = np.abs(np.diff(velocity)) / np.diff(times)
+    means = np.diff(velocity) / np.diff(times)
     found: FloatArray = np.maximum(np.append(means, 0.0), np.append(0.0, means))
     return found
 

@@ -12,6 +12,7 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.crane.records import Contact
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
+from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
 
@@ -94,18 +95,22 @@ def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
         return ""
     times = _samples(trajectory)
     values = FlatInverse(task.build_crane(), trajectory).evaluate(times)
-    tables = [getattr(task.crane, drive) for drive in DRIVES]
-    lags = np.array([table.lag or 0.0 for table in tables])
-    bounds = np.array([table.velocity_max or 1e99 for table in tables])
-    needs = np.abs(values[:, VELOCITY] + lags * values[:, DRIVE_ACCELERATION])
-    missed = lags * (needs - bounds)
-    row, worst = np.unravel_index(missed.argmax(), missed.shape)
-    if missed[row, worst] <= TOLD * task.simulation.tracking_tolerance:
+    lags = np.array([getattr(task.crane, drive).lag or 0.0 for drive in DRIVES])
+    known = bounds(task.crane)
+    setpoints = values[:, VELOCITY] + lags * values[:, DRIVE_ACCELERATION]
+    both = np.minimum([known.velocity, known.lower("velocity")], 1e99)
+    needs = np.array([setpoints, -setpoints])
+    missed = lags * (needs - both[:, None])
+    side, row, worst = np.unravel_index(missed.argmax(), missed.shape)
+    if missed[side, row, worst] <= TOLD * task.simulation.tracking_tolerance:
         return ""
+    sign = (1.0, -1.0)[side] if both[0, worst] != both[1, worst] else 1.0
     return (
         f"the {DRIVES[worst]} falls behind the plan: its setpoint, velocity + lag * acceleration, "
-        f"reaches {needs[row, worst]:.4g} m/s at {times[row]:.3f} s, and its velocity_max is "
-        f"{bounds[worst]:.4g} m/s; a lower acceleration in [limits] or [actuators] avoids this"
+        f"reaches {sign * needs[side, row, worst]:.4g} m/s at {times[row]:.3f} s, and its "
+        f"velocity_{'max' if sign > 0.0 else 'min'} is "
+        f"{sign * both[side, worst]:.4g} m/s; a lower acceleration in [limits] or [actuators] "
+        "avoids this"
     )
 
 

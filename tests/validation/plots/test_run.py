@@ -43,6 +43,24 @@ def test_bounds_are_drawn_in_the_units_of_the_size(name: str) -> None:
     assert forces.get_ylabel() == ("force\n[kN]" if name == "quay" else "force\n[N]")
 
 
+def test_bounds_of_both_directions_are_drawn() -> None:
+    crane = CRANES["lab"]
+    weight = crane.payload_mass * crane.gravity
+    bounds = ActuatorBounds(
+        velocity=[None, None, 0.5], velocity_min=[None, None, -0.2],
+        force=[None, 3.0, 20.0], force_min=[None, -5.0, -15.0],
+    )
+    rows = table(1e-3)
+    figure = plot_run(rows, np.array([0.0, 4.0]), "run", crane, bounds)
+
+    def dashed(panel) -> list[float]:
+        return sorted(line.get_ydata()[0] for line in panel.lines if line.get_linestyle() == "--")
+
+    assert dashed(figure.axes[0]) == pytest.approx([-0.2, 0.5])
+    # what the hoist pulls beyond the weight
+    assert dashed(figure.axes[2]) == pytest.approx(sorted([-5.0, 3.0, -weight, 15.0 - weight]))
+
+
 @pytest.mark.parametrize("error", [0.0, 1e-13])
 def test_noise_is_no_landscape(error: float) -> None:
     errors = plot_run(

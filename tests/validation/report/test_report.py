@@ -11,10 +11,12 @@ import pyarrow
 import pytest
 
 import segfmu
+from segfmu.crane.bounds import DRIVES
 from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.plots import plot_plan
 from segfmu.validation.report import campaign_page, run_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
-from segfmu.validation.report.motion import load_section, owned
+from segfmu.validation.report.motion import drive_section, load_section, owned
 from segfmu.validation.report.page import render
 from segfmu.validation.tables import plan_table
 from segfmu.validation.units import length, pretty
@@ -109,6 +111,36 @@ def test_the_peak_of_a_short_ramp_shows() -> None:
     charts = load_section(segfmu.plan(far, limits, axis_names="xyz")).charts
     for chart in charts[1:]:
         assert max(chart.curves[0].y) == pytest.approx(100.0, abs=0.5)
+
+
+def test_a_motion_is_compared_with_the_limit_of_its_direction() -> None:
+    limits = segfmu.Limits(1.0, 1.0, 4.0, 40.0, velocity_min=-0.25, acceleration_min=-0.5)
+    points = [segfmu.Waypoint([x, 0.0, -1.0]) for x in (0.0, 20.0, 0.0)]
+    trajectory = segfmu.plan(points, limits, axis_names="xyz")
+    velocity, acceleration = load_section(trajectory).charts[1:3]
+    for chart in (velocity, acceleration):
+        assert max(chart.curves[0].y) == pytest.approx(100.0, abs=0.5)
+        assert min(chart.curves[0].y) == pytest.approx(-100.0, abs=0.5)
+    figure = plot_plan(trajectory, "there and back")
+    low, high = figure.axes[1].lines[0].get_ydata().min(), figure.axes[1].lines[0].get_ydata().max()
+    assert (low, high) == pytest.approx((-100.0, 100.0), abs=0.5)
+    assert figure.axes[1].lines[0].get_label() == "x, of -0.25 to 1 m/s"
+
+
+def test_a_drive_is_compared_with_the_bound_of_its_direction() -> None:
+    names = [f"drive.{d}.force" for d in DRIVES] + [f"force.{d}" for d in DRIVES]
+    for axis in ("bridge", "trolley", "rope"):
+        names += [f"{axis}.velocity", f"reference.{axis}.velocity"]
+    names += [f"velocity.{d}" for d in DRIVES] + ["sway.x.angle", "sway.y.angle"]
+    rows = np.zeros(101, dtype=[(n, float) for n in ("time", *names)])
+    rows["time"] = np.linspace(0.0, 1.0, 101)
+    rows["trolley.velocity"] = np.where(rows["time"] < 0.5, 0.4, -0.19)
+    bounds = segfmu.ActuatorBounds(
+        velocity=[None, 1.0, None], velocity_min=[None, -0.2, None], force=[None, None, 9.0],
+    )
+    charts = {c.title: c for c in drive_section(rows, bounds, ("velocity",)).charts}
+    assert "peak 0.19 m/s, 95 % of 0.2 m/s" in charts["trolley, velocity"].caption
+    assert charts["trolley, velocity"].limits == (-0.2, 1.0)
 
 
 @pytest.mark.parametrize("given", [True, False])

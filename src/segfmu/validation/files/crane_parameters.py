@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane import ActuatorBounds, Crane, Friction, Rig
+from segfmu.crane.bounds import DIRECTED
 from segfmu.crane.linear import usual_sample_time
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -103,6 +104,7 @@ def bounds(crane: CraneFile) -> ActuatorBounds:
         name: [getattr(drive, f"{name}_max") or np.inf for drive in drives]
         for name in ("force", "velocity", "acceleration", "power")
     }
+    given |= {f"{name}_min": [getattr(d, f"{name}_min") for d in drives] for name in DIRECTED}
     sway = None if crane.sway_max is None else np.deg2rad(crane.sway_max)
     return ActuatorBounds(**given, sway_angle=sway)
 
@@ -123,12 +125,11 @@ def friction(crane: CraneFile) -> Friction:
 
 def tighter(own: ActuatorBounds, more: Mapping[str, Any]) -> ActuatorBounds | None:
     """The smaller of a crane's bounds and others, sway angles in deg; None if there are none."""
-    given = {name: np.inf if value is None else np.array(value) for name, value in more.items()}
-    given["sway_angle"] = np.deg2rad(given["sway_angle"])
-    found = ActuatorBounds(
-        **{name: np.minimum(getattr(own, name), value) for name, value in given.items()}
-    )
-    return found if np.isfinite(found.vector).any() else None
+    given = dict(more)
+    if given["sway_angle"] is not None:
+        given["sway_angle"] = np.deg2rad(given["sway_angle"])
+    found = own.tightened(ActuatorBounds(**given))
+    return found if found.known else None
 
 
 def check(crane: CraneFile, where: str) -> None:

@@ -14,6 +14,7 @@ from segfmu.validation.files.keys import (
     SWAY,
     BoundTriple,
     Key,
+    LowerBoundTriple,
     Place,
     Positive,
     SwayPair,
@@ -52,6 +53,7 @@ CHOSEN = (
     "it chooses rest"
 )
 CRANES = "that of the crane file"
+SAME = "minus the greatest"
 
 
 class AxisLimits(Table):
@@ -119,6 +121,18 @@ class ActuatorEntry(Table):
     acceleration: Annotated[
         BoundTriple | None,
         Key("greatest of each drive", "m/s2", default=CRANES, parts=DRIVES),
+    ] = None
+    force_min: Annotated[
+        LowerBoundTriple | None,
+        Key("least of each drive, below 0", "N", default=SAME, parts=DRIVES),
+    ] = None
+    velocity_min: Annotated[
+        LowerBoundTriple | None,
+        Key("least of each drive, below 0", "m/s", default=SAME, parts=DRIVES),
+    ] = None
+    acceleration_min: Annotated[
+        LowerBoundTriple | None,
+        Key("least of each drive, below 0", "m/s2", default=SAME, parts=DRIVES),
     ] = None
     power: Annotated[
         BoundTriple | None,

@@ -46,17 +46,17 @@ def draw_demands(
 
     The hoist's force is shown without the load's weight, as the difference between pull and weight.
     """
-    limits = bounds.vector
+    limits = bounds.table
     weight = crane.payload_mass * crane.gravity
     factors = []
     for panel, (quantity, first, names) in zip(panels, PANELS, strict=True):
         columns = slice(first, first + len(names))
         shown: FloatArray = values[:, columns].copy()
-        upper, lower = limits[columns].copy(), -limits[columns]
+        upper, lower = limits[0, columns].copy(), -limits[1, columns]
         labels = list(names)
         if quantity == "force":
             # the rope only pulls: from no tension to the bound
-            shown[:, 2], upper[2] = -shown[:, 2] - weight, upper[2] - weight
+            shown[:, 2], upper[2] = -shown[:, 2] - weight, -lower[2] - weight
             lower[2] = -weight if np.isfinite(upper[2]) else -np.inf
             labels[2] = "hoist less weight"
         factor, unit = scale(float(np.abs(shown).max()), UNITS[quantity])

@@ -20,18 +20,19 @@ def plot_plan(trajectory: Trajectory, title: str) -> Figure:
     """Position and its derivatives, relative to their limits if there are any."""
     figure, panels = stack(len(QUANTITIES))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
-    table = trajectory.limits.table(trajectory.axes, trajectory.smoothness)
+    table = trajectory.limits.sides(trajectory.axes, trajectory.smoothness)
     for order, ((quantity, unit), panel) in enumerate(zip(QUANTITIES, panels, strict=True)):
         values = trajectory(times, order)
-        limited = order > 0 and bool((table[:, order - 1] > 0.0).all())
+        limited = order > 0 and bool((table[0, :, order - 1] > 0.0).all())
         for axis, name in enumerate(trajectory.axis_names):
-            scale = 100.0 / table[axis, order - 1] if limited else 1.0
-            label = name
+            label, column = name, values[:, axis]
             if limited:
-                label = f"{name}, of {table[axis, order - 1]:.4g} {unit}"
-            panel.plot(
-                times, scale * values[:, axis], color=COLOURS[axis % len(COLOURS)], label=label
-            )
+                upper, lower = table[:, axis, order - 1].tolist()
+                label = f"{name}, of {upper:.4g} {unit}"
+                if lower != upper:
+                    label = f"{name}, of -{lower:.4g} to {upper:.4g} {unit}"
+                column = 100.0 * column / np.where(column < 0.0, lower, upper)
+            panel.plot(times, column, color=COLOURS[axis % len(COLOURS)], label=label)
         if limited:
             for low, high in ((100.0, EDGE), (-EDGE, -100.0)):
                 panel.axhspan(low, high, color="#888888", alpha=0.25, linewidth=0.0)

@@ -53,10 +53,10 @@ def load_section(trajectory: Trajectory, given: bool = True) -> Section:
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     times = np.unique(np.concatenate([times, ends, between]))
     times = times[times <= trajectory.duration]
-    table = trajectory.limits.table(trajectory.axes, trajectory.smoothness)
+    table = trajectory.limits.sides(trajectory.axes, trajectory.smoothness)
     charts = [_position(trajectory, times)]
     for order, name in enumerate(NAMES[: min(trajectory.smoothness, 4)], 1):
-        charts.append(_derivative(trajectory, times, order, name, table[:, order - 1]))
+        charts.append(_derivative(trajectory, times, order, name, table[..., order - 1]))
     return Section(
         "Load against its limits",
         "The planned motion of the load. Vertical lines: arrivals at the waypoints."
@@ -77,19 +77,26 @@ def _position(trajectory: Trajectory, times: FloatArray) -> Chart:
 def _derivative(
     trajectory: Trajectory, times: FloatArray, order: int, name: str, limits: FloatArray
 ) -> Chart:
-    """In percent where all axes are limited."""
+    """In percent where all axes are limited; limits (2, axes) of both directions."""
     unit = f"m/s{order if order > 1 else ''}".translate(str.maketrans("234", "²³⁴"))
-    peaks = np.maximum(*np.abs(trajectory.extrema(order)))
+    low, high = trajectory.extrema(order)
+    peaks = np.array([high, -low])
     limited = bool((limits > 0.0).all())
+    # of each axis the direction that uses more of its limit
+    used = (peaks / np.where(limits > 0.0, limits, 1.0)).argmax(axis=0)
     words = "; ".join(
         f"{axis} {pretty(float(peak))}" + (f" of {pretty(float(most))}" if most > 0.0 else "")
-        for axis, peak, most in zip(AXES, peaks, limits, strict=True)
+        for axis, peak, most in zip(
+            AXES, *(np.take_along_axis(a, used[None], axis=0)[0] for a in (peaks, limits)),
+            strict=True,
+        )
     )
     values = trajectory(times, order)
     if limited:
+        shares = 100.0 * values / np.where(values < 0.0, limits[1], limits[0])
         return Chart(
             name, "% of limit", f"peaks {words} {unit}",
-            curves(times, 100.0 * values / limits, AXES, AXES, 200.0), (-100.0, 100.0),
+            curves(times, shares, AXES, AXES, 200.0), (-100.0, 100.0),
         )
     return Chart(name, unit, f"peaks {words} {unit}", curves(times, values, AXES, AXES))
 
@@ -106,7 +113,7 @@ def drive_section(
         for i, drive in enumerate(DRIVES):
             if drive not in resting:
                 charts.append(_drive(
-                    rows, found[:, first + i], bounds.vector[first + i], quantity, i, drive
+                    rows, found[:, first + i], bounds.table[:, first + i], quantity, i, drive
                 ))
     text = (
         "What the run asked of each drive, and what was planned. Grey: beyond the bound. The pull "
@@ -128,26 +135,36 @@ def _rests(found: FloatArray, i: int) -> bool:
 
 
 def _drive(
-    rows: Rows, values: FloatArray, bound: float, quantity: str, i: int, drive: str
+    rows: Rows, values: FloatArray, bounds: FloatArray, quantity: str, i: int, drive: str
 ) -> Chart:
+    """bounds: of the positive and the negative direction."""
     planned = rows[PLANS[quantity][i]] if quantity in PLANS else \
         rows[PLANS["force"][i]] * rows[PLANS["velocity"][i]]
     pulls = quantity == "force" and drive == "hoist"
     if pulls:
-        values, planned = -values, -planned
-    peak = float(np.abs(values).max())
-    known = bool(np.isfinite(bound))
-    factor, unit = scale(max(peak, bound if known else 0.0), UNITS[quantity])
+        values, planned, bounds = -values, -planned, bounds[::-1]
+    peaks = np.array([values.max(), -values.min()])
+    # the direction that uses more of its bound; without bounds the larger peak
+    known = bool(np.isfinite(bounds).any())
+    side = int((peaks / bounds if known else peaks).argmax())
+    peak, bound = float(peaks[side]), float(bounds[side])
+    largest = float(bounds[np.isfinite(bounds)].max()) if known else 0.0
+    factor, unit = scale(max(float(peaks.max()), largest), UNITS[quantity])
     words = f"peak {pretty(factor * peak)} {powers(unit)}"
     if known:
         words += f", {pretty(100.0 * peak / bound)} % of {pretty(factor * bound)} {powers(unit)}"
     near = known and peak >= NEAR * bound
     shown = np.column_stack([values, planned]) * factor
-    limits = (0.0 if pulls else -factor * bound, factor * bound) if near else (None, None)
+    limits: tuple[float | None, float | None] = (None, None)
+    if near:
+        least, most = (
+            factor * b if np.isfinite(b) else None for b in (-float(bounds[1]), float(bounds[0]))
+        )
+        limits = (0.0 if pulls else least, most)
     return Chart(
         f"{drive}, {quantity}", powers(unit), words,
         curves(rows["time"], shown, ("run", "plan"), ("run", "plan"),
-               2.0 * factor * bound if near else 0.0),
+               2.0 * factor * largest if near else 0.0),
         limits,
     )
 
