@@ -130,7 +130,9 @@ CRANE: dict[str, Scenario] = {
         },
         np.arange(201) / 20.0, motion=swing,
     ),
-    "lifting": Scenario(VELOCITY | LAGS, TIMES[:5], motion=still, held={"velocity.hoist": -0.1}),
+    "lifting": Scenario(
+        VELOCITY | LAGS | FLAT, TIMES[:5], motion=still, held={"velocity.hoist": -0.1}
+    ),
     "slack": Scenario(
         {"rope.slack": "free_fall", "feedback.enabled": False}, TIMES[:5], motion=still,
         held={"force.hoist": 1.0},
