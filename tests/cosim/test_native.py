@@ -192,8 +192,10 @@ def test_ends_that_fmi3_asks_for(probes, status: int, words: str) -> None:
             assert system.run(stop_time=1.0).size == 11
 
 
-def test_the_first_fmu_alone_ends_steps_early(probes) -> None:
-    values = {"b": {"fail.time": 0.45, "fail.status": -1}}
+@pytest.mark.parametrize("way", [-1, -5])
+def test_the_first_fmu_alone_ends_steps_early(probes, way: int) -> None:
+    """Others may not, and those that do it all the same end no step of all."""
+    values = {"b": {"fail.time": 0.45, "fail.status": way}}
     rows = both({"a": probes[2], "b": probes[3]}, values, step=0.1, connections=[])
     assert rows["time"] == pytest.approx(np.arange(11) * 0.1)
 

@@ -80,7 +80,7 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance c, fmi3Boolean *again, fmi3Bool
 }
 
 /* FAIL_STATUS -1: ends every step where it begins; -2: an event at FAIL_TIME; -3: asks for the end;
-   -4: an event at FAIL_TIME that never ends. */
+   -4: an event at FAIL_TIME that never ends; -5: as -1, whether it may or not. */
 fmi3Status fmi3DoStep(fmi3Instance self, fmi3Float64 time, fmi3Float64 size, fmi3Boolean prior,
                       fmi3Boolean *event, fmi3Boolean *terminate, fmi3Boolean *early,
                       fmi3Float64 *reached)
@@ -90,7 +90,7 @@ fmi3Status fmi3DoStep(fmi3Instance self, fmi3Float64 time, fmi3Float64 size, fmi
     double at = c->p->real[FAIL_TIME];
     int64_t way = c->p->whole[FAIL_STATUS];
     *event = *terminate = *early = false;
-    if (c->early && way == -1 && time + size > at) {
+    if ((way == -5 || (c->early && way == -1)) && time + size > at) {
         size = 0.0;
         *early = true;
     } else if (c->early && (way == -2 || way == -4) && time < at && time + size >= at) {

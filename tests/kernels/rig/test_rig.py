@@ -8,11 +8,38 @@ import pytest
 from segfmu.crane import Plant, Rig, Setpoints
 from segfmu.crane import Sensors as Signals
 from segfmu.kernels import backend
+from segfmu.kernels.control.records import Correction
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.events import next_change
-from segfmu.kernels.rig.records import Clock, Corrector, Loop, Memory, Sensors, Settings
+from segfmu.kernels.rig.loop import switch_correction
+from segfmu.kernels.rig.records import (
+    Clock,
+    Corrector,
+    Loop,
+    Memory,
+    Sensors,
+    Settings,
+)
 from segfmu.kernels.rig.rig import rig_imbalance
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything, feedback, tracking
+
+
+def switched(enabled: bool, value: float, memory: np.ndarray) -> float:
+    """The correction of a tick along x, of which a tenth of a jump at a switch is left a tick."""
+    settings = np.zeros((Settings.LOOP + 1, Loop.SIZE))
+    settings[Settings.LOOP, Loop.ENABLED] = float(enabled)
+    settings[Settings.LOOP, Loop.PERIOD], settings[Settings.LOOP, Loop.FADE] = np.log(10.0), 1.0
+    memory[Memory.CORRECTION, Correction.VALUE] = value
+    switch_correction(settings, memory)
+    return float(memory[Memory.CORRECTION, Correction.VALUE])
+
+
+def test_only_a_switch_fades() -> None:
+    memory = np.zeros((Memory.PLANT + 1, 100))
+    # the first tick is no switch
+    assert [switched(True, v, memory) for v in (1.0, 2.0)] == [1.0, 2.0]
+    assert [switched(False, 9.0, memory) for _ in range(3)] == pytest.approx([0.2, 0.02, 0.002])
+    assert [switched(True, 1.0, memory) for _ in range(2)] == pytest.approx([0.9002, 0.99002])
 
 
 class Inside:
