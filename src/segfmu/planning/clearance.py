@@ -243,11 +243,13 @@ class Clearance(Frozen):
         )
 
     def _require_range(self, trajectory: Trajectory, path: Path) -> None:
-        least, most = path.ranges[[Ranges.LOAD_LOW, Ranges.LOAD_HIGH]]
+        least, most = path.ranges[Ranges.LOAD_LOW], path.ranges[Ranges.LOAD_HIGH]
+        # fast, for most
+        if (least >= self.minimum).all() and (most <= self.maximum).all():
+            return
         touch = path.rounding
         for axis in range(3):
             low, high = self.minimum[axis], self.maximum[axis]
-            # fast, for most
             if least[axis] >= low - touch and most[axis] <= high + touch:
                 continue
             allowed = within(trajectory, axis, low - touch, high + touch)
