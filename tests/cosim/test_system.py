@@ -272,17 +272,3 @@ def test_a_lost_archive_is_named_and_the_system_recovers(probes, tmp_path: Path)
             system.run(stop_time=0.2)
         (tmp_path / "away.fmu").rename(own)
         assert system.run(stop_time=0.2).size == 3
-
-
-def test_what_fmus_behind_give_at_the_start_reaches_those_before(probes) -> None:
-    """n.out is three times n, wide as much as tiny; the second FMU has its n from the first one."""
-    links = [("a", "n.out", "b", "n"), ("b", "n.out", "a", "tiny")]
-    recorded = {"a": ["wide"], "b": ["n.out"]}
-    with System(
-        {"a": probes[3], "b": probes[3]}, step=0.1, connections=links, coupling="parallel",
-        record=recorded,
-    ) as system:
-        rows = system.run({"a": {"n": 2}}, stop_time=0.2)
-    assert rows["n.out"].tolist() == [18] * 3
-    # already in the first step
-    assert rows["wide"][1] == 18 - 10**12

@@ -225,7 +225,8 @@ def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_pat
     probe = build(tmp_path, 2)
     scenario = SCENARIO + FAILING.format(path=probe.as_posix())
     path = write(tmp_path, FAILURES, scenario)
-    done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
+    # one of them dies
+    done = run(path, "-o", tmp_path / "out", "--jobs", "2", code=1)
     result = load_result(tmp_path / "out")
     errors = dict(result.errors)
     assert set(errors) == {2, 3, 5}
