@@ -85,6 +85,15 @@ def test_a_crane_at_rest_is_not_pushed(case: str) -> None:
         assert inverse(case).force(time) == pytest.approx(weight, rel=1e-9, abs=1e-9)
 
 
+def test_before_a_plan_that_begins_in_motion_nothing_rubs() -> None:
+    crane = segfmu.Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
+    points = [segfmu.Waypoint([0.0, 0.0, -1.0], [0.3, 0.2, 0.0]), segfmu.Waypoint([1.0, 0.8, -1.0])]
+    moving = segfmu.plan(points, segfmu.Limits(1.0, 1.0, 4.0, 30.0))
+    found = segfmu.FlatInverse(crane, moving, segfmu.crane.Friction(coulomb=(4.0, 3.0, 0.0)))
+    assert found.force(0.0)[:2] == pytest.approx([4.0, 3.0], rel=1e-6)
+    assert found.force(-1.0) == pytest.approx([0.0, 0.0, -9.81], abs=1e-9)
+
+
 @BY_CASE
 def test_derivatives_of_friction_are_those_of_its_values(case: str) -> None:
     crane, friction = CASES[case]
