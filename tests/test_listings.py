@@ -29,7 +29,7 @@ trajectory = segfmu.plan(waypoints, limits)
 inverse = segfmu.FlatInverse(crane, trajectory)
 """
 TABLE = re.search(
-    r"^```csv\n(.*?)^```$", (ROOT / "docs/howto/csv_path.md").read_text(encoding="utf-8"),
+    r"^```text\n(.*?)^```$", (ROOT / "docs/howto/csv_path.md").read_text(encoding="utf-8"),
     re.MULTILINE | re.DOTALL,
 )[1]
 # page -> what its listings take for granted
