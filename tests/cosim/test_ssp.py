@@ -35,8 +35,8 @@ def specs(mission: str) -> tuple[Spec, ...]:
     )
 
 
-# of the load along x [m], in missions that hardly move it
-TRAVEL = {"equal waypoints": 0.19, "where it is": 0.0}
+# what the load moves along x [m], in missions that hardly move it: at least, at most
+TRAVEL = {"equal waypoints": (0.19, 0.21), "where it is": (0.0, 1e-9)}
 
 
 @pytest.fixture(scope="module", params=MISSIONS)
@@ -54,7 +54,8 @@ def run(request, native_fmus, tmp_path_factory) -> tuple[Path, np.ndarray]:
     rows = simulate(*archives, stop_time=STOP, step=STEP, source_values=source, sink_values=sink,
                     coupling="parallel", events=False)
     path = np.array([rows[n][1:] for n in LOAD]).T
-    assert np.ptp(path, axis=0)[0] >= TRAVEL.get(request.param, 0.3)
+    least, most = TRAVEL.get(request.param, (0.3, np.inf))
+    assert least <= np.ptp(path, axis=0)[0] <= most
     return folder, path
 
 

@@ -180,6 +180,6 @@ def test_memory_grows_with_what_is_on_its_way() -> None:
         settings[Settings.SENSORS, [Sensors.SAMPLE_TIME, Sensors.DEAD_TIME]] = sample_time, sensing
         settings[Settings.PLANT, Parameters.DEAD_TIME + 1] = drive
         rows.append(backend.rig_rows(settings))
-    # two samples, and two beside the hundred that are younger than the dead time, six a row; then
-    # twice 512 and 10 commands and 8, two a row, behind the state of their ring
-    assert np.diff(rows).tolist() == [1, 16, 527]
+    # two samples, and two beside the hundred that are younger than the dead time, twelve a row;
+    # then twice 512 and 10 commands and 8, five a row, behind the state of their ring
+    assert np.diff(rows).tolist() == [1, 8, 212]

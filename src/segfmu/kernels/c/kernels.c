@@ -19143,7 +19143,7 @@ static int64_t sensing_rows(double sample_time, double dead_time)
         return INT64_C(4);
     }
     samples = (int64_t)ceil(dead_time / sample_time) + INT64_C(2);
-    return INT64_C(4) + span_floor_div((samples + INT64_C(6) - INT64_C(1)), INT64_C(6));
+    return INT64_C(4) + span_floor_div((samples + INT64_C(12) - INT64_C(1)), INT64_C(12));
 }
 static int64_t sensing_end(array_double_2d settings)
 {
@@ -19192,7 +19192,7 @@ static double next_sample(array_double_1d sensors, array_double_2d memory)
 static int64_t ring_size(array_double_2d memory)
 {
     int64_t result;
-    result = INT64_C(6) * (memory.shape[INT64_C(0)] - INT64_C(4));
+    result = INT64_C(12) * (memory.shape[INT64_C(0)] - INT64_C(4));
     return result;
 }
 static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t number, array_double_2d memory)
@@ -19200,9 +19200,9 @@ static int64_t ring_place(int64_t* result_0, int64_t* result_1_0001, int64_t num
     int64_t sample;
     int64_t row;
     sample = span_floor_mod(number, ring_size(memory));
-    row = INT64_C(4) + span_floor_div(sample, INT64_C(6));
+    row = INT64_C(4) + span_floor_div(sample, INT64_C(12));
     (*result_0) = row;
-    (*result_1_0001) = INT64_C(6) * (span_floor_mod(sample, INT64_C(6)));
+    (*result_1_0001) = INT64_C(6) * (span_floor_mod(sample, INT64_C(12)));
     return 0;
 }
 static void deliver_samples(array_double_1d sensors, double time, array_double_2d memory)
@@ -19482,7 +19482,7 @@ static int64_t delay_rows(double longest, double period)
         return INT64_C(0);
     }
     commands = INT64_C(2) * (INT64_C(512) + (int64_t)ceil(longest / period)) + INT64_C(8);
-    return INT64_C(1) + span_floor_div((commands + INT64_C(2) - INT64_C(1)), INT64_C(2));
+    return INT64_C(1) + span_floor_div((commands + INT64_C(5) - INT64_C(1)), INT64_C(5));
 }
 static double longest_delay(array_double_1d plant)
 {
@@ -19506,11 +19506,11 @@ static int64_t command_place(int64_t* result_0, int64_t* result_1_0001, int64_t 
     int64_t size;
     int64_t place;
     int64_t row;
-    size = INT64_C(2) * (delayed.shape[INT64_C(0)] - INT64_C(1));
+    size = INT64_C(5) * (delayed.shape[INT64_C(0)] - INT64_C(1));
     place = span_floor_mod(((int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(0)))) + number), size);
-    row = INT64_C(1) + span_floor_div(place, INT64_C(2));
+    row = INT64_C(1) + span_floor_div(place, INT64_C(5));
     (*result_0) = row;
-    (*result_1_0001) = INT64_C(14) * (span_floor_mod(place, INT64_C(2)));
+    (*result_1_0001) = INT64_C(14) * (span_floor_mod(place, INT64_C(5)));
     return 0;
 }
 static double command_start(int64_t number, array_double_2d delayed)
@@ -19602,7 +19602,7 @@ static void drop_commands(double time, array_double_2d delayed)
     array_double_1d queue;
     int64_t size;
     queue = span_row(&delayed, INT64_C(0));
-    size = INT64_C(2) * (delayed.shape[INT64_C(0)] - INT64_C(1));
+    size = INT64_C(5) * (delayed.shape[INT64_C(0)] - INT64_C(1));
     while(((*cspan_at(&queue, INT64_C(1))) > 1.5) && ((command_start(INT64_C(1), delayed) <= time) || ((*cspan_at(&queue, INT64_C(1))) >= size)))
     {
         (*cspan_at(&queue, INT64_C(0))) = (double)(span_floor_mod(((int64_t)((*cspan_at(&queue, INT64_C(0)))) + INT64_C(1)), size));

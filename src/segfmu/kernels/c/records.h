@@ -1381,12 +1381,12 @@ enum {
 };
 
 enum {
-    RING_SAMPLES_A_ROW = 6
+    RING_SAMPLES_A_ROW = 12
 };
 
 enum {
     RING_ROW_SAMPLES = 0,
-    RING_ROW_SIZE = 36
+    RING_ROW_SIZE = 72
 };
 
 enum {
@@ -1396,11 +1396,11 @@ enum {
     SENSING_TAKEN = 3,
     SENSING_RING = 4,
     SENSING_SIZE = 4,
-    SENSING_COLUMNS = 36
+    SENSING_COLUMNS = 72
 };
 
 enum {
-    DELAY_COMMANDS_A_ROW = 2,
+    DELAY_COMMANDS_A_ROW = 5,
     DELAY_RESOLUTION = 512,
     DELAY_MOST_TICKS = 100000
 };
@@ -1424,14 +1424,14 @@ enum {
 
 enum {
     COMMAND_ROW_COMMANDS = 0,
-    COMMAND_ROW_SIZE = 28
+    COMMAND_ROW_SIZE = 70
 };
 
 enum {
     DELAYED_QUEUE = 0,
     DELAYED_RING = 1,
     DELAYED_SIZE = 1,
-    DELAYED_COLUMNS = 28
+    DELAYED_COLUMNS = 70
 };
 
 enum {

@@ -264,9 +264,9 @@ class Queue(Record):
 
 
 class Ring(Codes):
-    """Layout of the ring of samples."""
+    """Layout of the ring of samples: as many in a row as fit into one of the memory."""
 
-    SAMPLES_A_ROW = 6
+    SAMPLES_A_ROW = 12
 
 
 class RingRow(Record):
@@ -288,11 +288,12 @@ class Sensing(Record):
 class Delay(Codes):
     """Memory of the commands that are on their way to the drives.
 
-    Those shorter than the longest dead time over RESOLUTION are joined, unless a tick of the
-    controller parts them. MOST_TICKS: of the controller in a dead time.
+    A row has as many as fit into one of the memory. Those shorter than the longest dead time over
+    RESOLUTION are joined, unless a tick of the controller parts them. MOST_TICKS: of the controller
+    in a dead time.
     """
 
-    COMMANDS_A_ROW = 2
+    COMMANDS_A_ROW = 5
     RESOLUTION = 512
     MOST_TICKS = 100000
 
