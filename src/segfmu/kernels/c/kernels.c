@@ -7,9 +7,8 @@ static int64_t row_range(double* result_0, double* result_1, array_double_2d spa
 static int64_t load_meeting(array_double_2d span, array_double_1d box);
 static bool is_beside(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box);
 static int64_t turn_range(double* result_0, double* result_1, int64_t corner, array_double_2d span, array_double_1d box);
-static bool passes_edges(array_double_2d span, array_double_1d box);
+static int64_t count_edges(int64_t* result_0, int64_t* result_1, array_double_2d span, array_double_1d box);
 static bool is_across(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box);
-static bool has_both_sides(array_double_2d span, array_double_1d box);
 static double value_about(double share, int64_t row, array_double_2d span);
 static double shared_height(double share, array_double_2d span, array_double_1d box);
 static bool is_within(double height, array_double_2d span, array_double_1d box);
@@ -845,24 +844,32 @@ static int64_t turn_range(double* result_0, double* result_1, int64_t corner, ar
     (*result_1) = most;
     return 0;
 }
-static bool passes_edges(array_double_2d span, array_double_1d box)
+static int64_t count_edges(int64_t* result_0, int64_t* result_1, array_double_2d span, array_double_1d box)
 {
     double rounding;
-    bool left;
-    bool right;
+    int64_t left;
+    int64_t right;
     int64_t corner;
     double least;
     double most;
     rounding = (*cspan_at(&span, INT64_C(9), INT64_C(3)));
-    left = 1;
-    right = 1;
+    left = INT64_C(0);
+    right = INT64_C(0);
     for (corner = INT64_C(0); corner < INT64_C(4); corner += INT64_C(1))
     {
         turn_range(&least, &most, corner, span, box);
-        left = left && (least > rounding);
-        right = right && (most < -rounding);
+        if (least > rounding)
+        {
+            left = left + INT64_C(1);
+        }
+        if (most < -rounding)
+        {
+            right = right + INT64_C(1);
+        }
     }
-    return left || right;
+    (*result_0) = left;
+    (*result_1) = right;
+    return 0;
 }
 static bool is_across(int64_t axis, double lowest, double highest, double top, array_double_2d span, array_double_1d box)
 {
@@ -905,25 +912,6 @@ static bool is_across(int64_t axis, double lowest, double highest, double top, a
         }
     }
     return (past_low || lower_past_low) && (past_high || lower_past_high);
-}
-static bool has_both_sides(array_double_2d span, array_double_1d box)
-{
-    double rounding;
-    bool left;
-    bool right;
-    int64_t corner;
-    double least;
-    double most;
-    rounding = (*cspan_at(&span, INT64_C(9), INT64_C(3)));
-    left = 0;
-    right = 0;
-    for (corner = INT64_C(0); corner < INT64_C(4); corner += INT64_C(1))
-    {
-        turn_range(&least, &most, corner, span, box);
-        left = left || (least > rounding);
-        right = right || (most < -rounding);
-    }
-    return left && right;
 }
 static double value_about(double share, int64_t row, array_double_2d span)
 {
@@ -1000,6 +988,8 @@ static int64_t rope_meeting(array_double_2d span, array_double_1d box)
     double lowest;
     double highest;
     int64_t axis;
+    int64_t left;
+    int64_t right;
     double height;
     row_range(&least, &most, span, INT64_C(6) + INT64_C(2));
     top = span_min((*cspan_at(&box, INT64_C(9) + INT64_C(2))), 0.0);
@@ -1023,7 +1013,8 @@ static int64_t rope_meeting(array_double_2d span, array_double_1d box)
             return INT64_C(0);
         }
     }
-    if (passes_edges(span, box))
+    count_edges(&left, &right, span, box);
+    if ((left == INT64_C(4)) || (right == INT64_C(4)))
     {
         return INT64_C(0);
     }
@@ -1031,7 +1022,7 @@ static int64_t rope_meeting(array_double_2d span, array_double_1d box)
     {
         return INT64_C(2);
     }
-    if (is_across(INT64_C(0), lowest, highest, top, span, box) && is_across(INT64_C(1), lowest, highest, top, span, box) && has_both_sides(span, box))
+    if (is_across(INT64_C(0), lowest, highest, top, span, box) && is_across(INT64_C(1), lowest, highest, top, span, box) && (left > INT64_C(0)) && (right > INT64_C(0)))
     {
         return INT64_C(1);
     }

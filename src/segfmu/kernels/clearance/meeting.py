@@ -37,14 +37,15 @@ def rope_meeting(span: 'float[:,:]', box: 'float[:]') -> int:
     for axis in range(2):
         if is_beside(axis, lowest, highest, top, span, box):
             return Meeting.NEVER
-    if passes_edges(span, box):
+    left, right = count_edges(span, box)
+    if left == 4 or right == 4:
         return Meeting.NEVER
     if highest >= top:
         return Meeting.OPEN
     # nothing is between them at any time; or, where the rope may be vertical, one height is inside
     if is_across(0, lowest, highest, top, span, box) and is_across(
         1, lowest, highest, top, span, box
-    ) and has_both_sides(span, box):
+    ) and left > 0 and right > 0:
         return Meeting.ALWAYS
     height = shared_height(0.5, span, box)
     if highest < height and is_within(height, span, box):
@@ -140,16 +141,18 @@ def is_across(
     return (past_low or lower_past_low) and (past_high or lower_past_high)
 
 
-def has_both_sides(span: 'float[:,:]', box: 'float[:]') -> bool:
-    """Whether, seen from above, edges are on both sides of the line through the rope, always."""
+def count_edges(span: 'float[:,:]', box: 'float[:]') -> 'tuple[int, int]':
+    """How many edges are, seen from above, left and right of the rope's line, always."""
     rounding = span[Span.MOMENT, Moment.TURN_ROUNDING]
-    left = False
-    right = False
+    left = 0
+    right = 0
     for corner in range(4):
         least, most = turn_range(corner, span, box)
-        left = left or least > rounding
-        right = right or most < -rounding
-    return left and right
+        if least > rounding:
+            left = left + 1
+        if most < -rounding:
+            right = right + 1
+    return left, right
 
 
 def turn_range(corner: int, span: 'float[:,:]', box: 'float[:]') -> 'tuple[float, float]':
@@ -167,18 +170,6 @@ def turn_range(corner: int, span: 'float[:,:]', box: 'float[:]') -> 'tuple[float
         least = min(least, turn)
         most = max(most, turn)
     return least, most
-
-
-def passes_edges(span: 'float[:,:]', box: 'float[:]') -> bool:
-    """Whether, seen from above, the line through the rope has all edges of the box on one side."""
-    rounding = span[Span.MOMENT, Moment.TURN_ROUNDING]
-    left = True
-    right = True
-    for corner in range(4):
-        least, most = turn_range(corner, span, box)
-        left = left and least > rounding
-        right = right and most < -rounding
-    return left or right
 
 
 def shared_height(share: float, span: 'float[:,:]', box: 'float[:]') -> float:
