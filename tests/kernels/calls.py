@@ -74,7 +74,7 @@ from segfmu.kernels.rig.records import (
     SetupFault,
     StartFault,
 )
-from segfmu.kernels.settling.records import LeadRows, LeadWork
+from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Check, Expansion, Judging, MotionWork, Timing
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 from tests.problems import packed_axis
@@ -185,11 +185,22 @@ def trajectory_calls() -> dict[str, Call]:
     boxes[:, Box.ROPE] = 1.0
     lead = zeros(LeadWork.SIZE, LeadWork.COLUMNS)
     lead[LeadWork.NOW, 1] = 0.3
+    starts = zeros(3, SMOOTHNESS + 1)
+    starts[:, 1] = 0.3, -0.2, 0.1
+    lead[LeadWork.TASK, : LeadTask.SIZE] = 1.0, -1.0, 1.0, 1.0
+    none = np.zeros(4, dtype=np.int64), zeros(1, Timing.SIZE), zeros(1, width)
+    most = 1 + 3 * LeadRows.PIECES + LeadRows.ALL
+    leading = np.tile([1.0, 0.5, 10.0, 20.0, 0.0], (3, 1))
     leads = zeros(LeadRows.ALL, Timing.SIZE), zeros(LeadRows.ALL, width)
     return {
-        "find_lead": (
-            1, 0.0, 0, found.offsets, found.timing, found.coefficients,
-            np.array([1.0, 0.5, 10.0, 20.0, 0.0]), lead, *leads,
+        "find_leads": (
+            np.stack([starts, zeros(3, SMOOTHNESS + 1)]), leading, zeros(3, Lower.SIZE), *none,
+            zeros(3, LeadEnd.SIZE), lead, zeros(most, Timing.SIZE), zeros(most, width),
+            np.zeros(4, dtype=np.int64),
+        ),
+        "find_brakes": (
+            starts, leading, zeros(3, Lower.SIZE), zeros(3, Brake.SIZE), lead.copy(),
+            *(array.copy() for array in leads),
         ),
         "find_brake": (
             False, np.array([0.2, 0.5, 10.0, 20.0, 0.0]), lead.copy(),

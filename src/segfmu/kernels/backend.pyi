@@ -871,14 +871,26 @@ def find_brake(
     /,
 ) -> int: ...
 
-def find_lead(
-    order: int,
-    within: float,
-    axis: int,
+def find_leads(
+    states: Floats,
+    limits: Floats,
+    lower: Floats,
     plan_offsets: Integers,
     plan_timing: Floats,
     plan_coefficients: Floats,
+    ends: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    /,
+) -> int: ...
+
+def find_brakes(
+    start: Floats,
     limits: Floats,
+    lower: Floats,
+    brakes: Floats,
     lead: Floats,
     timing: Floats,
     coefficients: Floats,

@@ -90,7 +90,7 @@ from segfmu.kernels.rig.records import (
     StartFault,
     Target,
 )
-from segfmu.kernels.settling.records import LeadRows, LeadWork
+from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Check, Expansion, MotionWork, Timing
 
 Extent = int | str
@@ -124,6 +124,7 @@ PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
 PLAN_LIMITS = f"options[{PlanOptions.SMOOTHNESS}] + 1"
 MOTION_SMOOTHNESS = f"work[{MotionWork.OPTIONS}, {PlanOptions.SMOOTHNESS}]"
 RIG_ROWS = "rig_rows(settings)"
+LEAD_ROWS = f"pieces + {LeadRows.PIECES} * axes + {LeadRows.ALL}"
 
 MOTION: dict[str, Extent | tuple[Extent, ...]] = {
     "states": ("points", "axes", WaypointState.SIZE), "dwells": "points",
@@ -206,10 +207,17 @@ ENTRY_POINTS = (
     entry("trajectory.motion", "plan_motion", **MOTION),
     entry("trajectory.motion", "expand_motion", **MOTION),
     entry(
-        "settling.lead", "find_lead", plan_offsets="axis + 2", plan_timing=("pieces", Timing.SIZE),
-        plan_coefficients=("pieces", "width"), limits="limits",
-        lead=(LeadWork.SIZE, LeadWork.COLUMNS),
-        timing=(LeadRows.ALL, Timing.SIZE), coefficients=(LeadRows.ALL, "width"),
+        "settling.leads", "find_leads", states=(2, "axes", "states"), limits=("axes", "states"),
+        lower=("axes", Lower.SIZE), plan_offsets="axes + 1", plan_timing=("pieces", Timing.SIZE),
+        plan_coefficients=("pieces", "width"), ends=("axes", LeadEnd.SIZE),
+        lead=(LeadWork.SIZE, LeadWork.COLUMNS), timing=(LEAD_ROWS, Timing.SIZE),
+        coefficients=(LEAD_ROWS, "width"), offsets="axes + 1",
+    ),
+    entry(
+        "settling.leads", "find_brakes", start=("axes", "states"), limits=("axes", "states"),
+        lower=("axes", Lower.SIZE), brakes=("axes", Brake.SIZE),
+        lead=(LeadWork.SIZE, LeadWork.COLUMNS), timing=(LeadRows.ALL, Timing.SIZE),
+        coefficients=(LeadRows.ALL, "width"),
     ),
     entry(
         "settling.brake", "find_brake", limits="limits", lead=(LeadWork.SIZE, LeadWork.COLUMNS),

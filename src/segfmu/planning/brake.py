@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from segfmu.kernels import backend
-from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.settling.records import LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
 from segfmu.planning.arrays import FloatArray
@@ -28,14 +27,9 @@ def find_brakes(start: FloatArray, limits: FloatArray, lower: FloatArray) -> Flo
     ndarray, shape (axes, Brake)
     """
     axes, width = start.shape
-    work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
-    timing = np.zeros((LeadRows.ALL, Timing.SIZE))
-    coefficients = np.zeros((LeadRows.ALL, 2 * (width - 1)))
     brakes = np.zeros((axes, Brake.SIZE))
-    for axis in range(axes):
-        work[LeadWork.NOW] = 0.0
-        work[LeadWork.NOW, :width] = start[axis]
-        work[LeadWork.LOWER, : Lower.SIZE] = lower[axis]
-        if backend.find_brake(False, limits[axis], work, timing, coefficients) > 0:
-            brakes[axis] = work[LeadWork.BRAKE, : Brake.SIZE]
+    backend.find_brakes(
+        start, limits, lower, brakes, np.zeros((LeadWork.SIZE, LeadWork.COLUMNS)),
+        np.empty((LeadRows.ALL, Timing.SIZE)), np.empty((LeadRows.ALL, 2 * (width - 1))),
+    )
     return brakes

@@ -8,21 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.kernels import backend
-from segfmu.kernels.planner.records import (
-    Axis,
-    DelayedState,
-    Lower,
-    Problem,
-    WaypointState,
-)
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
+from segfmu.kernels.planner.records import DelayedState, WaypointState
+from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadStage, LeadTask, LeadWork
 from segfmu.kernels.trajectory.records import Timing
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.problem import SHAPES
 
-# what a lead goes to: the order of the derivative that its last stage leads to a value
-TO_VELOCITY = 1
-TO_PLAN = 2
+# what a lead goes to
+TO_VELOCITY, TO_PLAN = int(LeadStage.VELOCITY), int(LeadStage.ACCELERATION)
 # of velocity and acceleration at the end of a plan, relative to their limits
 ROUNDING = 1e-11
 
@@ -132,9 +125,11 @@ class Pieces:
         return Pieces(timing[:used], coefficients[:used], offsets)
 
     def _padded(self, rows: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
-        more = ((0, rows - self.used), (0, 0))
-        used = slice(self.used)
-        return np.pad(self.timing[used], more), np.pad(self.coefficients[used], more), self.offsets
+        timing = np.zeros((rows, Timing.SIZE))
+        coefficients = np.zeros((rows, self.coefficients.shape[1]))
+        timing[: self.used] = self.timing[: self.used]
+        coefficients[: self.used] = self.coefficients[: self.used]
+        return timing, coefficients, self.offsets
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,60 +163,6 @@ class Leads:
         return replace(self, pieces=pieces, following=np.array([p.used > 0 for p in parts]))
 
 
-@dataclass(frozen=True)
-class _Lead:
-    pieces: Pieces
-    # DelayedState
-    end: FloatArray
-    # to the target [s]
-    time: float
-    following: bool = False
-
-
-class _Search:
-    """Leads of single axes, as `find_leads` takes them."""
-
-    def __init__(
-        self, order: int, now: FloatArray, targets: FloatArray, limits: FloatArray,
-        lower: FloatArray, shape: str, follow: Pieces, brakes: bool,
-    ) -> None:
-        self.order, self.now, self.targets = order, now, targets
-        self.limits, self.lower, self.brakes = limits, lower, float(brakes)
-        self.shape, self.follow = SHAPES.index(shape), follow
-        width = 2 * (now.shape[1] - 1)
-        self.work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
-        self.timing = np.zeros((LeadRows.ALL, Timing.SIZE))
-        self.coefficients = np.zeros((LeadRows.ALL, width))
-
-    def lead(self, axis: int, within: float) -> _Lead | None:
-        """The shortest lead of an axis, over levels where others take longer than `within` [s]."""
-        work, target, limits = self.work, self.targets[axis], self.limits[axis]
-        work[LeadWork.AXIS, Axis.SHAPE] = self.shape
-        work[LeadWork.LOWER, : Lower.SIZE] = self.lower[axis]
-        work[LeadWork.BEST, Lead.BRAKES] = self.brakes
-        work[LeadWork.NOW] = 0.0
-        work[LeadWork.NOW, : self.now.shape[1]] = self.now[axis]
-        work[LeadWork.TARGET, Problem.W] = target[WaypointState.VELOCITY]
-        work[LeadWork.TARGET, Problem.B] = target[WaypointState.ACCELERATION]
-        work[LeadWork.TARGET, Problem.DISTANCE] = target[WaypointState.POSITION]
-        found = None
-        if backend.find_lead(
-            self.order, within, axis, self.follow.offsets, self.follow.timing,
-            self.follow.coefficients, limits, work, self.timing, self.coefficients,
-        ):
-            count, time = int(work[LeadWork.BEST, Lead.COUNT]), work[LeadWork.BEST, Lead.TIME]
-            end = work[LeadWork.REACHED, [*range(WaypointState.SIZE), Chain.TIME]].copy()
-            found = _Lead(Pieces.one(self.timing, self.coefficients, count), end, float(time))
-        kept = self.follow.axis(axis)
-        if self.order == TO_VELOCITY and kept.used > 0:
-            end = kept.ends()
-            time = float(end[DelayedState.DELAY])
-            sooner = found is None or time < found.time
-            if sooner and _reaches(end, target[WaypointState.VELOCITY], limits):
-                return _Lead(kept, end, time, following=True)
-        return found
-
-
 def find_leads(
     order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, lower: FloatArray,
     shape: str, follow: Pieces, meeting: float | None = None, *, brakes: bool = True,
@@ -246,26 +187,24 @@ def find_leads(
     brakes : bool
         A state that cannot keep the limits is brought inside first; else it has no lead.
     """
-    axes = len(now)
-    search = _Search(order, now, targets, limits, lower, shape, follow, brakes)
-    haste = meeting is None or axes == 1
-    found = []
-    for axis in range(axes):
-        lead = search.lead(axis, meeting or 0.0 if haste else np.inf)
-        if lead is None:
-            return Leads(follow, np.zeros((axes, DelayedState.SIZE)), axis)
-        found.append(lead)
-    if meeting is not None and axes > 1:
-        latest = meeting
-        for axis in sorted(range(axes), key=lambda axis: -found[axis].time):
-            if found[axis].time <= latest:
-                break
-            found[axis] = search.lead(axis, latest) or found[axis]
-            latest = max(latest, found[axis].time)
+    axes, width = now.shape
+    work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
+    work[LeadWork.TASK, : LeadTask.SIZE] = (
+        order, -1.0 if meeting is None else meeting, SHAPES.index(shape), brakes
+    )
+    states = np.zeros((2, axes, width))
+    states[0], states[1, :, : WaypointState.SIZE] = now, targets
+    rows = len(follow.timing) + axes * LeadRows.PIECES + LeadRows.ALL
+    timing, coefficients = np.empty((rows, Timing.SIZE)), np.empty((rows, 2 * (width - 1)))
+    ends, offsets = np.zeros((axes, LeadEnd.SIZE)), np.zeros(axes + 1, dtype=np.int64)
+    failed = backend.find_leads(
+        states, limits, lower, follow.offsets, follow.timing, follow.coefficients, ends, work,
+        timing, coefficients, offsets,
+    )
+    used = max(int(offsets[-1]), 1)
     return Leads(
-        Pieces.together([lead.pieces for lead in found], 2 * (now.shape[1] - 1)),
-        np.stack([lead.end for lead in found]),
-        following=np.array([lead.following for lead in found]),
+        Pieces(timing[:used].copy(), coefficients[:used].copy(), offsets),
+        ends[:, : DelayedState.SIZE].copy(), failed, ends[:, LeadEnd.FOLLOWS] > 0.0,
     )
 
 

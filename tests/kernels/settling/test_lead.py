@@ -11,7 +11,7 @@ from segfmu.kernels.planner.parameters import axis_limits
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.chain import chain_limits, lift_pieces
 from segfmu.kernels.settling.lead import find_lead
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
 from segfmu.planning.polynomials import derivative_pieces, extrema
 
 pytestmark = pytest.mark.interpreted
@@ -30,7 +30,7 @@ def found(
     n: int, order: int, state: list[float], velocity: float = 0.0, within: float = 0.0
 ) -> tuple:
     work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
-    work[LeadWork.AXIS, Axis.SHAPE] = 1.0
+    work[LeadWork.TASK, LeadTask.SHAPE] = 1.0
     work[LeadWork.NOW, : n + 1] = state[: n + 1]
     work[LeadWork.TARGET, Problem.W] = velocity
     work[LeadWork.TARGET, Problem.DISTANCE] = 1.0

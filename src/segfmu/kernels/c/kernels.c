@@ -725,6 +725,15 @@ static bool start_search(int64_t shape, array_double_1d limits, array_double_2d 
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double followed_rounding(void);
+static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead);
+static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead);
+static int64_t latest_axis(array_double_2d ends);
+static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool ends_sooner(int64_t last, double velocity, double soonest, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d end);
+static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
+static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
@@ -21450,11 +21459,11 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d problem;
     int64_t result;
     state = span_row(&lead, INT64_C(8));
-    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(53) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(54) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -21463,15 +21472,15 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(53) + order);
+    chain = span_row(&lead, INT64_C(54) + order);
     if (free)
     {
         result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(17));
+    problem = span_row(&lead, INT64_C(18));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(60), INT64_C(300)));
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -21487,14 +21496,14 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     int64_t i;
     int64_t last;
     state = span_row(&lead, INT64_C(8));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(53) + seen);
+    chain = span_row(&lead, INT64_C(54) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(300), INT64_C(304));
+    expansion = span_rows(&lead, INT64_C(301), INT64_C(305));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -21502,7 +21511,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     third = seen + INT64_C(3);
     (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -21534,7 +21543,7 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     int64_t i;
     double aim;
     state = span_row(&lead, INT64_C(8));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
         if ((i == order) && ((*cspan_at(&lead, INT64_C(13), i)) < 1e+299))
@@ -21552,7 +21561,7 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
@@ -21583,7 +21592,7 @@ static int64_t hold_highest(double value, double length, int64_t row, array_doub
     double factorial;
     int64_t i;
     state = span_row(&lead, INT64_C(8));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
     if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
@@ -21624,7 +21633,7 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     {
         return -INT64_C(1);
     }
-    if (order == (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))))
+    if (order == (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
     {
         top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
         if (end < (*cspan_at(&state, order)))
@@ -21653,7 +21662,7 @@ static double part_hull(int64_t order, int64_t row, double start, double length,
     int64_t i;
     double value;
     double largest;
-    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
     width = coefficients.shape[INT64_C(1)];
     factorial = 1.0;
     for (i = INT64_C(0); i < width - order; i += INT64_C(1))
@@ -21682,7 +21691,7 @@ static bool stays_inside(int64_t order, int64_t first, int64_t last, array_doubl
     int64_t row;
     double length;
     double slack;
-    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
     low = (*cspan_at(&lead, INT64_C(4), order));
     high = (*cspan_at(&lead, INT64_C(5), order));
     count = coefficients.shape[INT64_C(1)] - order;
@@ -21787,7 +21796,7 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     double result;
     state = span_row(&lead, INT64_C(8));
     turn = span_row(&lead, INT64_C(3));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
     near = (*cspan_at(&lead, INT64_C(5), order));
     far = (*cspan_at(&lead, INT64_C(4), order));
     if (side < 0.0)
@@ -22149,10 +22158,10 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     array_double_1d state;
     int64_t i;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    axis = span_row(&lead, INT64_C(51));
+    axis = span_row(&lead, INT64_C(52));
     state = span_row(&lead, INT64_C(8));
     segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
-    set_lower(span_row(&lead, INT64_C(52)), axis);
+    set_lower(span_row(&lead, INT64_C(53)), axis);
     for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
@@ -22160,7 +22169,7 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
             (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
         }
     }
-    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(53), INT64_C(60))))
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(54), INT64_C(61))))
     {
         return 0;
     }
@@ -22177,7 +22186,7 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
         }
     }
     chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(53), INT64_C(60)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
     for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
@@ -22192,9 +22201,9 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
 static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
 {
     double result;
-    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(52), order - INT64_C(1))) > 0.0))
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(53), order - INT64_C(1))) > 0.0))
     {
-        result = (*cspan_at(&lead, INT64_C(52), order - INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(53), order - INT64_C(1)));
         return result;
     }
     result = (*cspan_at(&limits, order - INT64_C(1)));
@@ -22231,7 +22240,7 @@ static void note_extremes(int64_t row, array_double_2d lead, array_double_2d tim
     int64_t part;
     int64_t i;
     double value;
-    check = span_rows(&lead, INT64_C(304), INT64_C(352));
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
     report = span_row(&lead, INT64_C(6));
     width = coefficients.shape[INT64_C(1)];
     parts = INT64_C(8);
@@ -22505,7 +22514,7 @@ static void bring_highest(array_double_2d lead, array_double_2d timing, array_do
     int64_t i;
     int64_t last;
     double until;
-    order = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    order = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
     value = (*cspan_at(&lead, INT64_C(2), order));
     end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
     if (outside_by(value, order, lead) > 0.0)
@@ -22549,7 +22558,7 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     {
         return 0;
     }
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
     {
         if (!stays_inside(i, first, last, lead, timing, coefficients))
         {
@@ -22558,7 +22567,7 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     }
     until = (*cspan_at(&state, INT64_C(8)));
     append_pieces(until, last, lead, timing, coefficients);
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         (*cspan_at(&reached, i)) = 0.0;
     }
@@ -22632,7 +22641,7 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
     for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
     {
-        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))))
+        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
         {
             if (whole && (i > order))
             {
@@ -22648,7 +22657,7 @@ static void clip_reached(array_double_2d lead)
 {
     int64_t i;
     double value;
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(4), i)));
         (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(5), i)));
@@ -22837,7 +22846,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(53) + seen, INT64_C(38))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(54) + seen, INT64_C(38))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);
@@ -22849,10 +22858,10 @@ static double lead_end(int64_t order, array_double_2d lead)
     double result;
     if (order == INT64_C(1))
     {
-        result = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+        result = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(16), INT64_C(4)));
+    result = (*cspan_at(&lead, INT64_C(17), INT64_C(4)));
     return result;
 }
 static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -22874,10 +22883,10 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     state = span_row(&lead, INT64_C(8));
     level = span_row(&lead, INT64_C(9));
     seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(53) + seen);
-    problem = span_row(&lead, INT64_C(17));
-    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
-    plan = span_rows(&lead, INT64_C(60), INT64_C(300));
+    chain = span_row(&lead, INT64_C(54) + seen);
+    problem = span_row(&lead, INT64_C(18));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    plan = span_rows(&lead, INT64_C(61), INT64_C(301));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
     passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
@@ -22946,14 +22955,14 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
 static void set_limits(double steep, array_double_2d lead)
 {
     array_double_1d axis;
-    axis = span_row(&lead, INT64_C(51));
+    axis = span_row(&lead, INT64_C(52));
     chain_limits(steep, axis, span_row(&lead, INT64_C(7)), span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(53), INT64_C(60)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
 }
 static bool is_settled(array_double_2d lead)
 {
     int64_t i;
-    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&lead, INT64_C(7), i)) != 0.0)
         {
@@ -22971,7 +22980,7 @@ static void soonest_ends(int64_t order, array_double_2d lead)
     }
     if (order == INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+        (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
     }
 }
 static double profile_time(array_double_2d lead)
@@ -22987,10 +22996,10 @@ static double profile_time(array_double_2d lead)
     int64_t i;
     double duration;
     state = span_row(&lead, INT64_C(8));
-    target = span_row(&lead, INT64_C(16));
-    problem = span_row(&lead, INT64_C(17));
-    axis = span_row(&lead, INT64_C(51));
-    phases = span_rows(&lead, INT64_C(18), INT64_C(51));
+    target = span_row(&lead, INT64_C(17));
+    problem = span_row(&lead, INT64_C(18));
+    axis = span_row(&lead, INT64_C(52));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
     for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
     {
         value = (*cspan_at(&state, INT64_C(0) + order));
@@ -23004,7 +23013,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(60), INT64_C(300)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -23069,8 +23078,8 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(304), INT64_C(352));
-    lower = span_row(&lead, INT64_C(52));
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
+    lower = span_row(&lead, INT64_C(53));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -23171,7 +23180,7 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
     array_double_1d first;
     int64_t i;
     double level;
-    first = span_row(&lead, INT64_C(18));
+    first = span_row(&lead, INT64_C(19));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&first, INT64_C(4))) > 0.5)
@@ -23200,7 +23209,7 @@ static void improve_ends(int64_t order, array_double_1d limits, array_double_2d 
     int64_t sweep;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
     first_free = first_free_stage(order);
     for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
     {
@@ -23259,7 +23268,7 @@ static void search_pairs(int64_t order, array_double_1d limits, array_double_2d 
     int64_t j;
     bool free;
     double end;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
     stage = first_free_stage(order);
     earlier = stage + INT64_C(2);
     for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
@@ -23301,7 +23310,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
     }
     found = 1e+300;
     count = INT64_C(6);
-    if ((*cspan_at(&lead, INT64_C(51), INT64_C(0))) > 4.5)
+    if ((*cspan_at(&lead, INT64_C(52), INT64_C(0))) > 4.5)
     {
         count = INT64_C(24);
     }
@@ -23362,7 +23371,7 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
     double level;
     steep = 1.0;
     found = 1e+300;
-    highest = (*cspan_at(&lead, INT64_C(51), INT64_C(0)));
+    highest = (*cspan_at(&lead, INT64_C(52), INT64_C(0)));
     (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = (*cspan_at(&lead, INT64_C(7), level_order(order, lead)));
     (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
@@ -23394,8 +23403,8 @@ static bool permits_levels(int64_t order, array_double_2d lead)
 {
     array_double_1d target;
     bool resting;
-    target = span_row(&lead, INT64_C(16));
-    if (((*cspan_at(&lead, INT64_C(51), INT64_C(0))) < 3.5) || is_settled(lead))
+    target = span_row(&lead, INT64_C(17));
+    if (((*cspan_at(&lead, INT64_C(52), INT64_C(0))) < 3.5) || is_settled(lead))
     {
         return 0;
     }
@@ -23511,7 +23520,7 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
             }
             if (order == INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+                (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
             }
             try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
         }
@@ -23520,9 +23529,9 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
 {
     int64_t i;
-    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(51)));
-    set_lower(span_row(&lead, INT64_C(52)), span_row(&lead, INT64_C(51)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(51))), span_row(&lead, INT64_C(51)), span_rows(&lead, INT64_C(53), INT64_C(60))))
+    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(52)));
+    set_lower(span_row(&lead, INT64_C(53)), span_row(&lead, INT64_C(52)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(52))), span_row(&lead, INT64_C(52)), span_rows(&lead, INT64_C(54), INT64_C(61))))
     {
         return 0;
     }
@@ -23610,7 +23619,7 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
         }
     }
 }
-bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     bool brakes;
     int64_t smoothness;
@@ -23618,13 +23627,13 @@ bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int
     bool result;
     (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
     (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = 0.0;
-    brakes = (*cspan_at(&lead, INT64_C(15), INT64_C(4))) > 0.5;
+    brakes = (*cspan_at(&lead, INT64_C(16), INT64_C(3))) > 0.5;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
         return 0;
     }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(51), INT64_C(1))));
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(2))));
     if ((!brakes) || (!is_outside(limits, lead)))
     {
         if (start_search(shape, limits, lead))
@@ -23641,6 +23650,223 @@ bool segfmu_find_lead(int64_t order, double within_0001, int64_t axis, array_int
     }
     result = (*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0;
     return result;
+}
+static double followed_rounding(void)
+{
+    return 1e-11;
+}
+static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(0), i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < start.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&start, axis, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(53), i)) = (*cspan_at(&lower, axis, i));
+    }
+}
+static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead)
+{
+    (*cspan_at(&lead, INT64_C(17), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(17), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(17), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
+}
+static int64_t latest_axis(array_double_2d ends)
+{
+    int64_t axis;
+    int64_t latest;
+    latest = INT64_C(0);
+    for (axis = INT64_C(1); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        if ((*cspan_at(&ends, axis, INT64_C(4))) > (*cspan_at(&ends, latest, INT64_C(4))))
+        {
+            latest = axis;
+        }
+    }
+    return latest;
+}
+static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    int64_t found;
+    int64_t row;
+    int64_t count;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(10), i));
+    }
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(10), INT64_C(8)));
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    (*cspan_at(&end, INT64_C(5))) = 0.0;
+    found = timing.shape[INT64_C(0)] - INT64_C(1200);
+    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
+    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    {
+        copy_piece(timing, coefficients, found + row, timing, coefficients, first + row);
+    }
+    return count;
+}
+static bool ends_sooner(int64_t last, double velocity, double soonest, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d end)
+{
+    int64_t width;
+    double length;
+    double time;
+    double reached;
+    double rest;
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, last, INT64_C(1)));
+    time = (*cspan_at(&timing, last, INT64_C(0))) + length;
+    reached = evaluate_piece(coefficients, last, width, length, INT64_C(1));
+    rest = evaluate_piece(coefficients, last, width, length, INT64_C(2));
+    if ((!(time < soonest)) || (fabs(reached - velocity) > followed_rounding() * (*cspan_at(&limits, INT64_C(0)))))
+    {
+        return 0;
+    }
+    if (fabs(rest) > followed_rounding() * (*cspan_at(&limits, INT64_C(1))))
+    {
+        return 0;
+    }
+    (*cspan_at(&end, INT64_C(0))) = evaluate_piece(coefficients, last, width, length, INT64_C(0));
+    (*cspan_at(&end, INT64_C(1))) = reached;
+    (*cspan_at(&end, INT64_C(2))) = rest;
+    (*cspan_at(&end, INT64_C(3))) = time;
+    (*cspan_at(&end, INT64_C(4))) = time;
+    (*cspan_at(&end, INT64_C(5))) = 1.0;
+    return 1;
+}
+static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    int64_t target;
+    first = (*cspan_at(&plan_offsets, axis));
+    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
+    if ((last == first) || (!ends_sooner(last - INT64_C(1), (*cspan_at(&lead, INT64_C(17), INT64_C(2))), (*cspan_at(&end, INT64_C(4))), plan_timing, plan_coefficients, limits, end)))
+    {
+        return;
+    }
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        target = row + axis * INT64_C(400);
+        copy_piece(plan_timing, plan_coefficients, row, timing, coefficients, target);
+    }
+    (*cspan_at(&offsets, axis + INT64_C(1))) = last - first;
+}
+static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t used;
+    int64_t axis;
+    int64_t first;
+    int64_t row;
+    used = INT64_C(0);
+    (*cspan_at(&offsets, INT64_C(0))) = INT64_C(0);
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        first = (*cspan_at(&plan_offsets, axis)) + axis * INT64_C(400);
+        for (row = INT64_C(0); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(timing, coefficients, first + row, timing, coefficients, used);
+            used = used + INT64_C(1);
+        }
+        (*cspan_at(&offsets, axis + INT64_C(1))) = used;
+    }
+}
+int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_double_2d lower, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_2d ends, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t axes;
+    int64_t order;
+    double latest;
+    bool waits;
+    int64_t rows;
+    int64_t found;
+    double longest;
+    int64_t attempt;
+    int64_t first;
+    int64_t axis;
+    axes = limits.shape[INT64_C(0)];
+    order = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(0))));
+    latest = (*cspan_at(&lead, INT64_C(16), INT64_C(1)));
+    waits = (latest >= 0.0) && (axes > INT64_C(1));
+    rows = timing.shape[INT64_C(0)];
+    found = rows - INT64_C(1200);
+    longest = span_max(latest, 0.0);
+    if (waits)
+    {
+        longest = 1e+300;
+    }
+    for (attempt = INT64_C(0); attempt < INT64_C(2) * axes; attempt += INT64_C(1))
+    {
+        axis = attempt;
+        if (attempt >= axes)
+        {
+            axis = latest_axis(ends);
+            if ((!waits) || ((*cspan_at(&ends, axis, INT64_C(4))) <= latest))
+            {
+                break;
+            }
+            longest = latest;
+        }
+        set_start(axis, span_matrix(&states, INT64_C(0)), lower, lead);
+        set_target(axis, span_matrix(&states, INT64_C(1)), lead);
+        if (find_lead(order, longest, axis, plan_offsets, plan_timing, plan_coefficients, span_row(&limits, axis), lead, span_rows(&timing, found, rows), span_rows(&coefficients, found, rows)))
+        {
+            first = (*cspan_at(&plan_offsets, axis)) + axis * INT64_C(400);
+            (*cspan_at(&offsets, axis + INT64_C(1))) = take_lead(first, span_row(&ends, axis), lead, timing, coefficients);
+        }
+        else if (attempt < axes)
+        {
+            (*cspan_at(&offsets, axis + INT64_C(1))) = INT64_C(0);
+            (*cspan_at(&ends, axis, INT64_C(4))) = 1e+300;
+        }
+        if (order == INT64_C(1))
+        {
+            follow_whole(axis, span_row(&limits, axis), plan_offsets, plan_timing, plan_coefficients, span_row(&ends, axis), lead, timing, coefficients, offsets);
+        }
+        if ((*cspan_at(&ends, axis, INT64_C(4))) == 1e+300)
+        {
+            return axis;
+        }
+        if (attempt >= axes)
+        {
+            latest = span_max(latest, (*cspan_at(&ends, axis, INT64_C(4))));
+            (*cspan_at(&ends, axis, INT64_C(4))) = -1.0;
+        }
+    }
+    pack_leads(plan_offsets, timing, coefficients, offsets);
+    return -INT64_C(1);
+}
+bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t axis;
+    int64_t count;
+    int64_t i;
+    bool found;
+    found = 0;
+    for (axis = INT64_C(0); axis < start.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        set_start(axis, start, lower, lead);
+        count = segfmu_find_brake(0, span_row(&limits, axis), lead, timing, coefficients);
+        for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+        {
+            (*cspan_at(&brakes, axis, i)) = 0.0;
+            if (count > INT64_C(0))
+            {
+                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(6), i));
+            }
+        }
+        if ((*cspan_at(&brakes, axis, INT64_C(0))) > 0.0)
+        {
+            found = 1;
+        }
+    }
+    return found;
 }
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
 {

@@ -1,4 +1,4 @@
-/* What is left of the old plan, leads from it (segfmu_find_lead), and the check of what follows. */
+/* What is left of the old plan, leads from it (segfmu_find_leads), and the check of what follows. */
 #include "lead.h"
 
 #include <math.h>
@@ -14,14 +14,20 @@ static int64_t most_rows(int64_t points, int64_t axes, int64_t smoothness, int64
     return segfmu_most_pieces(points, axes, smoothness) + (leads > rest ? leads : rest);
 }
 
+/* As many rows as the search for leads takes. */
+static int64_t lead_rows(int64_t axes, int64_t old)
+{
+    return old + axes + 1 + axes * LEAD_ROWS_PIECES + LEAD_ROWS_ALL;
+}
+
 size_t segfmu_replan_size(int64_t points, int64_t axes, int64_t smoothness, int64_t pieces)
 {
     const int64_t rows = most_rows(points, axes, smoothness, pieces);
     const int64_t piece = TIMING_SIZE + 2 * smoothness;
     const int64_t cells = (points - 1) * axes;
-    const int64_t lists = 5 * (rows * piece + axes + 1);
-    const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + LEAD_ROWS_ALL * piece + 2 * axes
-        + (BRAKE_SIZE + 2) * axes;
+    const int64_t lists = 4 * rows * piece + lead_rows(axes, pieces) * piece + 5 * (axes + 1);
+    const int64_t lead = LEAD_WORK_SIZE * LEAD_WORK_COLUMNS + LEAD_ROWS_ALL * piece
+        + (2 * (smoothness + 1) + LEAD_END_SIZE + BRAKE_SIZE) * axes;
     const int64_t planned = points * (axes * (DELAYED_STATE_SIZE + smoothness + 1) + 1)
         + PLAN_OPTIONS_SIZE + axes * AXIS_SIZE + cells * CELL_SIZE * CELL_COLUMNS
         + PLAN_WORK_SIZE * PLAN_WORK_COLUMNS + EXPANSION_SIZE * EXPANSION_COLUMNS
@@ -54,7 +60,7 @@ replanning segfmu_begin_replanning(
     t.ends = take(&space, k * DELAYED_STATE_SIZE);
     t.outside = take(&space, k);
     t.rest = segfmu_take_pieces(&space, rows, k, n);
-    t.leads = segfmu_take_pieces(&space, rows, k, n);
+    t.leads = segfmu_take_pieces(&space, lead_rows(k, old->pieces), k, n);
     t.plan = segfmu_take_pieces(&space, rows, k, n);
     t.joined = segfmu_take_pieces(&space, 2 * rows, k, n);
     t.space = space;
@@ -104,178 +110,58 @@ void segfmu_rest_end(const replanning *t, int64_t axis, double *end)
     end[DELAYED_STATE_DELAY] = when[TIMING_START] + length;
 }
 
-/* Copy pieces to row `to` of a list. */
-static void copy_rows(piece_list *list, int64_t to, const double *timing,
-                      const double *coefficients, int64_t rows)
-{
-    const int64_t width = list->coefficients.shape[1];
-    memmove(list->timing.data + to * TIMING_SIZE, timing,
-            (size_t)(rows * TIMING_SIZE) * sizeof *timing);
-    memmove(list->coefficients.data + to * width, coefficients,
-            (size_t)(rows * width) * sizeof *coefficients);
-}
-
 int segfmu_ends_at_velocity(
-    const replanning *t, int64_t axis, const double *target, const double *end, int found)
+    const replanning *t, int64_t axis, const double *target, const double *end)
 {
     const double *limits = t->limits.data + axis * (t->smoothness + 1);
     const double missed = end[WAYPOINT_STATE_VELOCITY] - target[WAYPOINT_STATE_VELOCITY];
     return fabs(missed) <= ROUNDING * limits[0]
-        && fabs(end[WAYPOINT_STATE_ACCELERATION]) <= ROUNDING * limits[1]
-        && (!found || end[DELAYED_STATE_DELAY] < t->ends[axis * DELAYED_STATE_SIZE
-                                                         + DELAYED_STATE_DELAY]);
+        && fabs(end[WAYPOINT_STATE_ACCELERATION]) <= ROUNDING * limits[1];
 }
 
-/* What the leads of all axes are searched with. */
-typedef struct {
-    int64_t order, shape;
-    const double *targets;
-    array_double_2d work, timing, coefficients;
-} lead_search;
-
-/* A lead of one axis, from row `to` of t->leads on; the number of its pieces, -1: there is none.
-   It goes over levels if others take longer than `within`. */
-static int64_t find_one(replanning *t, const lead_search *s, int64_t axis, double within,
-                        int64_t to)
+/* Work space in which one axis settles, all zeros. */
+static array_double_2d lead_work(double **space)
 {
-    const int64_t width = t->smoothness + 1;
-    const double *target = s->targets + axis * width;
-    double *now = s->work.data + LEAD_WORK_NOW * LEAD_WORK_COLUMNS;
-    double *aim = s->work.data + LEAD_WORK_TARGET * LEAD_WORK_COLUMNS;
-    const double *reached = s->work.data + LEAD_WORK_REACHED * LEAD_WORK_COLUMNS;
-    const double *best = s->work.data + LEAD_WORK_BEST * LEAD_WORK_COLUMNS;
-    double *end = t->ends + axis * DELAYED_STATE_SIZE, last[DELAYED_STATE_SIZE];
-    for (int64_t i = 0; i < width; i++) {
-        now[i] = t->now[axis * width + i];
-    }
-    aim[PROBLEM_DISTANCE] = target[WAYPOINT_STATE_POSITION];
-    aim[PROBLEM_W] = target[WAYPOINT_STATE_VELOCITY];
-    aim[PROBLEM_B] = target[WAYPOINT_STATE_ACCELERATION];
-    s->work.data[LEAD_WORK_AXIS * LEAD_WORK_COLUMNS + AXIS_SHAPE] = (double)s->shape;
-    for (int64_t i = 0; i < LOWER_SIZE; i++) {
-        s->work.data[LEAD_WORK_LOWER * LEAD_WORK_COLUMNS + i] = t->lower.data[axis * LOWER_SIZE + i];
-    }
-    s->work.data[LEAD_WORK_BEST * LEAD_WORK_COLUMNS + LEAD_BRAKES] = 1.0;
-    int found = segfmu_find_lead(
-        s->order, within, axis, t->rest.offsets, t->rest.timing, t->rest.coefficients,
-        span_row(&t->limits, axis), s->work, s->timing, s->coefficients);
-    for (int64_t i = 0; i < STATE; i++) {
-        end[i] = reached[i];
-    }
-    end[DELAYED_STATE_DELAY] = reached[CHAIN_TIME];
-    const int64_t first = t->rest.offsets.data[axis];
-    const int64_t rows = t->rest.offsets.data[axis + 1] - first;
-    if (s->order == TO_VELOCITY && rows > 0) {
-        segfmu_rest_end(t, axis, last);
-        if (segfmu_ends_at_velocity(t, axis, target, last, found)) {
-            memcpy(end, last, sizeof last);
-            copy_rows(&t->leads, to, t->rest.timing.data + first * TIMING_SIZE,
-                      t->rest.coefficients.data + first * 2 * t->smoothness, rows);
-            return rows;
-        }
-    }
-    if (!found) {
-        return -1;
-    }
-    copy_rows(&t->leads, to, s->timing.data, s->coefficients.data, (int64_t)best[LEAD_COUNT]);
-    return (int64_t)best[LEAD_COUNT];
+    double *work = take(space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS);
+    memset(work, 0, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS * sizeof *work);
+    return matrix(work, LEAD_WORK_SIZE, LEAD_WORK_COLUMNS);
 }
 
-/* Leads of axes that meet at the targets after the time `latest` or later: only those that are late
-   make haste, so that the planner can slow the others down. */
-static int64_t find_meeting(replanning *t, const lead_search *s, double latest, double *space)
+int64_t segfmu_settle_axes(replanning *t, int64_t order, int64_t shape, double meeting,
+                           const double *targets)
 {
-    double *times = take(&space, t->axes), *counts = take(&space, t->axes);
-    const double *time = s->work.data + LEAD_WORK_BEST * LEAD_WORK_COLUMNS + LEAD_TIME;
-    for (int64_t axis = 0; axis < t->axes; axis++) {
-        const int64_t rows = find_one(t, s, axis, INFINITY, axis * LEAD_ROWS_PIECES);
-        if (rows < 0) {
-            return axis;
-        }
-        counts[axis] = (double)rows;
-        times[axis] = *time;
+    const int64_t k = t->axes, width = t->smoothness + 1;
+    double *space = t->space, *states = take(&space, 2 * k * width);
+    double *ends = take(&space, k * LEAD_END_SIZE);
+    array_double_2d work = lead_work(&space);
+    double *task = work.data + LEAD_WORK_TASK * LEAD_WORK_COLUMNS;
+    task[LEAD_TASK_ORDER] = (double)order;
+    task[LEAD_TASK_MEETING] = meeting;
+    task[LEAD_TASK_SHAPE] = (double)shape;
+    task[LEAD_TASK_BRAKES] = 1.0;
+    memcpy(states, t->now, (size_t)(k * width) * sizeof *states);
+    memcpy(states + k * width, targets, (size_t)(k * width) * sizeof *states);
+    const int64_t failed = segfmu_find_leads(
+        cuboid(states, 2, k, width), t->limits, t->lower, t->rest.offsets, t->rest.timing,
+        t->rest.coefficients, matrix(ends, k, LEAD_END_SIZE), work, t->leads.timing,
+        t->leads.coefficients, t->leads.offsets);
+    for (int64_t axis = 0; axis < k; axis++) {
+        memcpy(t->ends + axis * DELAYED_STATE_SIZE, ends + axis * LEAD_END_SIZE,
+               DELAYED_STATE_SIZE * sizeof *ends);
     }
-    for (int64_t i = 0; i < t->axes; i++) {
-        int64_t last = 0;
-        for (int64_t axis = 1; axis < t->axes; axis++) {
-            last = times[axis] > times[last] ? axis : last;
-        }
-        if (times[last] <= latest) {
-            break;
-        }
-        const int64_t rows = find_one(t, s, last, latest, last * LEAD_ROWS_PIECES);
-        if (rows < 0) {
-            return last;
-        }
-        counts[last] = (double)rows;
-        latest = span_max(latest, *time);
-        times[last] = -1.0;
-    }
-    for (int64_t axis = 0; axis < t->axes; axis++) {
-        const int64_t from = axis * LEAD_ROWS_PIECES, to = t->leads.offsets.data[axis];
-        const int64_t width = t->leads.coefficients.shape[1], rows = (int64_t)counts[axis];
-        copy_rows(&t->leads, to, t->leads.timing.data + from * TIMING_SIZE,
-                  t->leads.coefficients.data + from * width, rows);
-        t->leads.offsets.data[axis + 1] = to + rows;
-    }
-    return -1;
-}
-
-int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, double meeting,
-                          const double *targets)
-{
-    const int64_t n = t->smoothness, rows = LEAD_ROWS_ALL;
-    double *space = t->space;
-    lead_search s = {order, shape, targets,
-                     matrix(take(&space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS), LEAD_WORK_SIZE,
-                            LEAD_WORK_COLUMNS),
-                     matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE),
-                     matrix(take(&space, rows * 2 * n), rows, 2 * n)};
-    for (int64_t i = 0; i < LEAD_WORK_SIZE * LEAD_WORK_COLUMNS; i++) {
-        s.work.data[i] = 0.0;
-    }
-    t->leads.offsets.data[0] = 0;
-    if (meeting >= 0.0 && t->axes > 1) {
-        return find_meeting(t, &s, meeting, space);
-    }
-    for (int64_t axis = 0; axis < t->axes; axis++) {
-        const int64_t to = t->leads.offsets.data[axis];
-        const int64_t count = find_one(t, &s, axis, span_max(meeting, 0.0), to);
-        if (count < 0) {
-            return axis;
-        }
-        t->leads.offsets.data[axis + 1] = to + count;
-    }
-    return -1;
+    return failed;
 }
 
 /* The brakes (k, Brake) of the states (k, n + 1), zeros where they can stay inside; whether there is
    one. */
-static int find_brakes(const replanning *t, const double *states, double *brakes, double *space)
+static int find_brakes(const replanning *t, double *states, double *brakes, double *space)
 {
-    const int64_t n = t->smoothness;
-    array_double_2d work = matrix(take(&space, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS),
-                                  LEAD_WORK_SIZE, LEAD_WORK_COLUMNS);
-    array_double_2d timing = matrix(take(&space, LEAD_ROWS_ALL * TIMING_SIZE), LEAD_ROWS_ALL,
-                                    TIMING_SIZE);
-    array_double_2d coefficients = matrix(take(&space, LEAD_ROWS_ALL * 2 * n), LEAD_ROWS_ALL,
-                                          2 * n);
-    int any = 0;
-    memset(work.data, 0, LEAD_WORK_SIZE * LEAD_WORK_COLUMNS * sizeof *work.data);
-    for (int64_t axis = 0; axis < t->axes; axis++) {
-        double *brake = brakes + axis * BRAKE_SIZE;
-        const double *found = work.data + LEAD_WORK_BRAKE * LEAD_WORK_COLUMNS;
-        memset(brake, 0, BRAKE_SIZE * sizeof *brake);
-        memcpy(work.data + LEAD_WORK_NOW * LEAD_WORK_COLUMNS, states + axis * (n + 1),
-               (size_t)(n + 1) * sizeof *states);
-        memcpy(work.data + LEAD_WORK_LOWER * LEAD_WORK_COLUMNS, t->lower.data + axis * LOWER_SIZE,
-               LOWER_SIZE * sizeof *t->lower.data);
-        if (segfmu_find_brake(0, span_row(&t->limits, axis), work, timing, coefficients) > 0) {
-            memcpy(brake, found, BRAKE_SIZE * sizeof *brake);
-            any = any || brake[BRAKE_UNTIL] > 0.0;
-        }
-    }
-    return any;
+    const int64_t k = t->axes, n = t->smoothness, rows = LEAD_ROWS_ALL;
+    array_double_2d timing = matrix(take(&space, rows * TIMING_SIZE), rows, TIMING_SIZE);
+    array_double_2d coefficients = matrix(take(&space, rows * 2 * n), rows, 2 * n);
+    return segfmu_find_brakes(matrix(states, k, n + 1), t->limits, t->lower,
+                              matrix(brakes, k, BRAKE_SIZE), lead_work(&space), timing,
+                              coefficients);
 }
 
 int segfmu_judge_pieces(

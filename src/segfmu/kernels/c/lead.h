@@ -6,8 +6,6 @@
 #include "problem.h"
 #include "replan.h"
 
-/* what a lead goes to: the order of the derivative that its last stage leads to a value */
-enum { TO_VELOCITY = 1, TO_PLAN = 2 };
 enum { STATE = WAYPOINT_STATE_SIZE };
 
 /* What one call works with; `rest` is what is left of the old plan. */
@@ -41,15 +39,15 @@ void segfmu_start_states(const piece_list *list, int64_t smoothness, double *sta
 /* Where the rest of an axis ends, and when: DelayedState. */
 void segfmu_rest_end(const replanning *t, int64_t axis, double *end);
 
-/* Whether the rest of an axis ends at its velocity before a lead does that was found, or not. */
+/* Whether an end of an axis is at its velocity, without acceleration. */
 int segfmu_ends_at_velocity(
-    const replanning *t, int64_t axis, const double *target, const double *end, int found);
+    const replanning *t, int64_t axis, const double *target, const double *end);
 
 /* The leads of all axes to targets (k, n + 1); the first axis that has none, or -1.
-   meeting >= 0: the axes meet at the targets, after this time or later; else each is as fast as it
+   order: of LeadStage. meeting >= 0: the axes meet at the targets, after this time or later; else each is as fast as it
    can. */
-int64_t segfmu_find_leads(replanning *t, int64_t order, int64_t shape, double meeting,
-                          const double *targets);
+int64_t segfmu_settle_axes(replanning *t, int64_t order, int64_t shape, double meeting,
+                           const double *targets);
 
 /* Show pieces as the trajectory, judged; states (m, k, n + 1), times (m + 1, k). */
 int segfmu_judge_pieces(

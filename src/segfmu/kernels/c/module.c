@@ -3247,7 +3247,7 @@ static PyObject *call_find_brake(
         && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 352)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3263,54 +3263,114 @@ static PyObject *call_find_brake(
     return answer;
 }
 
-static PyObject *call_find_lead(
+static PyObject *call_find_leads(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "find_lead", .values = values};
+    arguments call = {.function = "find_leads", .values = values};
     PyObject *answer = NULL;
-    int64_t in_order;
-    double in_within;
-    int64_t in_axis;
+    Py_buffer *in_states;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
     Py_buffer *in_plan_offsets;
     Py_buffer *in_plan_timing;
     Py_buffer *in_plan_coefficients;
+    Py_buffer *in_ends;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_ends = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 10, 1, 'l', true)) != NULL
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "states", 2, in_states->shape[2], 1)
+        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
+        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "limits", 1, in_limits->shape[1], in_states->shape[2])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
+        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
+        && has_extent(&call, "ends", 0, in_ends->shape[0], in_states->shape[1])
+        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
+        && has_at_least(&call, "states", 0, in_states->shape[0], 2)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 6)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_states->shape[1] + 1), 0, in_plan_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_find_leads(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
+            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
+            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_find_brakes(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_brakes", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_start;
     Py_buffer *in_limits;
+    Py_buffer *in_lower;
+    Py_buffer *in_brakes;
     Py_buffer *in_lead;
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     (void)self;
-    if (take_count(&call, count, 10)
-        && take_int(&call, 0, &in_order)
-        && take_float(&call, 1, &in_within)
-        && take_int(&call, 2, &in_axis)
-        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 6, 1, 'd', false)) != NULL
-        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
-        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
-        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
-        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
-        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_axis + 2))
-        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 352)
+    if (take_count(&call, count, 7)
+        && (in_start = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_brakes = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "start", 0, in_start->shape[0], 1)
+        && has_at_least(&call, "start", 1, in_start->shape[1], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_start->shape[0])
+        && has_extent(&call, "limits", 1, in_limits->shape[1], in_start->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_start->shape[0])
+        && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)
-        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_axis + 2), 0, in_plan_timing->shape[0])) {
-        answer = PyBool_FromLong(segfmu_find_lead(
-            in_order,
-            in_within,
-            in_axis,
-            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
-            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
-            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)) {
+        answer = PyBool_FromLong(segfmu_find_brakes(
+            (array_double_2d){in_start->buf, {in_start->shape[0], in_start->shape[1]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_double_2d){in_brakes->buf, {in_brakes->shape[0], in_brakes->shape[1]}},
             (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
@@ -3641,7 +3701,8 @@ static PyMethodDef methods[] = {
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"find_brake", (PyCFunction)(void (*)(void))call_find_brake, METH_FASTCALL, NULL},
-    {"find_lead", (PyCFunction)(void (*)(void))call_find_lead, METH_FASTCALL, NULL},
+    {"find_leads", (PyCFunction)(void (*)(void))call_find_leads, METH_FASTCALL, NULL},
+    {"find_brakes", (PyCFunction)(void (*)(void))call_find_brakes, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"plan_motion", (PyCFunction)(void (*)(void))call_plan_motion, METH_FASTCALL, NULL},

@@ -236,7 +236,7 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
     const double *targets = full + k * (t.smoothness + 1);
     const int apart = problem->synchronization == SYNCHRONIZATION_NONE && problem->duration == 0.0;
     const double meeting = apart ? -1.0 : problem->duration;
-    if (segfmu_find_leads(&t, TO_PLAN, problem->shape, meeting, targets) >= 0) {
+    if (segfmu_settle_axes(&t, LEAD_STAGE_ACCELERATION, problem->shape, meeting, targets) >= 0) {
         status = PLAN_STATUS_NO_PROFILE;
     } else {
         status = plan_after(&t, problem, full, times, t.space, trajectory);

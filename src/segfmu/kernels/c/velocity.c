@@ -48,8 +48,7 @@ static int follow_rest(replanning *t, const double *targets)
     for (int64_t axis = 0; axis < t->axes; axis++) {
         double *end = t->ends + axis * DELAYED_STATE_SIZE;
         segfmu_rest_end(t, axis, end);
-        if (!segfmu_ends_at_velocity(t, axis, targets + axis * (t->smoothness + 1), end,
-                                     0)) {
+        if (!segfmu_ends_at_velocity(t, axis, targets + axis * (t->smoothness + 1), end)) {
             return 0;
         }
     }
@@ -103,7 +102,7 @@ static int check_velocities(const replanning *t, const double *velocities, doubl
 static int join_velocities(replanning *t, int resting, const double *targets, double *states,
                            double *times, segfmu_trajectory *trajectory)
 {
-    const int64_t failed = segfmu_find_leads(t, TO_VELOCITY, SHAPE_PLATEAU, -1.0, targets);
+    const int64_t failed = segfmu_settle_axes(t, LEAD_STAGE_VELOCITY, SHAPE_PLATEAU, -1.0, targets);
     if (failed >= 0) {
         trajectory->report[REFUSAL_AXIS] = (double)failed;
         return PLAN_STATUS_NO_PROFILE;

@@ -7,10 +7,10 @@ leads over a level are tried (level.py). A state outside its limits is brought i
 """
 
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
-from segfmu.kernels.planner.records import Axis, Problem
+from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake, is_outside
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadWork
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.settling.search import permits_levels, search_levels, search_stages
 from segfmu.kernels.settling.trial import try_lead
 from segfmu.kernels.trajectory.check import rounding_error
@@ -89,14 +89,14 @@ def find_lead(
 
     With the order 1 it ends at the velocity in the row TARGET of `lead` (LeadWork), with the order
     2 where the planner goes on to the position there. The caller sets that row, the state in the
-    row NOW, the row LOWER, and the shape of the ramps in the row AXIS. limits are c_1 .. c_{n+1},
-    0 where absent.
+    row NOW, the row LOWER, and shape and brakes in the row TASK. limits are c_1 .. c_{n+1}, 0 where
+    absent.
     The plan to follow has no pieces where there is none; its times count from now on.
 
     A lead that takes longer than `within` [s], to the target, is searched for over levels as well.
     With the order 2 the target is where that one ends; nothing is left to be slowed down.
 
-    With 1 in BEST, Lead.BRAKES, a state that cannot keep the limits is brought inside first
+    With 1 in LeadTask.BRAKES, a state that cannot keep the limits is brought inside first
     (brake.py).
 
     Written: the rows REACHED and BEST, and pieces from the first row on of timing and coefficients,
@@ -104,11 +104,11 @@ def find_lead(
     """
     lead[LeadWork.BEST, Lead.TIME] = -1.0
     lead[LeadWork.BEST, Lead.COUNT] = 0.0
-    brakes = lead[LeadWork.BEST, Lead.BRAKES] > 0.5
+    brakes = lead[LeadWork.TASK, LeadTask.BRAKES] > 0.5
     smoothness = limits.shape[0] - 1
     if axis < 0 or smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
         return False
-    shape = int(lead[LeadWork.AXIS, Axis.SHAPE])
+    shape = int(lead[LeadWork.TASK, LeadTask.SHAPE])
     if not brakes or not is_outside(limits, lead):
         if start_search(shape, limits, lead):
             search_stages(order, limits, lead, timing, coefficients)

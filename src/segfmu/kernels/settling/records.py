@@ -1,6 +1,13 @@
 """Records of settling: a full state of an axis, and the work space of the search for a lead."""
 
-from segfmu.kernels.planner.records import Axis, Lower, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import (
+    Axis,
+    DelayedState,
+    Lower,
+    Phase,
+    PlanWork,
+    Problem,
+)
 from segfmu.kernels.records import Codes, Record, field
 from segfmu.kernels.trajectory.records import Brake, Check, Expansion
 
@@ -32,7 +39,22 @@ class Lead(Record):
     COUNT = field("number of its pieces")
     LEVEL = field("level of the best one that goes over a level")
     GAIN = field("a lead is better if it takes less than this share of its time")
+
+
+class LeadTask(Record):
+    """What leads are searched for."""
+
+    ORDER = field("of their last stage, see LeadStage")
+    MEETING = field("time at which axes that meet do so at the earliest; below 0: none waits", "s")
+    SHAPE = field("of the ramps, see Shape")
     BRAKES = field("1: a state that cannot keep the limits is brought inside first")
+
+
+class LeadEnd(DelayedState):
+    """Where the lead of an axis ends, and after which time."""
+
+    TIME = field("from its start to the target", "s")
+    FOLLOWS = field("1: it is the plan that is followed")
 
 
 class LeadRows(Codes):
@@ -64,6 +86,7 @@ class LeadWork(Record):
     ENDS = field("where stages end", of=Ends)
     BEST_ENDS = field("where the stages of the best lead end", of=Ends)
     BEST = field("the best lead", of=Lead)
+    TASK = field("what leads are searched for", of=LeadTask)
     TARGET = field("boundary problem of the plan that follows, from the position 0", of=Problem)
     PROBLEM = field("boundary problem of a stage, or after settling", of=Problem)
     PHASES = field("phases of a stage, or after settling", size=33, of=Phase)
