@@ -115,7 +115,7 @@ class Waypoint(Frozen):
             For another order.
         """
         names = ("position", *DERIVATIVES)[: as_index("order", order, len(DERIVATIVES)) + 1]
-        return np.column_stack([getattr(self, name) for name in names])
+        return np.array([getattr(self, name) for name in names]).T.copy()
 
 
 @lru_cache(maxsize=16)

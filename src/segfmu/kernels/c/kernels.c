@@ -670,14 +670,14 @@ static bool stays_inside(int64_t order, int64_t first, int64_t last, array_doubl
 static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients);
 static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
+static bool is_outside(array_double_1d limits, array_double_2d lead);
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
 static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
 static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
 static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
 static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
-static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
-static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
-static bool is_outside(array_double_1d limits, array_double_2d lead);
 static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -21864,6 +21864,84 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     result = (*cspan_at(&timing, row, INT64_C(0))) + local;
     return result;
 }
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
+{
+    int64_t smoothness;
+    array_double_1d axis;
+    array_double_1d state;
+    int64_t i;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    axis = span_row(&lead, INT64_C(52));
+    state = span_row(&lead, INT64_C(8));
+    segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
+    set_lower(span_row(&lead, INT64_C(53)), axis);
+    for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
+        }
+    }
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(54), INT64_C(61))))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+        if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
+        {
+            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
+        }
+    }
+    chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
+    for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
+        if (i <= INT64_C(2))
+        {
+            (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
+        }
+        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(11), i));
+    }
+    return 1;
+}
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
+{
+    double result;
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(53), order - INT64_C(1))) > 0.0))
+    {
+        result = (*cspan_at(&lead, INT64_C(53), order - INT64_C(1)));
+        return result;
+    }
+    result = (*cspan_at(&limits, order - INT64_C(1)));
+    return result;
+}
+static bool is_outside(array_double_1d limits, array_double_2d lead)
+{
+    int64_t i;
+    double value;
+    double bound;
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        value = (*cspan_at(&lead, INT64_C(0), i));
+        bound = (*cspan_at(&limits, i - INT64_C(1)));
+        if (value < 0.0)
+        {
+            bound = lower_limit(i, limits, lead);
+        }
+        if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
 static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t width;
@@ -22150,84 +22228,6 @@ int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coef
     }
     (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
-}
-static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
-{
-    int64_t smoothness;
-    array_double_1d axis;
-    array_double_1d state;
-    int64_t i;
-    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    axis = span_row(&lead, INT64_C(52));
-    state = span_row(&lead, INT64_C(8));
-    segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
-    set_lower(span_row(&lead, INT64_C(53)), axis);
-    for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
-        {
-            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
-        }
-    }
-    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(54), INT64_C(61))))
-    {
-        return 0;
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = 0.0;
-    }
-    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
-        if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
-        {
-            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
-        }
-    }
-    chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
-    for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
-        if (i <= INT64_C(2))
-        {
-            (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
-        }
-        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(11), i));
-    }
-    return 1;
-}
-static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
-{
-    double result;
-    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(53), order - INT64_C(1))) > 0.0))
-    {
-        result = (*cspan_at(&lead, INT64_C(53), order - INT64_C(1)));
-        return result;
-    }
-    result = (*cspan_at(&limits, order - INT64_C(1)));
-    return result;
-}
-static bool is_outside(array_double_1d limits, array_double_2d lead)
-{
-    int64_t i;
-    double value;
-    double bound;
-    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        value = (*cspan_at(&lead, INT64_C(0), i));
-        bound = (*cspan_at(&limits, i - INT64_C(1)));
-        if (value < 0.0)
-        {
-            bound = lower_limit(i, limits, lead);
-        }
-        if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
-        {
-            return 1;
-        }
-    }
-    return 0;
 }
 static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {

@@ -9,7 +9,8 @@ leads over a level are tried (level.py). A state outside its limits is brought i
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
-from segfmu.kernels.settling.brake import find_brake, is_outside
+from segfmu.kernels.settling.brake import find_brake
+from segfmu.kernels.settling.brake_limits import is_outside
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.settling.search import permits_levels, search_levels, search_stages
 from segfmu.kernels.settling.trial import try_lead

@@ -1,0 +1,207 @@
+"""One derivative comes inside its limits, those above it being there already.
+
+To the next derivative it is what a position is to a velocity: that goes as far as a level, is held
+there, and would be let go in time (attempt.py).
+"""
+
+from segfmu.kernels.planner.records import Axis
+from segfmu.kernels.settling.attempt import (
+    lead_to,
+    outside_by,
+    stays_inside,
+    try_brake,
+)
+from segfmu.kernels.settling.brake_pieces import (
+    append_pieces,
+)
+from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
+from segfmu.kernels.trajectory.records import Brake
+
+
+def level_limit(order: int, side: float, lead: 'float[:,:]') -> float:
+    """The limit of the derivative above one that is to come back from a side."""
+    if side < 0.0:
+        return lead[LeadWork.HIGHEST, order + 1]
+    return lead[LeadWork.LOWEST, order + 1]
+
+
+def best_level(
+    order: int,
+    side: float,
+    settled: bool,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> 'tuple[float, float]':
+    """The soonest time of `try_brake`, 1e300 if there is none, and its level."""
+    edge = level_limit(order, side, lead)
+    least = try_brake(order, side, edge, settled, lead, timing, coefficients)
+    best = edge
+    share = 1.0
+    if least < 0.0:
+        # the deepest level from which the derivative does not end beyond its other limit
+        least = 1e300
+        low = 0.0
+        high = 1.0
+        for i in range(60):
+            share = 0.5 * (low + high)
+            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients)
+            if time < 0.0:
+                high = share
+            else:
+                low = share
+                if time < least:
+                    least = time
+                    best = share * edge
+    for i in range(6):
+        share = 0.5 * share
+        if i == 5:
+            share = 0.0
+        if least > lead[LeadWork.BRAKED, Chain.TIME]:
+            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients)
+            if time >= 0.0 and time < least:
+                least = time
+                best = share * edge
+    return least, best
+
+
+def level_time(
+    order: int,
+    side: float,
+    gentle: float,
+    settled: bool,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> 'tuple[float, float]':
+    """The time of `try_brake` and its level: a part of the limit, the best one if gentle is 0."""
+    if gentle > 0.0:
+        level = (1.0 - gentle) * level_limit(order, side, lead)
+        time = try_brake(order, side, level, settled, lead, timing, coefficients)
+        if time >= 0.0 and time < 1e299:
+            return time, level
+    return best_level(order, side, settled, lead, timing, coefficients)
+
+
+def side_beyond(
+    order: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> float:
+    """1 for a derivative that is or gets beyond its upper limit, -1 for the lower one, 0: neither.
+
+    Though the one above it goes to zero at once.
+    """
+    state = lead[LeadWork.STATE, :]
+    reached = lead[LeadWork.BRAKED, :]
+    low = lead[LeadWork.LOWEST, order]
+    first = int(LeadRows.PIECES)
+    for i in range(Chain.SIZE):
+        state[i] = reached[i]
+    last = lead_to(order + 1, 0.0, first, lead, timing, coefficients)
+    for i in range(2):
+        value = state[order]
+        if i == 1:
+            value = reached[order]
+        if outside_by(value, order, lead) > 0.0:
+            if value > low:
+                return 1.0
+            return -1.0
+    if last >= 0 and stays_inside(order, first, last, lead, timing, coefficients):
+        return 0.0
+    if reached[order + 1] > 0.0:
+        return 1.0
+    return -1.0
+
+
+def bring_highest(
+    lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> None:
+    """Bring the derivative n inside."""
+    order = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
+    value = lead[LeadWork.BRAKED, order]
+    end = min(max(value, lead[LeadWork.LOWEST, order]), lead[LeadWork.HIGHEST, order])
+    if outside_by(value, order, lead) > 0.0:
+        for i in range(Chain.SIZE):
+            lead[LeadWork.STATE, i] = lead[LeadWork.BRAKED, i]
+        last = lead_to(order, end, int(LeadRows.PIECES), lead, timing, coefficients)
+        until = lead[LeadWork.STATE, Chain.TIME]
+        append_pieces(until, last, lead, timing, coefficients)
+        lead[LeadWork.BRAKE, Brake.UNTIL] = until
+    lead[LeadWork.BRAKED, order] = end
+
+
+def bring_gently(
+    order: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+) -> bool:
+    """Bring a derivative to its limit, those above it to zero; False: that is not possible."""
+    first = int(LeadRows.PIECES)
+    reached = lead[LeadWork.BRAKED, :]
+    state = lead[LeadWork.STATE, :]
+    value = reached[order]
+    if not outside_by(value, order, lead) > 0.0:
+        return False
+    end = min(max(value, lead[LeadWork.LOWEST, order]), lead[LeadWork.HIGHEST, order])
+    for i in range(Chain.SIZE):
+        state[i] = reached[i]
+    last = lead_to(order, end, first, lead, timing, coefficients)
+    if last < 0:
+        return False
+    for i in range(order + 1, int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) + 2):
+        if not stays_inside(i, first, last, lead, timing, coefficients):
+            return False
+    until = state[Chain.TIME]
+    append_pieces(until, last, lead, timing, coefficients)
+    for i in range(order + 1, int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) + 1):
+        reached[i] = 0.0
+    reached[order] = end
+    lead[LeadWork.BRAKE, Brake.UNTIL] = until
+    return True
+
+
+def bring_inside(
+    order: int,
+    whole: bool,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> bool:
+    """Bring a derivative inside, those above it are; False: no attempt does.
+
+    whole: let it go as well, so that those above end at zero.
+    """
+    report = lead[LeadWork.BRAKE, :]
+    reached = lead[LeadWork.BRAKED, :]
+    gentle = report[Brake.GENTLE + order]
+    if gentle == 1.0 and bring_gently(order, lead, timing, coefficients):
+        return True
+    side = side_beyond(order, lead, timing, coefficients)
+    if side == 0.0 and not whole:
+        return True
+    time = 1e300
+    level = 0.0
+    settled = False
+    for i in range(2):
+        if time > 1e299:
+            settled = i == 1
+            if side == 0.0:
+                time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients)
+            else:
+                time, level = level_time(order, side, gentle, settled, lead, timing, coefficients)
+    if time > 1e299:
+        return False
+    start = reached[Chain.TIME]
+    if side != 0.0:
+        try_brake(order, side, level, settled, lead, timing, coefficients)
+    if time > start:
+        report[Brake.UNTIL] = time
+    elif not whole:
+        return True
+    if whole:
+        time = 1e300
+    append_pieces(time, int(report[Brake.LAST]), lead, timing, coefficients)
+    for i in range(order, reached.shape[0] - 2):
+        if i <= int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):
+            if whole and i > order:
+                reached[i] = 0.0
+            low = lead[LeadWork.LOWEST, i]
+            reached[i] = min(max(reached[i], low), lead[LeadWork.HIGHEST, i])
+    return True
