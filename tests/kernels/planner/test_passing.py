@@ -163,7 +163,7 @@ def test_levels_of_the_snap_are_near_the_optimum(
 
 
 def test_most_durations_beyond_an_instant_at_a_limit() -> None:
-    """Of 55; levels of the snap are not found for all of them (docs/planner.md)."""
+    """Of 55; levels of the snap are not found for all of them (docs/benchmarks.md)."""
     refused = 0
     for limits, state, optimum in INSTANTS:
         v, a, w, b, distance = state

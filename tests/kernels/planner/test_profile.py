@@ -93,7 +93,7 @@ def test_reference_problems_with_smoothstep() -> None:
     found = ratios(0)
     assert found.min() > 0.99
     assert np.median(found) < 1.09
-    # what sequences of the paper's ramps can do at all: docs/planner.md
+    # what sequences of ramps can do at all: docs/ramp_bounds.md
     assert np.quantile(found, 0.95) < 1.36
     assert found.max() < 1.80
 

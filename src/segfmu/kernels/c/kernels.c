@@ -23791,7 +23791,11 @@ int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_
     int64_t first;
     int64_t axis;
     axes = limits.shape[INT64_C(0)];
-    order = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(0))));
+    order = INT64_C(2);
+    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == INT64_C(1))
+    {
+        order = INT64_C(1);
+    }
     latest = (*cspan_at(&lead, INT64_C(16), INT64_C(1)));
     waits = (latest >= 0.0) && (axes > INT64_C(1));
     rows = timing.shape[INT64_C(0)];

@@ -165,7 +165,9 @@ def find_leads(
     rows of work space behind them.
     """
     axes = limits.shape[0]
-    order = int(lead[LeadWork.TASK, LeadTask.ORDER])
+    order = int(LeadStage.ACCELERATION)
+    if lead[LeadWork.TASK, LeadTask.ORDER] == LeadStage.VELOCITY:
+        order = int(LeadStage.VELOCITY)
     latest = lead[LeadWork.TASK, LeadTask.MEETING]
     waits = latest >= 0.0 and axes > 1
     rows = timing.shape[0]
