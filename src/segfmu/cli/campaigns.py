@@ -93,6 +93,7 @@ def _run(
 
 def _show(task: Campaign, result: CampaignResult) -> None:
     from segfmu.validation.campaigns.replay import write_run
+    from segfmu.validation.campaigns.summary_file import write_summary
     from segfmu.validation.campaigns.tables import criteria_table
     from segfmu.validation.suites import validate
 
@@ -104,11 +105,15 @@ def _show(task: Campaign, result: CampaignResult) -> None:
         tell(f"and {len(errors) - MOST_SHOWN} more runs with an error")
     passed = sum(result.column("passed"))
     console.print(f"{passed} of {len(task.runs)} runs passed", highlight=False)
+    write_summary(result)
     files = [write_run(result.folder, task, run) for run in result.worst()]
     with console.status("running the worst cases again"):
         worst = validate(files) if files else None
     report = result.report(result.folder / "report.html", worst)
-    tell(f"runs.parquet and report.html are in {result.folder}; the worst of each criterion:")
+    tell(
+        f"runs.parquet, results.json and report.html are in {result.folder}; the worst of each "
+        "criterion:"
+    )
     for path in files:
         _tell_replay(path)
     tell(f"report: {report}")

@@ -34,11 +34,19 @@ def test_a_latin_hypercube_has_one_run_in_every_stratum_of_every_factor() -> Non
     assert abs(np.corrcoef(places, logs)[0, 1]) < 0.5
 
 
-@pytest.mark.parametrize("kind", ["latin hypercube", "sobol"])
+@pytest.mark.parametrize("kind", ["latin hypercube", "random", "sobol"])
 def test_the_seed_is_all_that_counts(kind: str) -> None:
     first = drawn(kind, A, B, runs=10, seed=1)
     assert first == drawn(kind, A, B, runs=10, seed=1)
     assert first != drawn(kind, A, B, runs=10, seed=2)
+
+
+def test_random_runs_do_not_know_of_each_other() -> None:
+    found = drawn("random", A, runs=400, seed=2)
+    places = np.array([(s["a"] + 2.0) / 8.0 for s in found])
+    hit = np.unique((400 * places).astype(int)).size / 400.0
+    # by chance a stratum stays empty with 1 / e; a Latin hypercube hits all
+    assert hit == pytest.approx(1.0 - np.exp(-1.0), abs=0.06)
 
 
 def test_sobol_is_more_even_than_chance() -> None:

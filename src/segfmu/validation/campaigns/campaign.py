@@ -17,6 +17,9 @@ from segfmu.validation.files.campaign_file import CampaignSource, read_campaign
 from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable
 from segfmu.validation.files.scenario_file import Scenario, Source, build_scenario
 
+# kinds of sampling from which a probability follows
+AT_RANDOM = ("random", "latin hypercube")
+
 
 @dataclass(frozen=True)
 class Run:
@@ -57,6 +60,13 @@ class Campaign:
     def factors(self) -> list[FactorTable]:
         """All factors."""
         return self.source.file.factors
+
+    @property
+    def draws(self) -> int:
+        """Draws of the factors at random that each scenario has; 0 if they are chosen."""
+        sampling = self.source.file.sampling
+        drawn = sampling.kind in AT_RANDOM and bool(self.factors)
+        return sampling.runs or 0 if drawn else 0
 
     def changes(self, run: Run) -> dict[str, Any]:
         """What a run changes in its scenario."""

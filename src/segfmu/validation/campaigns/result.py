@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
+from segfmu.validation.campaigns.probability import Probability
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
-from segfmu.validation.campaigns.store import TABLE, names_in, read_table
+from segfmu.validation.campaigns.store import TABLE, about, read_table
 
 if TYPE_CHECKING:
     import pyarrow
@@ -31,6 +32,8 @@ class Summary:
         The least margin; None without a verdict.
     run : int or None
         Number of the run that has it.
+    fails : Probability or None
+        That it fails; None without a verdict, and of runs that were not drawn at random.
     """
 
     criterion: str
@@ -38,6 +41,7 @@ class Summary:
     held: int
     worst: float | None
     run: int | None
+    fails: Probability | None = None
 
     @property
     def share(self) -> float:
@@ -61,6 +65,8 @@ class CampaignResult:
         factor (its value; of a relative one the multiple), "passed", "error" (null without),
         "arrival" [s], and for every criterion "margin.NAME", "bound.NAME" and "holds.NAME", null
         in runs that have no such criterion or an error. `table.to_pandas()` needs pandas.
+    draws : int
+        Draws of the factors at random that each scenario has; 0 if they were chosen otherwise.
     """
 
     name: str
@@ -68,6 +74,7 @@ class CampaignResult:
     factors: tuple[str, ...]
     criteria: tuple[str, ...]
     table: pyarrow.Table
+    draws: int = 0
 
     def column(self, name: str) -> list[Any]:
         """The values of a column, None where there is none."""
@@ -118,7 +125,18 @@ class CampaignResult:
             return Summary(name, 0, 0, None, None)
         place = min(judged, key=lambda i: -float("inf") if isnan(margins[i]) else margins[i])
         count = sum(held[i] for i in judged)
-        return Summary(name, len(judged), count, margins[place], runs[place])
+        fails = self._fails({runs[i]: held[i] for i in judged})
+        return Summary(name, len(judged), count, margins[place], runs[place], fails)
+
+    def _fails(self, held: dict[int, bool]) -> Probability | None:
+        """Scenarios share their draws, so that one counts once: as failed if it fails in any."""
+        if not self.draws:
+            return None
+        draws: dict[int, bool] = {}
+        for run, verdict in held.items():
+            draw = run % self.draws
+            draws[draw] = draws.get(draw, True) and verdict
+        return Probability(sum(not h for h in draws.values()), len(draws))
 
 
 def load_result(folder: Path) -> CampaignResult:
@@ -129,9 +147,9 @@ def load_result(folder: Path) -> CampaignResult:
     InputError
         If there is none.
     """
-    name, factors, criteria = names_in(folder)
+    name, factors, criteria, draws = about(folder)
     if not (folder / TABLE).exists():
         raise InputError(f"{folder}: the campaign is not complete; the same command goes on")
     table = read_table(folder / TABLE)
-    return CampaignResult(name, folder, tuple(factors), tuple(criteria), table)
+    return CampaignResult(name, folder, tuple(factors), tuple(criteria), table, draws)
 

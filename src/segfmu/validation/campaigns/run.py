@@ -93,7 +93,8 @@ def run_campaign(
         table = store.finish()
     file = campaign.source.file
     return CampaignResult(
-        file.name, folder, tuple(f.name for f in campaign.factors), campaign.criteria, table
+        file.name, folder, tuple(f.name for f in campaign.factors), campaign.criteria, table,
+        campaign.draws,
     )
 
 

@@ -8,6 +8,7 @@ from itertools import product
 from math import exp, log, prod
 from typing import Any
 
+import numpy as np
 from scipy.stats import qmc
 
 from segfmu.errors import InputError
@@ -64,6 +65,8 @@ def _points(kind: str, dimensions: int, count: int, seed: int) -> FloatArray:
     """Points in the unit cube, shape (count, dimensions)."""
     if kind == "sobol" and dimensions > qmc.Sobol.MAXDIM:
         raise InputError(f"sampling: sobol has at most {qmc.Sobol.MAXDIM} factors")
+    if kind == "random":
+        return np.random.default_rng(seed).random((count, dimensions))
     maker = qmc.Sobol if kind == "sobol" else qmc.LatinHypercube
     with warnings.catch_warnings():
         # a count that is no power of 2 is less even, and what was asked for
@@ -96,6 +99,6 @@ def _alone(_: SamplingTable, factors: Sequence[FactorTable]) -> Iterator[Sample]
 
 
 KINDS: dict[str, Callable[[SamplingTable, Sequence[FactorTable]], Iterator[Sample]]] = {
-    "latin hypercube": _random, "sobol": _random, "corners": _corners, "matrix": _matrix,
-    "one at a time": _alone,
+    "latin hypercube": _random, "random": _random, "sobol": _random, "corners": _corners,
+    "matrix": _matrix, "one at a time": _alone,
 }

@@ -99,7 +99,7 @@ class Store:
         path = self._folder / ABOUT
         own = {
             "name": self._campaign.source.file.name, "file": str(self._campaign.source.path),
-            "runs": len(self._campaign.runs),
+            "runs": len(self._campaign.runs), "draws": self._campaign.draws,
             "factors": [f.name for f in self._campaign.factors],
             "criteria": list(self._campaign.criteria),
             "fingerprint": self._campaign.fingerprint(),
@@ -239,8 +239,8 @@ def _lock(descriptor: int) -> None:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-def names_in(folder: Path) -> tuple[str, Sequence[str], Sequence[str]]:
-    """Name, factors and criteria of the campaign in a folder.
+def about(folder: Path) -> tuple[str, Sequence[str], Sequence[str], int]:
+    """Name, factors, criteria and draws at random of the campaign in a folder.
 
     Raises
     ------
@@ -249,6 +249,6 @@ def names_in(folder: Path) -> tuple[str, Sequence[str], Sequence[str]]:
     """
     found = _about(folder / ABOUT)
     try:
-        return found["name"], found["factors"], found["criteria"]
+        return found["name"], found["factors"], found["criteria"], found["draws"]
     except KeyError as key:
         raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None

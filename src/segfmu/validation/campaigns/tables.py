@@ -16,14 +16,15 @@ CHANCE = 0.01
 def criteria_table(result: CampaignResult) -> Table:
     """Every criterion: how many runs passed, the worst margin and its run, what it depends on."""
     table = Table(title=escape(result.name))
-    for name in ("criterion", "held", "share", "worst margin", "run", "depends on"):
+    for name in ("criterion", "held", "share", "fails (95 %)", "worst margin", "run", "depends on"):
         table.add_column(name, justify="left" if name in ("criterion", "depends on") else "right")
     for row in result.summaries:
         worst = "" if row.worst is None else f"{row.worst:+.4g}"
         verdict = "green" if row.judged and row.held == row.judged else "red"
         table.add_row(
             escape(row.criterion), f"{row.held} of {row.judged}",
-            f"[{verdict}]{100.0 * row.share:.1f} %[/]", worst,
+            f"[{verdict}]{100.0 * row.share:.1f} %[/]",
+            "" if row.fails is None else str(row.fails), worst,
             "" if row.run is None else str(row.run), _causes(result, row.criterion),
         )
     return table

@@ -38,9 +38,9 @@ class SamplingTable(Table):
     """How runs are drawn from the factors."""
 
     kind: Annotated[
-        Literal["latin hypercube", "sobol", "corners", "one at a time", "matrix"],
-        Key("drawn at random and evenly; all corners of the ranges; each factor alone; all "
-            "combinations of levels"),
+        Literal["latin hypercube", "random", "sobol", "corners", "one at a time", "matrix"],
+        Key("drawn at random and evenly; at random, each by itself; evenly in all together; "
+            "all corners of the ranges; each factor alone; all combinations of levels"),
     ] = "latin hypercube"
     runs: Annotated[
         Annotated[int, Field(ge=1, le=MOST_RUNS, strict=True)] | None,
@@ -50,7 +50,7 @@ class SamplingTable(Table):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        drawn = self.kind in ("latin hypercube", "sobol")
+        drawn = self.kind in ("latin hypercube", "random", "sobol")
         if drawn and self.runs is None:
             raise ValueError(f"runs is missing, which {self.kind} needs")
         if not drawn and self.runs is not None:

@@ -57,10 +57,11 @@ def _overview(result: CampaignResult) -> Table:
         share = (f"{100.0 * row.share:.1f} %", "good" if row.held == row.judged else "bad")
         rows.append((
             row.criterion, f"{row.held} of {row.judged}", share,
+            "" if row.fails is None else str(row.fails),
             "" if row.worst is None else pretty(row.worst),
             "" if row.run is None else str(row.run), _causes(result, row),
         ))
-    heads = ("criterion", "held", "share", "least margin", "run", "depends most on")
+    heads = ("criterion", "held", "share", "fails (95 %)", "least margin", "run", "depends most on")
     return Table("Criteria in all runs", heads, rows)
 
 

@@ -1,0 +1,46 @@
+"""What a campaign found as JSON, for programs that do not read Parquet."""
+
+from __future__ import annotations
+
+import json
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from segfmu.cosim.result import replacing
+from segfmu.validation.campaigns.result import CampaignResult, Summary
+
+
+def write_summary(result: CampaignResult) -> Path:
+    """Write `results.json` beside the table of runs; returns the file.
+
+    Raises
+    ------
+    InputError
+        When it cannot be written.
+    """
+    content = {
+        "campaign": result.name, "passed": result.passed, "runs": result.table.num_rows,
+        "errors": len(result.errors), "criteria": [_entry(s) for s in result.summaries],
+    }
+    path = result.folder / "results.json"
+    with replacing(path) as temporary:
+        text = json.dumps(content, indent=2, allow_nan=False) + "\n"
+        temporary.write_text(text, encoding="utf-8")
+    return path
+
+
+def _entry(row: Summary) -> dict[str, Any]:
+    known = row.worst is not None and isfinite(row.worst)
+    entry: dict[str, Any] = {
+        "criterion": row.criterion, "judged": row.judged, "held": row.held,
+        # JSON has neither NaN nor infinity
+        "worst_margin": row.worst if known else None, "worst_run": row.run, "fails": None,
+    }
+    if row.fails is not None:
+        low, high = row.fails.interval
+        entry["fails"] = {
+            "failed": row.fails.failed, "draws": row.fails.draws, "low": low, "high": high,
+            "told": str(row.fails),
+        }
+    return entry
