@@ -12,6 +12,7 @@ from scipy.stats import binom
 
 from segfmu.validation.campaigns.probability import Probability
 from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.campaigns.store import about
 from segfmu.validation.campaigns.summary_file import write_summary
 
 
@@ -67,3 +68,10 @@ def test_the_summary_has_what_the_table_tells(tmp_path: Path) -> None:
     (row,) = found["criteria"]
     assert (row["held"], row["fails"]["told"]) == (200, "below 1.5 %")
     assert row["fails"]["high"] == pytest.approx(1.0 - 0.05 ** (1.0 / 200.0))
+
+
+def test_a_campaign_of_an_older_version_has_no_draws(tmp_path: Path) -> None:
+    (tmp_path / "campaign.json").write_text(
+        '{"name": "n", "factors": [], "criteria": ["c"]}', encoding="utf-8"
+    )
+    assert about(tmp_path)[3] == 0

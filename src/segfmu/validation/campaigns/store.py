@@ -249,6 +249,7 @@ def about(folder: Path) -> tuple[str, Sequence[str], Sequence[str], int]:
     """
     found = _about(folder / ABOUT)
     try:
-        return found["name"], found["factors"], found["criteria"], found["draws"]
+        # campaigns of older versions drew none
+        return found["name"], found["factors"], found["criteria"], found.get("draws", 0)
     except KeyError as key:
         raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None
