@@ -51,6 +51,7 @@ from segfmu.kernels.numerics.records import RangeFault, Sinusoid
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    DelayedState,
     Lower,
     Phase,
     PlanOptions,
@@ -197,6 +198,10 @@ def trajectory_calls() -> dict[str, Call]:
             np.stack([starts, zeros(3, SMOOTHNESS + 1)]), leading, zeros(3, Lower.SIZE), *none,
             zeros(3, LeadEnd.SIZE), lead, zeros(most, Timing.SIZE), zeros(most, width),
             np.zeros(4, dtype=np.int64),
+        ),
+        "plan_ends": (*pieces, zeros(3, DelayedState.SIZE)),
+        "are_at_velocities": (
+            starts, leading, np.hstack([starts[:, :3], zeros(3, DelayedState.SIZE - 3)])
         ),
         "find_brakes": (
             starts, leading, zeros(3, Lower.SIZE), zeros(3, Brake.SIZE), lead.copy(),

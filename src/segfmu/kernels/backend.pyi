@@ -871,6 +871,21 @@ def find_brake(
     /,
 ) -> int: ...
 
+def plan_ends(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    /,
+) -> None: ...
+
+def are_at_velocities(
+    targets: Floats,
+    limits: Floats,
+    ends: Floats,
+    /,
+) -> bool: ...
+
 def find_leads(
     states: Floats,
     limits: Floats,

@@ -67,6 +67,7 @@ from segfmu.kernels.numerics.records import (
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    DelayedState,
     Lower,
     Phase,
     PlanOptions,
@@ -212,6 +213,14 @@ ENTRY_POINTS = (
         plan_coefficients=("pieces", "width"), ends=("axes", LeadEnd.SIZE),
         lead=(LeadWork.SIZE, LeadWork.COLUMNS), timing=(LEAD_ROWS, Timing.SIZE),
         coefficients=(LEAD_ROWS, "width"), offsets="axes + 1",
+    ),
+    entry(
+        "settling.ends", "plan_ends", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets="axes + 1", ends=("axes", DelayedState.SIZE),
+    ),
+    entry(
+        "settling.ends", "are_at_velocities", targets=("axes", WaypointState.VELOCITY + 1),
+        limits=("axes", 2), ends=("axes", DelayedState.SIZE),
     ),
     entry(
         "settling.leads", "find_brakes", start=("axes", "states"), limits=("axes", "states"),

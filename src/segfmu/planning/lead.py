@@ -16,8 +16,6 @@ from segfmu.planning.problem import SHAPES
 
 # what a lead goes to
 TO_VELOCITY, TO_PLAN = int(LeadStage.VELOCITY), int(LeadStage.ACCELERATION)
-# of velocity and acceleration at the end of a plan, relative to their limits
-ROUNDING = 1e-11
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,15 +64,10 @@ class Pieces:
         return Pieces.one(self.timing[first:], self.coefficients[first:], int(last - first))
 
     def ends(self) -> FloatArray:
-        """Where the last piece ends, and when (DelayedState)."""
-        start, length = self.timing[self.used - 1]
-        piece = np.polynomial.Polynomial(self.coefficients[self.used - 1])
-        values = [piece.deriv(i)(length) if i else piece(length) for i in range(3)]
-        return np.array([*values, start + length])
-
-    def all_ends(self) -> FloatArray:
-        """`ends` of every axis, shape (axes, DelayedState)."""
-        return np.stack([self.axis(axis).ends() for axis in range(self.offsets.size - 1)])
+        """Where the last piece of every axis ends, and when, shape (axes, DelayedState)."""
+        ends = np.zeros((self.offsets.size - 1, DelayedState.SIZE))
+        backend.plan_ends(self.timing, self.coefficients, self.offsets, ends)
+        return ends
 
     def stops(self) -> FloatArray:
         """When the last piece of each axis ends [s], shape (axes,)."""
@@ -201,24 +194,22 @@ def find_leads(
         states, limits, lower, follow.offsets, follow.timing, follow.coefficients, ends, work,
         timing, coefficients, offsets,
     )
+    if failed >= 0:
+        return Leads(follow, np.zeros((axes, DelayedState.SIZE)), failed)
     used = max(int(offsets[-1]), 1)
     return Leads(
         Pieces(timing[:used].copy(), coefficients[:used].copy(), offsets),
-        ends[:, : DelayedState.SIZE].copy(), failed, ends[:, LeadEnd.FOLLOWS] > 0.0,
+        ends[:, : DelayedState.SIZE].copy(), following=ends[:, LeadEnd.FOLLOWS] > 0.0,
     )
-
-
-def _reaches(end: FloatArray, velocity: float, limits: FloatArray) -> bool:
-    """Whether an end (DelayedState) of a plan has a velocity and no acceleration."""
-    missed = np.abs(end[1:3] - [velocity, 0.0])
-    return bool((missed <= ROUNDING * limits[:2]).all())
 
 
 def following(follow: Pieces, velocity: FloatArray, limits: FloatArray) -> Leads | None:
     """A plan as leads to a velocity (axes,); None if it does not end there."""
     if follow.used == 0:
         return None
-    ends = follow.all_ends()
-    if not all(map(_reaches, ends, velocity, limits)):
+    ends = follow.ends()
+    targets = np.zeros((len(ends), WaypointState.SIZE))
+    targets[:, WaypointState.VELOCITY] = velocity
+    if not backend.are_at_velocities(targets, limits, ends):
         return None
     return Leads(follow, ends, following=np.ones(len(ends), dtype=bool))

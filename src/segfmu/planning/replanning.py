@@ -191,7 +191,7 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
     try:
         return planned(choose_states(request), rest, brakes=True)
     except InfeasibleError:
-        states = rest.all_ends()
+        states = rest.ends()
         # with rounding errors in its velocity an axis at rest would count as moving
         size = WaypointState.SIZE
         path = np.stack([rest.starts()[:, :size], states[:, :size], *request.problem.states[1:]])

@@ -693,6 +693,9 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
 static void clip_reached(array_double_2d lead);
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double end_rounding(void);
+static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end);
+static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end);
 static int64_t level_order(int64_t order, array_double_2d lead);
 static double lead_end(int64_t order, array_double_2d lead);
 static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -726,12 +729,10 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double followed_rounding(void);
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead);
 static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead);
 static int64_t latest_axis(array_double_2d ends);
 static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool ends_sooner(int64_t last, double velocity, double soonest, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d end);
 static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
@@ -22841,6 +22842,57 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     result = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
     return result;
 }
+static double end_rounding(void)
+{
+    return 1e-11;
+}
+static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end)
+{
+    int64_t width;
+    double length;
+    int64_t order;
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, last, INT64_C(1)));
+    for (order = INT64_C(0); order < INT64_C(3); order += INT64_C(1))
+    {
+        (*cspan_at(&end, order)) = evaluate_piece(coefficients, last, width, length, order);
+    }
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&timing, last, INT64_C(0))) + length;
+}
+static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end)
+{
+    double missed;
+    bool result;
+    missed = (*cspan_at(&end, INT64_C(1))) - velocity;
+    if (fabs(missed) > end_rounding() * (*cspan_at(&limits, INT64_C(0))))
+    {
+        return 0;
+    }
+    result = fabs((*cspan_at(&end, INT64_C(2)))) <= end_rounding() * (*cspan_at(&limits, INT64_C(1)));
+    return result;
+}
+void segfmu_plan_ends(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d ends)
+{
+    int64_t axis;
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        write_end((*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1), timing, coefficients, span_row(&ends, axis));
+    }
+}
+bool segfmu_are_at_velocities(array_double_2d targets, array_double_2d limits, array_double_2d ends)
+{
+    int64_t axis;
+    double velocity;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        velocity = (*cspan_at(&targets, axis, INT64_C(1)));
+        if (!is_at_velocity(velocity, span_row(&limits, axis), span_row(&ends, axis)))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
 static int64_t level_order(int64_t order, array_double_2d lead)
 {
     int64_t seen;
@@ -23651,10 +23703,6 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     result = (*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0;
     return result;
 }
-static double followed_rounding(void)
-{
-    return 1e-11;
-}
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead)
 {
     int64_t i;
@@ -23662,7 +23710,7 @@ static void set_start(int64_t axis, array_double_2d start, array_double_2d lower
     {
         (*cspan_at(&lead, INT64_C(0), i)) = 0.0;
     }
-    for (i = INT64_C(0); i < start.shape[INT64_C(1)]; i += INT64_C(1))
+    for (i = INT64_C(0); i < span_min_int(start.shape[INT64_C(1)], INT64_C(9)); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&start, axis, i));
     }
@@ -23679,14 +23727,17 @@ static void set_target(int64_t axis, array_double_2d targets, array_double_2d le
 }
 static int64_t latest_axis(array_double_2d ends)
 {
+    double longest;
     int64_t axis;
     int64_t latest;
-    latest = INT64_C(0);
-    for (axis = INT64_C(1); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    latest = -INT64_C(1);
+    longest = -1.0;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        if ((*cspan_at(&ends, axis, INT64_C(4))) > (*cspan_at(&ends, latest, INT64_C(4))))
+        if (((*cspan_at(&ends, axis, INT64_C(6))) < 0.5) && ((*cspan_at(&ends, axis, INT64_C(4))) > longest))
         {
             latest = axis;
+            longest = (*cspan_at(&ends, axis, INT64_C(4)));
         }
     }
     return latest;
@@ -23712,46 +23763,38 @@ static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lea
     }
     return count;
 }
-static bool ends_sooner(int64_t last, double velocity, double soonest, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d end)
-{
-    int64_t width;
-    double length;
-    double time;
-    double reached;
-    double rest;
-    width = coefficients.shape[INT64_C(1)];
-    length = (*cspan_at(&timing, last, INT64_C(1)));
-    time = (*cspan_at(&timing, last, INT64_C(0))) + length;
-    reached = evaluate_piece(coefficients, last, width, length, INT64_C(1));
-    rest = evaluate_piece(coefficients, last, width, length, INT64_C(2));
-    if ((!(time < soonest)) || (fabs(reached - velocity) > followed_rounding() * (*cspan_at(&limits, INT64_C(0)))))
-    {
-        return 0;
-    }
-    if (fabs(rest) > followed_rounding() * (*cspan_at(&limits, INT64_C(1))))
-    {
-        return 0;
-    }
-    (*cspan_at(&end, INT64_C(0))) = evaluate_piece(coefficients, last, width, length, INT64_C(0));
-    (*cspan_at(&end, INT64_C(1))) = reached;
-    (*cspan_at(&end, INT64_C(2))) = rest;
-    (*cspan_at(&end, INT64_C(3))) = time;
-    (*cspan_at(&end, INT64_C(4))) = time;
-    (*cspan_at(&end, INT64_C(5))) = 1.0;
-    return 1;
-}
 static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
 {
     int64_t first;
     int64_t last;
+    array_double_1d reached;
+    double velocity;
+    int64_t i;
     int64_t row;
     int64_t target;
     first = (*cspan_at(&plan_offsets, axis));
     last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
-    if ((last == first) || (!ends_sooner(last - INT64_C(1), (*cspan_at(&lead, INT64_C(17), INT64_C(2))), (*cspan_at(&end, INT64_C(4))), plan_timing, plan_coefficients, limits, end)))
+    if (last == first)
     {
         return;
     }
+    reached = span_row(&lead, INT64_C(8));
+    write_end(last - INT64_C(1), plan_timing, plan_coefficients, reached);
+    velocity = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+    if (!((*cspan_at(&reached, INT64_C(3))) < (*cspan_at(&end, INT64_C(4)))))
+    {
+        return;
+    }
+    if (!is_at_velocity(velocity, limits, reached))
+    {
+        return;
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&end, i)) = (*cspan_at(&reached, i));
+    }
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&end, INT64_C(3)));
+    (*cspan_at(&end, INT64_C(5))) = 1.0;
     for (row = first; row < last; row += INT64_C(1))
     {
         target = row + axis * INT64_C(400);
@@ -23811,11 +23854,15 @@ int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_
         if (attempt >= axes)
         {
             axis = latest_axis(ends);
-            if ((!waits) || ((*cspan_at(&ends, axis, INT64_C(4))) <= latest))
+            if ((!waits) || (axis < INT64_C(0)) || ((*cspan_at(&ends, axis, INT64_C(4))) <= latest))
             {
                 break;
             }
             longest = latest;
+        }
+        else
+        {
+            (*cspan_at(&ends, axis, INT64_C(6))) = 0.0;
         }
         set_start(axis, span_matrix(&states, INT64_C(0)), lower, lead);
         set_target(axis, span_matrix(&states, INT64_C(1)), lead);
@@ -23840,7 +23887,7 @@ int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_
         if (attempt >= axes)
         {
             latest = span_max(latest, (*cspan_at(&ends, axis, INT64_C(4))));
-            (*cspan_at(&ends, axis, INT64_C(4))) = -1.0;
+            (*cspan_at(&ends, axis, INT64_C(6))) = 1.0;
         }
     }
     pack_leads(plan_offsets, timing, coefficients, offsets);

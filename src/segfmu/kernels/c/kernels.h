@@ -111,6 +111,8 @@ SEGFMU_API void segfmu_meet_ends(double clock, double dwell, array_double_2d tim
 SEGFMU_API void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 SEGFMU_API int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets);
 SEGFMU_API int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+SEGFMU_API void segfmu_plan_ends(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d ends);
+SEGFMU_API bool segfmu_are_at_velocities(array_double_2d targets, array_double_2d limits, array_double_2d ends);
 SEGFMU_API int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_double_2d lower, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_2d ends, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 SEGFMU_API bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);

@@ -1,11 +1,7 @@
 /* What is left of the old plan, leads from it (segfmu_find_leads), and the check of what follows. */
 #include "lead.h"
 
-#include <math.h>
 #include <string.h>
-
-/* of velocity and acceleration at the end of a plan, relative to their limits */
-static const double ROUNDING = 1e-11;
 
 /* As many rows as a plan takes, as the leads take, and as the old plan has. */
 static int64_t most_rows(int64_t points, int64_t axes, int64_t smoothness, int64_t old)
@@ -90,33 +86,10 @@ int segfmu_settle_targets(
     return (int)status;
 }
 
-void segfmu_rest_end(const replanning *t, int64_t axis, double *end)
+void segfmu_end_rest(replanning *t)
 {
-    const int64_t last = t->rest.offsets.data[axis + 1] - 1, width = 2 * t->smoothness;
-    const double *when = t->rest.timing.data + last * TIMING_SIZE;
-    const double *piece = t->rest.coefficients.data + last * width;
-    const double length = when[TIMING_LENGTH];
-    for (int64_t order = 0; order < STATE; order++) {
-        double value = 0.0;
-        for (int64_t i = width - 1; i >= order; i--) {
-            double factor = 1.0;
-            for (int64_t m = 0; m < order; m++) {
-                factor *= (double)(i - m);
-            }
-            value = value * length + factor * piece[i];
-        }
-        end[order] = value;
-    }
-    end[DELAYED_STATE_DELAY] = when[TIMING_START] + length;
-}
-
-int segfmu_ends_at_velocity(
-    const replanning *t, int64_t axis, const double *target, const double *end)
-{
-    const double *limits = t->limits.data + axis * (t->smoothness + 1);
-    const double missed = end[WAYPOINT_STATE_VELOCITY] - target[WAYPOINT_STATE_VELOCITY];
-    return fabs(missed) <= ROUNDING * limits[0]
-        && fabs(end[WAYPOINT_STATE_ACCELERATION]) <= ROUNDING * limits[1];
+    segfmu_plan_ends(t->rest.timing, t->rest.coefficients, t->rest.offsets,
+                     matrix(t->ends, t->axes, DELAYED_STATE_SIZE));
 }
 
 /* Work space in which one axis settles, all zeros. */

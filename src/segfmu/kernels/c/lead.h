@@ -36,12 +36,8 @@ int segfmu_settle_targets(
 /* The states (k, n + 1) in which the pieces of axes begin; that of an axis without stays. */
 void segfmu_start_states(const piece_list *list, int64_t smoothness, double *states);
 
-/* Where the rest of an axis ends, and when: DelayedState. */
-void segfmu_rest_end(const replanning *t, int64_t axis, double *end);
-
-/* Whether an end of an axis is at its velocity, without acceleration. */
-int segfmu_ends_at_velocity(
-    const replanning *t, int64_t axis, const double *target, const double *end);
+/* Where the rest of each axis ends, and when, in t->ends. */
+void segfmu_end_rest(replanning *t);
 
 /* The leads of all axes to targets (k, n + 1); the first axis that has none, or -1.
    order: of LeadStage. meeting >= 0: the axes meet at the targets, after this time or later; else each is as fast as it

@@ -3263,6 +3263,68 @@ static PyObject *call_find_brake(
     return answer;
 }
 
+static PyObject *call_plan_ends(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plan_ends", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 4)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_plan_ends(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_are_at_velocities(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "are_at_velocities", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_targets;
+    Py_buffer *in_limits;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_targets = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_ends = take_array(&call, 2, 2, 'd', false)) != NULL
+        && has_at_least(&call, "targets", 0, in_targets->shape[0], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_targets->shape[0])
+        && has_extent(&call, "ends", 0, in_ends->shape[0], in_targets->shape[0])
+        && has_at_least(&call, "targets", 1, in_targets->shape[1], 2)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 4)) {
+        answer = PyBool_FromLong(segfmu_are_at_velocities(
+            (array_double_2d){in_targets->buf, {in_targets->shape[0], in_targets->shape[1]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_find_leads(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3306,7 +3368,7 @@ static PyObject *call_find_leads(
         && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "ends", 1, in_ends->shape[1], 6)
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
@@ -3701,6 +3763,8 @@ static PyMethodDef methods[] = {
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"find_brake", (PyCFunction)(void (*)(void))call_find_brake, METH_FASTCALL, NULL},
+    {"plan_ends", (PyCFunction)(void (*)(void))call_plan_ends, METH_FASTCALL, NULL},
+    {"are_at_velocities", (PyCFunction)(void (*)(void))call_are_at_velocities, METH_FASTCALL, NULL},
     {"find_leads", (PyCFunction)(void (*)(void))call_find_leads, METH_FASTCALL, NULL},
     {"find_brakes", (PyCFunction)(void (*)(void))call_find_brakes, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},

@@ -1561,7 +1561,8 @@ enum {
     LEAD_END_DELAY = 3,
     LEAD_END_TIME = 4,
     LEAD_END_FOLLOWS = 5,
-    LEAD_END_SIZE = 6
+    LEAD_END_HASTY = 6,
+    LEAD_END_SIZE = 7
 };
 
 enum {

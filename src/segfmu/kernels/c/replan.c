@@ -89,9 +89,7 @@ static int plan_behind(replanning *t, const segfmu_problem *p, double *full, dou
                        segfmu_trajectory *trajectory)
 {
     t->leads = t->rest;
-    for (int64_t axis = 0; axis < t->axes; axis++) {
-        segfmu_rest_end(t, axis, t->ends + axis * DELAYED_STATE_SIZE);
-    }
+    segfmu_end_rest(t);
     settle_ends(t, p->points, full);
     int status = plan_after(t, p, full, times, t->space, trajectory);
     if (status == PLAN_STATUS_CHECK_FAILED) {
@@ -155,10 +153,11 @@ static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double tim
     const int64_t k = t->axes;
     const double *arrivals = old->times + (old->points - 1) * k;
     const double same = SAME_TIME * old->duration;
-    double *stops = times + 2 * k, end[DELAYED_STATE_SIZE];
+    double *stops = times + 2 * k;
     int begun = 0;
+    segfmu_end_rest(t);
     for (int64_t axis = 0; axis < k; axis++) {
-        segfmu_rest_end(t, axis, end);
+        const double *end = t->ends + axis * DELAYED_STATE_SIZE;
         stops[axis] = end[DELAYED_STATE_DELAY];
         if (!same_state(t, axis, old->duration, end, targets + axis * (t->smoothness + 1))
             || fabs(old->ends[axis] - arrivals[axis] - p->dwells[1]) > same) {

@@ -44,15 +44,11 @@ static void hold_velocities(replanning *t, int anchored, double *states, double 
 /* Take what is left of the old plan as leads; 0 if it does not end at the velocities. */
 static int follow_rest(replanning *t, const double *targets)
 {
+    const int64_t k = t->axes;
     t->leads = t->rest;
-    for (int64_t axis = 0; axis < t->axes; axis++) {
-        double *end = t->ends + axis * DELAYED_STATE_SIZE;
-        segfmu_rest_end(t, axis, end);
-        if (!segfmu_ends_at_velocity(t, axis, targets + axis * (t->smoothness + 1), end)) {
-            return 0;
-        }
-    }
-    return 1;
+    segfmu_end_rest(t);
+    return segfmu_are_at_velocities(matrix((double *)targets, k, t->smoothness + 1), t->limits,
+                                    matrix(t->ends, k, DELAYED_STATE_SIZE));
 }
 
 /* The states (2, k, n + 1): now, and there with the velocities. */

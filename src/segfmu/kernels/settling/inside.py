@@ -5,15 +5,8 @@ there, and would be let go in time (attempt.py).
 """
 
 from segfmu.kernels.planner.records import Axis
-from segfmu.kernels.settling.attempt import (
-    lead_to,
-    outside_by,
-    stays_inside,
-    try_brake,
-)
-from segfmu.kernels.settling.brake_pieces import (
-    append_pieces,
-)
+from segfmu.kernels.settling.attempt import lead_to, outside_by, stays_inside, try_brake
+from segfmu.kernels.settling.brake_pieces import append_pieces
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake
 

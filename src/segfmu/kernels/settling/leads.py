@@ -4,8 +4,9 @@ Each axis settles as soon as it can. Axes that shall meet at the target do not a
 those that are late make haste, so that the planner can slow the others down.
 """
 
-from segfmu.kernels.planner.records import Lower, Problem, WaypointState
+from segfmu.kernels.planner.records import DelayedState, Lower, Problem, WaypointState
 from segfmu.kernels.settling.brake import find_brake
+from segfmu.kernels.settling.ends import is_at_velocity, write_end
 from segfmu.kernels.settling.lead import find_lead
 from segfmu.kernels.settling.records import (
     Chain,
@@ -17,13 +18,7 @@ from segfmu.kernels.settling.records import (
     LeadWork,
 )
 from segfmu.kernels.trajectory.cut import copy_piece
-from segfmu.kernels.trajectory.evaluate import evaluate_piece
-from segfmu.kernels.trajectory.records import Brake, Timing
-
-
-def followed_rounding() -> float:
-    """Rounding errors of velocity and acceleration at the end of a plan, relative to the limits."""
-    return 1e-11
+from segfmu.kernels.trajectory.records import Brake
 
 
 def set_start(
@@ -32,7 +27,7 @@ def set_start(
     """Set the state of an axis, and its limits in the negative direction, in the work space."""
     for i in range(Chain.SIZE):
         lead[LeadWork.NOW, i] = 0.0
-    for i in range(start.shape[1]):
+    for i in range(min(start.shape[1], Chain.SIZE)):
         lead[LeadWork.NOW, i] = start[axis, i]
     for i in range(Lower.SIZE):
         lead[LeadWork.LOWER, i] = lower[axis, i]
@@ -46,11 +41,13 @@ def set_target(axis: int, targets: 'float[:,:]', lead: 'float[:,:]') -> None:
 
 
 def latest_axis(ends: 'float[:,:]') -> int:
-    """The axis that takes the longest time to the target."""
-    latest = 0
-    for axis in range(1, ends.shape[0]):
-        if ends[axis, LeadEnd.TIME] > ends[latest, LeadEnd.TIME]:
+    """The axis that takes the longest time to the target, of those that make no haste; -1: none."""
+    latest = -1
+    longest = -1.0
+    for axis in range(ends.shape[0]):
+        if ends[axis, LeadEnd.HASTY] < 0.5 and ends[axis, LeadEnd.TIME] > longest:
             latest = axis
+            longest = ends[axis, LeadEnd.TIME]
     return latest
 
 
@@ -74,32 +71,6 @@ def take_lead(
     return count
 
 
-def ends_sooner(
-    last: int, velocity: float, soonest: float, timing: 'float[:,:]', coefficients: 'float[:,:]',
-    limits: 'float[:]', end: 'float[:]',
-) -> bool:
-    """Whether a plan whose last piece is in the row `last` ends at a velocity before `soonest` [s].
-
-    Its acceleration is zero there. Then `end` (LeadEnd) becomes its end.
-    """
-    width = coefficients.shape[1]
-    length = timing[last, Timing.LENGTH]
-    time = timing[last, Timing.START] + length
-    reached = evaluate_piece(coefficients, last, width, length, 1)
-    rest = evaluate_piece(coefficients, last, width, length, 2)
-    if not time < soonest or abs(reached - velocity) > followed_rounding() * limits[0]:
-        return False
-    if abs(rest) > followed_rounding() * limits[1]:
-        return False
-    end[LeadEnd.POSITION] = evaluate_piece(coefficients, last, width, length, 0)
-    end[LeadEnd.VELOCITY] = reached
-    end[LeadEnd.ACCELERATION] = rest
-    end[LeadEnd.DELAY] = time
-    end[LeadEnd.TIME] = time
-    end[LeadEnd.FOLLOWS] = 1.0
-    return True
-
-
 def follow_whole(
     axis: int,
     limits: 'float[:]',
@@ -115,11 +86,19 @@ def follow_whole(
     """Take the whole plan of an axis for its lead, if that ends at the velocity and sooner."""
     first = plan_offsets[axis]
     last = plan_offsets[axis + 1]
-    if last == first or not ends_sooner(
-        last - 1, lead[LeadWork.TARGET, Problem.W], end[LeadEnd.TIME], plan_timing,
-        plan_coefficients, limits, end,
-    ):
+    if last == first:
         return
+    reached = lead[LeadWork.STATE, :]
+    write_end(last - 1, plan_timing, plan_coefficients, reached)
+    velocity = lead[LeadWork.TARGET, Problem.W]
+    if not reached[DelayedState.DELAY] < end[LeadEnd.TIME]:
+        return
+    if not is_at_velocity(velocity, limits, reached):
+        return
+    for i in range(DelayedState.SIZE):
+        end[i] = reached[i]
+    end[LeadEnd.TIME] = end[LeadEnd.DELAY]
+    end[LeadEnd.FOLLOWS] = 1.0
     for row in range(first, last):
         target = row + axis * LeadRows.PIECES
         copy_piece(plan_timing, plan_coefficients, row, timing, coefficients, target)
@@ -179,9 +158,11 @@ def find_leads(
         axis = attempt
         if attempt >= axes:
             axis = latest_axis(ends)
-            if not waits or ends[axis, LeadEnd.TIME] <= latest:
+            if not waits or axis < 0 or ends[axis, LeadEnd.TIME] <= latest:
                 break
             longest = latest
+        else:
+            ends[axis, LeadEnd.HASTY] = 0.0
         set_start(axis, states[0, :, :], lower, lead)
         set_target(axis, states[1, :, :], lead)
         if find_lead(
@@ -202,7 +183,7 @@ def find_leads(
             return axis
         if attempt >= axes:
             latest = max(latest, ends[axis, LeadEnd.TIME])
-            ends[axis, LeadEnd.TIME] = -1.0
+            ends[axis, LeadEnd.HASTY] = 1.0
     pack_leads(plan_offsets, timing, coefficients, offsets)
     return -1
 

@@ -1,13 +1,6 @@
 """Records of settling: a full state of an axis, and the work space of the search for a lead."""
 
-from segfmu.kernels.planner.records import (
-    Axis,
-    DelayedState,
-    Lower,
-    Phase,
-    PlanWork,
-    Problem,
-)
+from segfmu.kernels.planner.records import Axis, DelayedState, Lower, Phase, PlanWork, Problem
 from segfmu.kernels.records import Codes, Record, field
 from segfmu.kernels.trajectory.records import Brake, Check, Expansion
 
@@ -55,6 +48,7 @@ class LeadEnd(DelayedState):
 
     TIME = field("from its start to the target", "s")
     FOLLOWS = field("1: it is the plan that is followed")
+    HASTY = field("1: the axis was late, and has made haste")
 
 
 class LeadRows(Codes):

@@ -65,8 +65,9 @@ class Campaign:
     def draws(self) -> int:
         """Draws of the factors at random that each scenario has; 0 if they are chosen."""
         sampling = self.source.file.sampling
-        drawn = sampling.kind in AT_RANDOM and bool(self.factors)
-        return sampling.runs or 0 if drawn else 0
+        if sampling.kind not in AT_RANDOM or not self.factors:
+            return 0
+        return sampling.runs or 0
 
     def changes(self, run: Run) -> dict[str, Any]:
         """What a run changes in its scenario."""

@@ -17,7 +17,9 @@ def criteria_table(result: CampaignResult) -> Table:
     """Every criterion: how many runs passed, the worst margin and its run, what it depends on."""
     table = Table(title=escape(result.name))
     for name in ("criterion", "held", "share", "fails (95 %)", "worst margin", "run", "depends on"):
-        table.add_column(name, justify="left" if name in ("criterion", "depends on") else "right")
+        left = name in ("criterion", "depends on")
+        # a number without its unit on the next line is misread
+        table.add_column(name, justify="left" if left else "right", no_wrap=not left)
     for row in result.summaries:
         worst = "" if row.worst is None else f"{row.worst:+.4g}"
         verdict = "green" if row.judged and row.held == row.judged else "red"
