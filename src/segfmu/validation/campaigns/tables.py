@@ -16,10 +16,12 @@ CHANCE = 0.01
 def criteria_table(result: CampaignResult) -> Table:
     """Every criterion: how many runs passed, the worst margin and its run, what it depends on."""
     table = Table(title=escape(result.name))
-    for name in ("criterion", "held", "share", "fails (95 %)", "worst margin", "run", "depends on"):
+    for name in ("criterion", "held", "share", "fails (95 %)", "margin", "run", "depends on"):
         left = name in ("criterion", "depends on")
         # a number without its unit on the next line is misread
-        table.add_column(name, justify="left" if left else "right", no_wrap=not left)
+        table.add_column(
+            name, justify="left" if left else "right", no_wrap=not left, min_width=9 if left else 0
+        )
     for row in result.summaries:
         worst = "" if row.worst is None else f"{row.worst:+.4g}"
         verdict = "green" if row.judged and row.held == row.judged else "red"
