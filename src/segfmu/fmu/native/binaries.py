@@ -11,6 +11,7 @@ import hashlib
 import os
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from platformdirs import user_cache_path
 from segfmu.errors import BuildError
 from segfmu.fmu.native.compilers import PLATFORMS, Compiler
 from segfmu.fmu.native.compilers import compiler as compiler_for
+from segfmu.fmu.native.packed import unpack
 from segfmu.folders import work_folder
 
 # the one translation unit of an FMU, which includes its other sources
@@ -51,7 +53,9 @@ def binary(
     BuildError
         Where there is neither a binary nor a compiler for the platform, or the compiler fails.
     """
-    ready = None if compiler else _packaged(name, texts, platform)
+    if platform not in PLATFORMS:
+        raise BuildError(f"platform must be one of {', '.join(PLATFORMS)}, got {platform!r}")
+    ready = None if compiler else _packaged(platform).get(packaged_name(name, texts, platform))
     if ready is not None:
         return ready
     chosen = compiler or compiler_for(platform)
@@ -67,7 +71,8 @@ def packaged(models: Iterable[tuple[str, Mapping[str, bytes]]]) -> tuple[str, ..
     """Platforms whose binaries of all these models, of these sources, come with the package."""
     given = list(models)
     return tuple(
-        p for p in PLATFORMS if all(_packaged(name, texts, p) is not None for name, texts in given)
+        p for p in PLATFORMS
+        if _packaged(p).keys() >= {packaged_name(name, texts, p) for name, texts in given}
     )
 
 
@@ -97,16 +102,15 @@ def source_digest(texts: Mapping[str, bytes]) -> str:
 
 
 def packaged_name(name: str, texts: Mapping[str, bytes], platform: str) -> str:
-    """Where the package has a library, if it has it: the sources are part of the name."""
-    return f"{platform}/{name}-{source_digest(texts)[:16]}{PLATFORMS[platform].suffix}"
+    """A library's name in the archive of its platform: the sources are part of it."""
+    return f"{name}-{source_digest(texts)[:16]}{PLATFORMS[platform].suffix}"
 
 
-def _packaged(name: str, texts: Mapping[str, bytes], platform: str) -> bytes | None:
-    if platform not in PLATFORMS:
-        raise BuildError(f"platform must be one of {', '.join(PLATFORMS)}, got {platform!r}")
-    root = files("segfmu.fmu.native").joinpath("binaries")
-    path = root.joinpath(*packaged_name(name, texts, platform).split("/"))
-    return path.read_bytes() if path.is_file() else None
+@cache
+def _packaged(platform: str) -> Mapping[str, bytes]:
+    """Libraries that come with the package for a platform, by their names."""
+    path = files("segfmu.fmu.native").joinpath("binaries", f"{platform}.tar.xz")
+    return unpack(path.read_bytes()) if path.is_file() else {}
 
 
 def _key(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> str:
