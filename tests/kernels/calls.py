@@ -31,6 +31,7 @@ from segfmu.kernels.crane.records import (
     ContactWork,
     CranePartials,
     Demand,
+    DemandPeaks,
     DemandWork,
     FlatInverse,
     FlatSeries,
@@ -277,6 +278,11 @@ def crane_calls() -> dict[str, Call]:
         "drive_demands": (
             np.stack([flat[:5], flat[:5]]), np.array([0.0, 1.0]), plant[: Resistance.SIZE].copy(),
             np.stack([rows] * 3), zeros(DemandWork.SIZE, DemandWork.COLUMNS), zeros(2, Demand.SIZE),
+        ),
+        "demand_peaks": (
+            *planned, plant[: Resistance.SIZE].copy(), np.stack([rows] * 3),
+            zeros(DemandPeaks.SIZE, DemandPeaks.COLUMNS), zeros(2, Demand.SIZE),
+            zeros(2, Demand.SIZE),
         ),
         "contact_history": (
             1, *planned, plant[: Resistance.SIZE].copy(),

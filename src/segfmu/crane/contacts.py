@@ -9,6 +9,7 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from segfmu.crane.equipment import FRICTION, Friction
 from segfmu.crane.parameters import Crane
@@ -59,10 +60,8 @@ class Contacts:
         self.acts = self._rubs or any(friction.viscous) or any(friction.drag)
 
     @cached_property
-    def rows(self) -> FloatArray:
-        """A `Contact` per row for each axis, shape (3, rows, 7)."""
-        if not self._rubs:
-            return np.zeros((Axes.SIZE, 1, Contact.SIZE))
+    def pieces(self) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:
+        """The trajectory as the kernels take it: timing, coefficients, offsets and ends."""
         pieces = [self._trajectory.pieces(axis) for axis in range(3)]
         timing = np.concatenate([np.column_stack(p[:2]) for p in pieces])
         width = max(p[2].shape[1] for p in pieces)
@@ -71,13 +70,24 @@ class Contacts:
         )
         offsets = np.cumsum([0, *(p[0].size for p in pieces)])
         ends = np.array([p[0][-1] + p[1][-1] for p in pieces])
+        # the last pieces of axes that end together do so up to rounding
+        last = self._trajectory.duration
+        ends[np.abs(ends - last) <= 1e-12 * last] = last
+        return timing, coefficients, offsets, ends
+
+    @cached_property
+    def rows(self) -> FloatArray:
+        """A `Contact` per row for each axis, shape (3, rows, 7)."""
+        if not self._rubs:
+            return np.zeros((Axes.SIZE, 1, Contact.SIZE))
+        pieces = self.pieces
         work = np.zeros((ContactWork.SIZE, ContactWork.COLUMNS))
         room = ROWS
         while room <= MOST_ROWS:
             rows = np.zeros((Axes.SIZE, room, Contact.SIZE))
             counts = [
                 backend.contact_history(
-                    axis, timing, coefficients, offsets, ends, self.resistance, work, rows[axis]
+                    axis, *pieces, self.resistance, work, rows[axis]
                 )
                 for axis in range(Axes.SIZE)
             ]

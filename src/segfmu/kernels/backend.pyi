@@ -446,6 +446,19 @@ def friction_derivative(
     /,
 ) -> float: ...
 
+def demand_peaks(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    resistance: Floats,
+    contacts: Floats,
+    work: Floats,
+    peaks: Floats,
+    times: Floats,
+    /,
+) -> None: ...
+
 def seed_numbers(
     seed: int,
     numbers: Floats,

@@ -39,6 +39,7 @@ from segfmu.kernels.crane.records import (
     Coordinates,
     CranePartials,
     Demand,
+    DemandPeaks,
     DemandWork,
     FlatInverse,
     FlatSeries,
@@ -370,6 +371,13 @@ ENTRY_POINTS = (
         "crane.demand", "drive_demands", flat=("motions", 5, Vector.SIZE), times=("motions",),
         resistance=Resistance.SIZE, contacts=(Axes.SIZE, "contacts", Contact.SIZE),
         work=(DemandWork.SIZE, DemandWork.COLUMNS), demands=("motions", Demand.SIZE),
+    ),
+    entry(
+        "crane.peaks", "demand_peaks", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=Vector.SIZE + 1, ends=Vector.SIZE,
+        resistance=Resistance.SIZE, contacts=(Axes.SIZE, "contacts", Contact.SIZE),
+        work=(DemandPeaks.SIZE, DemandPeaks.COLUMNS), peaks=(2, Demand.SIZE),
+        times=(2, Demand.SIZE),
     ),
     entry(
         "crane.contact", "contact_history", timing=("pieces", Timing.SIZE),

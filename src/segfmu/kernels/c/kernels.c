@@ -190,6 +190,7 @@ static double sliding_time(int64_t row, double end, array_double_2d timing, arra
 static double fading_time(double time, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
 static void settle_contact(int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts);
 static double contact_node(double time, double begin, double end);
+static void motion_demand(array_double_2d flat, double time, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_1d demand);
 static bool may_slacken(array_double_1d plant);
 static bool is_slack(array_double_1d state);
 static double axis_position(array_double_1d state, int64_t axis);
@@ -204,6 +205,19 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
+static void write_transform(array_double_2d work);
+static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
+static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
+static double sooner(double time, double after, double following);
+static double next_joint(double time, double duration, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_3d contacts);
+static void sample_demands(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
+static void enlarge_scale(array_double_2d work);
+static void share_scale(array_double_2d work);
+static bool is_resolved(int64_t depth, array_double_2d work);
+static double series_value(int64_t i, double place, array_double_2d work);
+static double peak_place(int64_t i, double sign, array_double_2d work);
+static void note_peaks(double start, double length, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
+static void search_interval(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
 static double full_circle(void);
 static double next_normal(array_double_1d numbers);
 static double gust_factor(double shape, double share);
@@ -7370,28 +7384,32 @@ double segfmu_next_contact_event(double time, double start, array_double_2d cont
     }
     return event;
 }
-void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d demands)
+static void motion_demand(array_double_2d flat, double time, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_1d demand)
 {
-    int64_t i;
     int64_t k;
     double velocity;
     double force;
+    segfmu_crane_flat_inverse(flat, resistance, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
+    for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+    {
+        velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + k));
+        force = (*cspan_at(&work, INT64_C(0), k)) + segfmu_planned_friction(resistance, k, time, (*cspan_at(&work, INT64_C(1), INT64_C(0) + k)), velocity, span_matrix(&contacts, k));
+        (*cspan_at(&demand, INT64_C(0) + k)) = force;
+        (*cspan_at(&demand, INT64_C(3) + k)) = velocity;
+        (*cspan_at(&demand, INT64_C(6) + k)) = (*cspan_at(&work, INT64_C(2), k));
+        (*cspan_at(&demand, INT64_C(9) + k)) = force * velocity;
+    }
+    for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
+    {
+        (*cspan_at(&demand, INT64_C(12) + k)) = (*cspan_at(&work, INT64_C(1), INT64_C(3) + k));
+    }
+}
+void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d demands)
+{
+    int64_t i;
     for (i = INT64_C(0); i < flat.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        segfmu_crane_flat_inverse(span_matrix(&flat, i), resistance, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
-        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
-        {
-            velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + k));
-            force = (*cspan_at(&work, INT64_C(0), k)) + segfmu_planned_friction(resistance, k, (*cspan_at(&times, i)), (*cspan_at(&work, INT64_C(1), INT64_C(0) + k)), velocity, span_matrix(&contacts, k));
-            (*cspan_at(&demands, i, INT64_C(0) + k)) = force;
-            (*cspan_at(&demands, i, INT64_C(3) + k)) = velocity;
-            (*cspan_at(&demands, i, INT64_C(6) + k)) = (*cspan_at(&work, INT64_C(2), k));
-            (*cspan_at(&demands, i, INT64_C(9) + k)) = force * velocity;
-        }
-        for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
-        {
-            (*cspan_at(&demands, i, INT64_C(12) + k)) = (*cspan_at(&work, INT64_C(1), INT64_C(3) + k));
-        }
+        motion_demand(span_matrix(&flat, i), (*cspan_at(&times, i)), resistance, contacts, work, span_row(&demands, i));
     }
 }
 static bool may_slacken(array_double_1d plant)
@@ -7820,6 +7838,363 @@ double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, doub
     }
     result = series_derivative(friction, order);
     return result;
+}
+static void write_transform(array_double_2d work)
+{
+    int64_t last;
+    int64_t k;
+    int64_t j;
+    double weight;
+    double angle;
+    last = INT64_C(17) - INT64_C(1);
+    for (k = INT64_C(0); k < INT64_C(17); k += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+        {
+            weight = 2.0 / last;
+            if ((j == INT64_C(0)) || (j == last))
+            {
+                weight = 0.5 * weight;
+            }
+            if ((k == INT64_C(0)) || (k == last))
+            {
+                weight = 0.5 * weight;
+            }
+            angle = 3.141592653589793 * k * (last - j) / last;
+            (*cspan_at(&work, INT64_C(57) + k, j)) = weight * cos(angle);
+        }
+    }
+}
+static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work)
+{
+    array_double_2d load;
+    load = span_rows(&work, INT64_C(3), INT64_C(8));
+    segfmu_evaluate_orders(time, timing, coefficients, offsets, ends, load);
+    motion_demand(load, time, resistance, contacts, work, span_row(&work, row));
+}
+static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
+{
+    int64_t i;
+    int64_t side;
+    double value;
+    demand_at(time, INT64_C(56), timing, coefficients, offsets, ends, resistance, contacts, work);
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            value = (1.0 - 2.0 * side) * (*cspan_at(&work, INT64_C(56), i));
+            if (value > (*cspan_at(&peaks, side, i)))
+            {
+                (*cspan_at(&peaks, side, i)) = value;
+                (*cspan_at(&times, side, i)) = time;
+            }
+        }
+    }
+}
+static double sooner(double time, double after, double following)
+{
+    if (time > after)
+    {
+        return span_min(time, following);
+    }
+    return following;
+}
+static double next_joint(double time, double duration, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_3d contacts)
+{
+    double after;
+    int64_t axis;
+    int64_t row;
+    double following;
+    after = time + 1e-12 * duration;
+    following = next_break(after, timing, offsets, ends);
+    for (axis = INT64_C(0); axis < contacts.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (row = INT64_C(0); row < contacts.shape[INT64_C(1)]; row += INT64_C(1))
+        {
+            if ((*cspan_at(&contacts, axis, row, INT64_C(0))) < 1e+300)
+            {
+                following = sooner((*cspan_at(&contacts, axis, row, INT64_C(0))), after, following);
+                following = sooner((*cspan_at(&contacts, axis, row, INT64_C(4))), after, following);
+                following = sooner((*cspan_at(&contacts, axis, row, INT64_C(5))), after, following);
+                following = sooner((*cspan_at(&contacts, axis, row, INT64_C(6))), after, following);
+            }
+        }
+    }
+    if (following > duration)
+    {
+        return 1e+300;
+    }
+    return following;
+}
+static void sample_demands(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work)
+{
+    int64_t last;
+    int64_t j;
+    double time;
+    last = INT64_C(17) - INT64_C(1);
+    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+    {
+        time = begin + 0.5 * (end - begin) * (1.0 + cos(3.141592653589793 * (last - j) / last));
+        demand_at(time, INT64_C(8) + j, timing, coefficients, offsets, ends, resistance, contacts, work);
+    }
+}
+static void enlarge_scale(array_double_2d work)
+{
+    int64_t j;
+    int64_t i;
+    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(55), i)) = span_max((*cspan_at(&work, INT64_C(55), i)), fabs((*cspan_at(&work, INT64_C(8) + j, i))));
+        }
+    }
+}
+static void share_scale(array_double_2d work)
+{
+    array_double_1d scale;
+    int64_t group;
+    int64_t last;
+    double most;
+    int64_t i;
+    scale = span_row(&work, INT64_C(55));
+    for (group = INT64_C(0); group < INT64_C(14); group += INT64_C(3))
+    {
+        last = span_min_int(group + INT64_C(3), INT64_C(14));
+        most = 0.0;
+        for (i = group; i < last; i += INT64_C(1))
+        {
+            most = span_max(most, (*cspan_at(&scale, i)));
+        }
+        for (i = group; i < last; i += INT64_C(1))
+        {
+            (*cspan_at(&scale, i)) = span_max((*cspan_at(&scale, i)), 0.001 * most);
+        }
+    }
+    for (i = INT64_C(12); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&scale, i)) = span_max((*cspan_at(&scale, i)), 1e-06);
+    }
+}
+static bool is_resolved(int64_t depth, array_double_2d work)
+{
+    bool resolved;
+    int64_t i;
+    int64_t k;
+    double total;
+    int64_t j;
+    int64_t last;
+    double tail;
+    double scale;
+    bool rounding;
+    double before;
+    resolved = 1;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        for (k = INT64_C(0); k < INT64_C(17); k += INT64_C(1))
+        {
+            total = 0.0;
+            for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+            {
+                total = total + (*cspan_at(&work, INT64_C(57) + k, j)) * (*cspan_at(&work, INT64_C(8) + j, i));
+            }
+            (*cspan_at(&work, INT64_C(25) + k, i)) = total;
+        }
+        last = INT64_C(25) + INT64_C(17) - INT64_C(1);
+        tail = span_max(fabs((*cspan_at(&work, last, i))), fabs((*cspan_at(&work, last - INT64_C(1), i))));
+        scale = (*cspan_at(&work, INT64_C(55), i));
+        rounding = 0;
+        if (depth > INT64_C(0))
+        {
+            before = (*cspan_at(&work, INT64_C(42) + depth - INT64_C(1), i));
+            rounding = (tail <= 1e-05 * scale) && (tail > 0.1 * before);
+        }
+        if ((tail > 1e-11 * scale) && (!rounding))
+        {
+            resolved = 0;
+        }
+        (*cspan_at(&work, INT64_C(42) + depth, i)) = tail;
+    }
+    return resolved || (depth == INT64_C(12));
+}
+static double series_value(int64_t i, double place, array_double_2d work)
+{
+    double second;
+    double first;
+    int64_t j;
+    double coefficient;
+    double value;
+    double result;
+    second = 0.0;
+    first = 0.0;
+    for (j = INT64_C(0); j < INT64_C(17) - INT64_C(1); j += INT64_C(1))
+    {
+        coefficient = (*cspan_at(&work, INT64_C(25) + INT64_C(17) - INT64_C(1) - j, i));
+        value = coefficient + 2.0 * place * first - second;
+        second = first;
+        first = value;
+    }
+    result = (*cspan_at(&work, INT64_C(25), i)) + place * first - second;
+    return result;
+}
+static double peak_place(int64_t i, double sign, array_double_2d work)
+{
+    double reach;
+    double best;
+    double most;
+    int64_t k;
+    double value;
+    double lower;
+    double upper;
+    double golden;
+    int64_t Dummy_0000;
+    double left;
+    double right;
+    double inner;
+    reach = 2.0 / (INT64_C(65) - INT64_C(1));
+    best = -1.0;
+    most = sign * series_value(i, best, work);
+    for (k = INT64_C(1); k < INT64_C(65); k += INT64_C(1))
+    {
+        value = sign * series_value(i, (-1.0) + k * reach, work);
+        if (value > most)
+        {
+            most = value;
+            best = (-1.0) + k * reach;
+        }
+    }
+    lower = span_max(best - reach, -1.0);
+    upper = span_min(best + reach, 1.0);
+    golden = 0.5 * (sqrt(5.0) - 1.0);
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(40); Dummy_0000 += INT64_C(1))
+    {
+        left = upper - golden * (upper - lower);
+        right = lower + golden * (upper - lower);
+        if (sign * series_value(i, left, work) < sign * series_value(i, right, work))
+        {
+            lower = left;
+        }
+        else
+        {
+            upper = right;
+        }
+    }
+    inner = 0.5 * (lower + upper);
+    if (sign * series_value(i, inner, work) > most)
+    {
+        return inner;
+    }
+    return best;
+}
+static void note_peaks(double start, double length, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
+{
+    int64_t i;
+    double room;
+    int64_t k;
+    double rounding;
+    int64_t side;
+    double sign;
+    double known;
+    double place;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        room = 0.0;
+        for (k = INT64_C(1); k < INT64_C(17); k += INT64_C(1))
+        {
+            room = room + fabs((*cspan_at(&work, INT64_C(25) + k, i)));
+        }
+        rounding = 1e-13 * (fabs((*cspan_at(&work, INT64_C(25), i))) + room);
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            sign = 1.0 - 2.0 * side;
+            known = (*cspan_at(&peaks, side, i)) - rounding;
+            if (sign * (*cspan_at(&work, INT64_C(25), i)) + room > known)
+            {
+                place = peak_place(i, sign, work);
+                if (sign * series_value(i, place, work) > known)
+                {
+                    note_value(start + 0.5 * (place + 1.0) * length, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+                }
+            }
+        }
+    }
+}
+static void search_interval(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
+{
+    int64_t depth;
+    int64_t place;
+    double length;
+    double start;
+    depth = INT64_C(0);
+    place = INT64_C(0);
+    while((depth > INT64_C(0)) || (place == INT64_C(0)))
+    {
+        length = (end - begin) * pow(0.5, (double)(depth));
+        start = begin + place * length;
+        sample_demands(start, start + length, timing, coefficients, offsets, ends, resistance, contacts, work);
+        if (is_resolved(depth, work))
+        {
+            note_peaks(start, length, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+            place = place + INT64_C(1);
+            while((depth > INT64_C(0)) && (span_floor_mod(place, INT64_C(2)) == INT64_C(0)))
+            {
+                place = span_floor_div(place, INT64_C(2));
+                depth = depth - INT64_C(1);
+            }
+        }
+        else
+        {
+            place = INT64_C(2) * place;
+            depth = depth + INT64_C(1);
+        }
+    }
+}
+void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
+{
+    double duration;
+    int64_t axis;
+    int64_t i;
+    int64_t side;
+    double begin;
+    double end;
+    duration = 0.0;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        duration = span_max(duration, (*cspan_at(&ends, axis)));
+    }
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(55), i)) = 0.0;
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            (*cspan_at(&peaks, side, i)) = 0.0;
+            (*cspan_at(&times, side, i)) = 0.0;
+        }
+    }
+    write_transform(work);
+    note_value(0.0, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        note_value((*cspan_at(&ends, axis)), timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+    }
+    begin = 0.0;
+    end = next_joint(begin, duration, timing, offsets, ends, contacts);
+    while(end < 1e+300)
+    {
+        sample_demands(begin, end, timing, coefficients, offsets, ends, resistance, contacts, work);
+        enlarge_scale(work);
+        begin = end;
+        end = next_joint(begin, duration, timing, offsets, ends, contacts);
+    }
+    share_scale(work);
+    begin = 0.0;
+    end = next_joint(begin, duration, timing, offsets, ends, contacts);
+    while(end < 1e+300)
+    {
+        search_interval(begin, end, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+        begin = end;
+        end = next_joint(begin, duration, timing, offsets, ends, contacts);
+    }
 }
 static double full_circle(void)
 {

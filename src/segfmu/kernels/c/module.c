@@ -1660,6 +1660,64 @@ static PyObject *call_friction_derivative(
     return answer;
 }
 
+static PyObject *call_demand_peaks(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "demand_peaks", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_resistance;
+    Py_buffer *in_contacts;
+    Py_buffer *in_work;
+    Py_buffer *in_peaks;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_contacts = take_array(&call, 5, 3, 'd', false)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_peaks = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
+        && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 74)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 17)
+        && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 2)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 14)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        segfmu_demand_peaks(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_3d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1], in_contacts->shape[2]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_seed_numbers(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3709,6 +3767,7 @@ static PyMethodDef methods[] = {
     {"drive_demands", (PyCFunction)(void (*)(void))call_drive_demands, METH_FASTCALL, NULL},
     {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
     {"friction_derivative", (PyCFunction)(void (*)(void))call_friction_derivative, METH_FASTCALL, NULL},
+    {"demand_peaks", (PyCFunction)(void (*)(void))call_demand_peaks, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},

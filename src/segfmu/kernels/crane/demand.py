@@ -20,19 +20,30 @@ def drive_demands(
     force times velocity: positive where the drive does work.
     """
     for i in range(flat.shape[0]):
-        crane_flat_inverse(
-            flat[i], resistance, work[DemandWork.FORCE], work[DemandWork.STATE],
-            work[DemandWork.ACCELERATION],
+        motion_demand(flat[i], times[i], resistance, contacts, work, demands[i])
+
+
+def motion_demand(
+    flat: 'float[:,:]',
+    time: float,
+    resistance: 'float[:]',
+    contacts: 'float[:,:,:]',
+    work: 'float[:,:]',
+    demand: 'float[:]',
+) -> None:
+    """The `Demand` of a plan at a time [s], as in `drive_demands`."""
+    crane_flat_inverse(
+        flat, resistance, work[DemandWork.FORCE], work[DemandWork.STATE],
+        work[DemandWork.ACCELERATION],
+    )
+    for k in range(3):
+        velocity = work[DemandWork.STATE, State.VELOCITY + k]
+        force = work[DemandWork.FORCE, k] + planned_friction(
+            resistance, k, time, work[DemandWork.STATE, State.POSITION + k], velocity, contacts[k],
         )
-        for k in range(3):
-            velocity = work[DemandWork.STATE, State.VELOCITY + k]
-            force = work[DemandWork.FORCE, k] + planned_friction(
-                resistance, k, times[i], work[DemandWork.STATE, State.POSITION + k], velocity,
-                contacts[k],
-            )
-            demands[i, Demand.FORCE + k] = force
-            demands[i, Demand.VELOCITY + k] = velocity
-            demands[i, Demand.ACCELERATION + k] = work[DemandWork.ACCELERATION, k]
-            demands[i, Demand.POWER + k] = force * velocity
-        for k in range(2):
-            demands[i, Demand.SWAY + k] = work[DemandWork.STATE, State.ANGLE + k]
+        demand[Demand.FORCE + k] = force
+        demand[Demand.VELOCITY + k] = velocity
+        demand[Demand.ACCELERATION + k] = work[DemandWork.ACCELERATION, k]
+        demand[Demand.POWER + k] = force * velocity
+    for k in range(2):
+        demand[Demand.SWAY + k] = work[DemandWork.STATE, State.ANGLE + k]

@@ -293,6 +293,35 @@ class DemandWork(Record):
     ACCELERATION = field("second derivatives of the coordinates", of=Coordinates)
 
 
+class Sought(Codes):
+    """How peaks of the demands are sought."""
+
+    # Chebyshev points of an interval, halvings at most, points among which a peak is sought
+    NODES = 17
+    HALVINGS = 12
+    GRID = 65
+
+
+class ChebyshevNodes(Record):
+    """Values at Chebyshev points."""
+
+    VALUE = field("value at each of them", size=Sought.NODES)
+
+
+class DemandPeaks(DemandWork):
+    """Rows: the work space of `demand_peaks`."""
+
+    LOAD = field("position of the load and four derivatives", size=5, of=Vector)
+    VALUES = field("demands at Chebyshev points", size=Sought.NODES, of=Demand)
+    SERIES = field("coefficients of their Chebyshev series", size=Sought.NODES, of=Demand)
+    TAILS = field("last coefficients after each halving", size=Sought.HALVINGS + 1, of=Demand)
+    SCALE = field("magnitudes relative to which they are resolved", of=Demand)
+    CANDIDATE = field("demands where a peak may be", of=Demand)
+    TRANSFORM = field(
+        "from values to coefficients", size=Sought.NODES, of=ChebyshevNodes
+    )
+
+
 class Contact(Record):
     """A row of a contact's history along a plan: it turns, comes to rest or leaves it."""
 
