@@ -23,6 +23,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "g": ("fmu_steps", ()),
     "m": ("master_runs", ()),
     "n": ("campaign_rate", ("distributed", "pyarrow")),
+    "w": ("worst_cases", ("distributed", "pyarrow")),
     "h": ("master_time", ()),
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),

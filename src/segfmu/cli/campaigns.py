@@ -52,13 +52,14 @@ def campaign(
     run passes.
     """
     from segfmu.validation.campaigns.campaign import load_campaign
-    from segfmu.validation.campaigns.replay import write_run
+    from segfmu.validation.campaigns.replay import find_run, write_run
     from segfmu.validation.campaigns.run import require_packages
 
     require_packages()
     task = load_campaign(file)
     if replay is not None:
-        _tell_replay(write_run(folder(output), task, replay))
+        run = find_run(Path(output), task, replay)
+        _tell_replay(write_run(folder(output), task, run))
         return
     result = _run(task, output, scheduler, jobs)
     _show(task, result)
@@ -77,7 +78,7 @@ def _run(
         TextColumn("runs"), BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn(),
     )
     with Progress(*columns, console=console, transient=True) as progress:
-        bar = progress.add_task("runs", total=len(task.runs))
+        bar = progress.add_task("runs", total=task.most)
         there: list[int] = []
 
         def show(done: int, count: int) -> None:
@@ -85,14 +86,15 @@ def _run(
             if not there:
                 there.append(done)
                 if done:
-                    tell(f"{done} of {count} runs were there")
+                    most = "at most " if task.searched else ""
+                    tell(f"{done} of {most}{count} runs were there")
             progress.update(bar, completed=done)
 
         return run_campaign(task, folder(output), scheduler=scheduler, jobs=jobs, progress=show)
 
 
 def _show(task: Campaign, result: CampaignResult) -> None:
-    from segfmu.validation.campaigns.replay import write_run
+    from segfmu.validation.campaigns.replay import find_run, write_run
     from segfmu.validation.campaigns.summary_file import write_summary
     from segfmu.validation.campaigns.tables import criteria_table
     from segfmu.validation.suites import validate
@@ -104,9 +106,12 @@ def _show(task: Campaign, result: CampaignResult) -> None:
     if len(errors) > MOST_SHOWN:
         tell(f"and {len(errors) - MOST_SHOWN} more runs with an error")
     passed = sum(result.column("passed"))
-    console.print(f"{passed} of {len(task.runs)} runs passed", highlight=False)
+    console.print(f"{passed} of {result.table.num_rows} runs passed", highlight=False)
     write_summary(result)
-    files = [write_run(result.folder, task, run) for run in result.worst()]
+    files = [
+        write_run(result.folder, task, find_run(result.folder, task, run))
+        for run in result.worst()
+    ]
     with console.status("running the worst cases again"):
         worst = validate(files) if files else None
     report = result.report(result.folder / "report.html", worst)

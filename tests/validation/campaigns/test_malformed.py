@@ -63,6 +63,27 @@ CAMPAIGNS = {
         "simulation.initial_sway.0", "parameters.GantryCrane.drive.bridge.lug",
         "GantryCrane has no variable drive.bridge.lug",
     ),
+    "search for something": (
+        "[sampling]", 'search = "best"\n[sampling]', "search: must be 'worst', got 'best'",
+    ),
+    "few runs of a search": (
+        "[sampling]", 'search = "worst"\n[sampling]',
+        "search needs sampling.runs of at least 50, got 40; 500 are usual",
+    ),
+    "search in a matrix": (
+        '[sampling]\nkind = "latin hypercube"\nruns = 40',
+        'search = "worst"\n[sampling]\nkind = "matrix"',
+        "search needs sampling.kind latin hypercube, random or sobol, which draws its first runs, "
+        "got matrix",
+    ),
+    "criteria without a search": (
+        "[sampling]", 'search_for = ["rests"]\n[sampling]', 'search_for is for search = "worst"',
+    ),
+    "search for no criterion": (
+        "[sampling]\nkind = \"latin hypercube\"\nruns = 40",
+        'search = "worst"\nsearch_for = ["sway"]\n[sampling]\nruns = 50',
+        "search_for: no criterion 'sway'; they are follows, rests",
+    ),
     "FMU that is not there": (
         "simulation.initial_sway.0", "parameters.Crane.drive.bridge.lag", "no FMU Crane",
     ),

@@ -74,4 +74,4 @@ def test_a_campaign_of_an_older_version_has_no_draws(tmp_path: Path) -> None:
     (tmp_path / "campaign.json").write_text(
         '{"name": "n", "factors": [], "criteria": ["c"]}', encoding="utf-8"
     )
-    assert about(tmp_path)[3] == 0
+    assert about(tmp_path)["draws"] == 0

@@ -53,7 +53,9 @@ def long(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
 def test_every_run_is_that_of_its_scenario_file(whole: CampaignResult, tmp_path: Path) -> None:
     campaign = load_campaign(whole.folder.parent / "c.toml")
     assert whole.column("run") == list(range(40))
-    paths = {number: write_run(tmp_path, campaign, number) for number in (0, 17, 39)}
+    paths = {
+        number: write_run(tmp_path, campaign, campaign.runs[number]) for number in (0, 17, 39)
+    }
     with Runner() as runner:
         results = {number: runner.run(load_scenario(path)) for number, path in paths.items()}
     for number, found in results.items():

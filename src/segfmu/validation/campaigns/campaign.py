@@ -48,6 +48,7 @@ class Campaign:
     ----------
     source : CampaignSource
     runs : tuple of Run
+        All; none of a search, which chooses its runs from the margins of those before.
     criteria : tuple of str
         Names of all criteria.
     """
@@ -65,9 +66,21 @@ class Campaign:
     def draws(self) -> int:
         """Draws of the factors at random that each scenario has; 0 if they are chosen."""
         sampling = self.source.file.sampling
-        if sampling.kind not in AT_RANDOM or not self.factors:
+        if self.searched or sampling.kind not in AT_RANDOM or not self.factors:
             return 0
         return sampling.runs or 0
+
+    @property
+    def searched(self) -> tuple[str, ...]:
+        """Names of the criteria whose worst case is searched; none without a search."""
+        file = self.source.file
+        return () if file.search is None else tuple(file.search_for or self.criteria)
+
+    @property
+    def most(self) -> int:
+        """The number of runs, or of a search the greatest that it can have."""
+        each = len(self.searched) * (self.source.file.sampling.runs or 0)
+        return len(self.runs) or each * len(self.source.scenarios)
 
     def changes(self, run: Run) -> dict[str, Any]:
         """What a run changes in its scenario."""
@@ -87,7 +100,7 @@ class Campaign:
         content = {
             "version": version("segfmu"),
             "factors": [f.model_dump() for f in self.factors],
-            "sampling": self.source.file.sampling.model_dump(),
+            "sampling": self.source.file.sampling.model_dump(), "searched": self.searched,
             "scenarios": [(dict(s.data), s.missions) for s in self.source.scenarios],
             "files": {name: _hash(Path(name)) for name in sorted(self._files())},
         }
@@ -114,20 +127,32 @@ def load_campaign(path: Path) -> Campaign:
     """
     source = read_campaign(path)
     try:
-        drawn = samples(source.file.sampling, source.file.factors)
-        if len(drawn) * len(source.scenarios) > MOST_RUNS:
-            raise InputError(f"sampling: more than {MOST_RUNS} runs")
-        runs = tuple(
-            Run(i * len(drawn) + j, i, sample)
-            for i in range(len(source.scenarios)) for j, sample in enumerate(drawn)
-        )
         names: dict[str, None] = {}
         for own in source.scenarios:
             for scenario in _ends(own, source.file.factors):
                 names.update(dict.fromkeys(c.name for c in scenario.file.criteria))
+        campaign = Campaign(source, known_runs(source), tuple(names))
+        if campaign.most > MOST_RUNS:
+            raise InputError(f"sampling: more than {MOST_RUNS} runs")
+        for name in campaign.searched:
+            if name not in names:
+                raise InputError(
+                    f"search_for: no criterion {name!r}; they are {', '.join(names)}"
+                )
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
-    return Campaign(source, runs, tuple(names))
+    return campaign
+
+
+def known_runs(source: CampaignSource) -> tuple[Run, ...]:
+    """All runs that are known before the first one; none of a search."""
+    if source.file.search is not None:
+        return ()
+    drawn = samples(source.file.sampling, source.file.factors)
+    return tuple(
+        Run(i * len(drawn) + j, i, sample)
+        for i in range(len(source.scenarios)) for j, sample in enumerate(drawn)
+    )
 
 
 def _ends(source: Source, factors: list[FactorTable]) -> Iterator[Scenario]:

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import isnan
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.probability import Probability
+from segfmu.validation.campaigns.replay import run_name
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
 from segfmu.validation.campaigns.store import TABLE, about, read_table
 
@@ -67,6 +69,8 @@ class CampaignResult:
         in runs that have no such criterion or an error. `table.to_pandas()` needs pandas.
     draws : int
         Draws of the factors at random that each scenario has; 0 if they were chosen otherwise.
+    searched : tuple of str
+        Criteria whose worst case was searched; none without a search.
     """
 
     name: str
@@ -75,6 +79,7 @@ class CampaignResult:
     criteria: tuple[str, ...]
     table: pyarrow.Table
     draws: int = 0
+    searched: tuple[str, ...] = ()
 
     def column(self, name: str) -> list[Any]:
         """The values of a column, None where there is none."""
@@ -99,7 +104,12 @@ class CampaignResult:
 
     @cached_property
     def sensitivities(self) -> tuple[Sensitivity, ...]:
-        """Effects of the factors, and of the scenario if there are several, on the margins."""
+        """Effects of the factors, and of the scenario if there are several, on the margins.
+
+        None of a search: chance has no part in where its runs are.
+        """
+        if self.searched:
+            return ()
         scenarios = self.column("scenario")
         names = ["scenario"] if len(set(scenarios)) > 1 else []
         factors = {n: self.column(n) for n in [*names, *self.factors]}
@@ -110,6 +120,15 @@ class CampaignResult:
         """Numbers of the runs with the worst margin of each criterion, each once."""
         runs = [s.run for s in self.summaries if s.run is not None]
         return list(dict.fromkeys(runs))
+
+    def values(self, run: int) -> dict[str, Any]:
+        """Values of all factors of a run."""
+        row = self.table.slice(self.column("run").index(run), 1)
+        return {name: row[name][0].as_py() for name in self.factors}
+
+    def command(self, run: int) -> str:
+        """The command that makes one of the `worst` runs again."""
+        return f"segfmu validate {quote(str(self.folder / run_name(run)))}"
 
     def report(self, path: str | Path, worst: Suite | None = None) -> Path:
         """Write one HTML file that opens without a network; `worst` are runs it shows in full."""
@@ -147,9 +166,8 @@ def load_result(folder: Path) -> CampaignResult:
     InputError
         If there is none.
     """
-    name, factors, criteria, draws = about(folder)
+    found = about(folder)
     if not (folder / TABLE).exists():
         raise InputError(f"{folder}: the campaign is not complete; the same command goes on")
-    table = read_table(folder / TABLE)
-    return CampaignResult(name, folder, tuple(factors), tuple(criteria), table, draws)
+    return CampaignResult(folder=folder, table=read_table(folder / TABLE), **found)
 

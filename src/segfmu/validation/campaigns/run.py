@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from segfmu.errors import InputError
-from segfmu.validation.campaigns.campaign import Campaign
+from segfmu.validation.campaigns.batches import batches
+from segfmu.validation.campaigns.campaign import Campaign, Run
 from segfmu.validation.campaigns.factors import changes
-from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.campaigns.result import CampaignResult, load_result
 from segfmu.validation.campaigns.sampling import levels
+from segfmu.validation.campaigns.store import FLUSH, Store, alone
 from segfmu.validation.campaigns.worker import Order
 from segfmu.validation.files.scenario_file import build_scenario
 from segfmu.validation.suite import Runner
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 PACKAGES = ("dask", "distributed", "pyarrow")
 
@@ -55,7 +62,8 @@ def run_campaign(
     jobs : int, optional
         Number of these workers; by default that of the cores.
     progress : callable
-        Called with the number of runs that are there, and of all runs.
+        Called with the number of runs that are there, and of all runs; of a search that is the
+        greatest number that it can have.
 
     Raises
     ------
@@ -66,36 +74,38 @@ def run_campaign(
         If there are no more workers. What was made is kept, here as in all other cases.
     """
     require_packages()
-    from segfmu.validation.campaigns.cluster import cluster, stream
-    from segfmu.validation.campaigns.store import FLUSH, Store, alone
+    from segfmu.validation.campaigns.cluster import cluster
 
-    with alone(folder):
+    with alone(folder), ExitStack() as stack:
         store = Store(folder, campaign)
-        done, count = store.done, len(campaign.runs)
-        left = [run for run in campaign.runs if run.number not in done]
-        made = count - len(left)
-        progress(made, count)
-        if left:
-            def idle() -> None:
-                store.flush(FLUSH)
+        made, client = store.rows().num_rows, None
+        progress(made, campaign.most)
+        for batch in batches(campaign, store):
+            # a campaign that is complete needs no workers
+            client = client or stack.enter_context(cluster(scheduler, jobs))
+            for count in _perform(client, campaign, store, batch):
+                made += count
+                progress(made, campaign.most)
+        store.finish()
+    return load_result(folder)
 
-            orders = (Order(r.number, r.scenario, campaign.changes(r)) for r in left)
-            with cluster(scheduler, jobs) as client:
-                try:
-                    for outcomes in stream(
-                        client, campaign.source.scenarios, orders, len(left), idle
-                    ):
-                        store.add(outcomes)
-                        made += len(outcomes)
-                        progress(made, count)
-                finally:
-                    store.flush()
-        table = store.finish()
-    file = campaign.source.file
-    return CampaignResult(
-        file.name, folder, tuple(f.name for f in campaign.factors), campaign.criteria, table,
-        campaign.draws,
-    )
+
+def _perform(
+    client: Client, campaign: Campaign, store: Store, batch: Sequence[Run]
+) -> Iterator[int]:
+    """Have runs made, and keep them; yields how many as they come."""
+    from segfmu.validation.campaigns.cluster import stream
+
+    runs = {run.number: run for run in batch}
+    orders = (Order(r.number, r.scenario, campaign.changes(r)) for r in batch)
+    try:
+        for outcomes in stream(
+            client, campaign.source.scenarios, orders, len(batch), lambda: store.flush(FLUSH)
+        ):
+            store.add((runs[outcome.number], outcome) for outcome in outcomes)
+            yield len(outcomes)
+    finally:
+        store.flush()
 
 
 def require_names(campaign: Campaign) -> None:

@@ -54,15 +54,23 @@ def at(factor: FactorTable, place: float) -> Any:
     return round(value) if factor.integer else value
 
 
+def known_value(factor: FactorTable, kept: Any) -> Any:
+    """The value of a factor that a table of runs keeps; numbers that are alike there have types."""
+    if factor.values is not None:
+        return next(value for value in factor.values if value == kept)
+    return round(kept) if factor.integer else kept
+
+
 def _random(sampling: SamplingTable, factors: Sequence[FactorTable]) -> Iterator[Sample]:
     assert sampling.runs is not None
-    points = _points(sampling.kind, len(factors), sampling.runs, sampling.seed)
+    points = places(sampling, len(factors), sampling.runs)
     for row in points.tolist():
         yield {f.name: at(f, place) for f, place in zip(factors, row, strict=True)}
 
 
-def _points(kind: str, dimensions: int, count: int, seed: int) -> FloatArray:
-    """Points in the unit cube, shape (count, dimensions)."""
+def places(sampling: SamplingTable, dimensions: int, count: int) -> FloatArray:
+    """Points in the unit cube that are drawn at random, shape (count, dimensions)."""
+    kind, seed = sampling.kind, sampling.seed
     if kind == "sobol" and dimensions > qmc.Sobol.MAXDIM:
         raise InputError(f"sampling: sobol has at most {qmc.Sobol.MAXDIM} factors")
     if kind == "random":

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from errno import EACCES, EAGAIN, EDEADLK
 from pathlib import Path
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from segfmu.cosim.result import replacing
 from segfmu.errors import InputError, first_line
-from segfmu.validation.campaigns.campaign import Campaign
+from segfmu.validation.campaigns.campaign import Campaign, Run
 from segfmu.validation.campaigns.worker import Outcome
 from segfmu.validation.files.campaign_tables import FactorTable
 
@@ -52,16 +52,10 @@ class Store:
         (folder / PARTS).mkdir(exist_ok=True)
         for left in (folder / PARTS).glob("*.part"):
             left.unlink()
-        self._found = self._read()
         numbers = [int(p.stem) for p in (folder / PARTS).glob("*.parquet")]
         self._part = max(numbers, default=0)
 
-    @property
-    def done(self) -> set[int]:
-        """Numbers of the runs that the folder has."""
-        return set() if self._found is None else set(self._found["run"].to_pylist())
-
-    def add(self, outcomes: Iterable[Outcome]) -> None:
+    def add(self, made: Iterable[tuple[Run, Outcome]]) -> None:
         """Take runs, and write them after a second at the latest, with `flush`.
 
         Raises
@@ -69,7 +63,7 @@ class Store:
         InputError
             When they cannot be written.
         """
-        self._waiting += [self._row(outcome) for outcome in outcomes]
+        self._waiting += [self._row(run, outcome) for run, outcome in made]
         self.flush(FLUSH)
 
     def flush(self, patience: float = 0.0) -> None:
@@ -85,9 +79,7 @@ class Store:
 
     def finish(self) -> pyarrow.Table:
         """Write all runs in the order of their numbers as one table, and remove the parts."""
-        self.flush()
-        table = self._read()
-        assert table is not None
+        table = self.rows()
         _write(self._folder / TABLE, table)
         for path in (self._folder / PARTS).glob("*.parquet"):
             path.unlink()
@@ -99,7 +91,7 @@ class Store:
         path = self._folder / ABOUT
         own = {
             "name": self._campaign.source.file.name, "file": str(self._campaign.source.path),
-            "runs": len(self._campaign.runs), "draws": self._campaign.draws,
+            "draws": self._campaign.draws, "searched": self._campaign.searched,
             "factors": [f.name for f in self._campaign.factors],
             "criteria": list(self._campaign.criteria),
             "fingerprint": self._campaign.fingerprint(),
@@ -114,8 +106,7 @@ class Store:
         with replacing(path) as temporary:
             temporary.write_text(json.dumps(own, indent=2) + "\n", encoding="utf-8")
 
-    def _row(self, outcome: Outcome) -> dict[str, Any]:
-        run = self._campaign.runs[outcome.number]
+    def _row(self, run: Run, outcome: Outcome) -> dict[str, Any]:
         row = {
             "run": run.number, "scenario": self._campaign.source.file.scenarios[run.scenario],
             **self._campaign.values(run), "passed": outcome.passed,
@@ -127,16 +118,16 @@ class Store:
             row[f"holds.{found.name}"] = found.passed
         return row
 
-    def _read(self) -> pyarrow.Table | None:
-        """All runs that the folder has, in their order, each once."""
+    def rows(self) -> pyarrow.Table:
+        """All runs so far, written, in the order of their numbers, each once."""
         import pyarrow
-        import pyarrow.compute
 
+        self.flush()
         whole = self._folder / TABLE
         paths = [whole] if whole.exists() else []
         paths += sorted((self._folder / PARTS).glob("*.parquet"))
         if not paths:
-            return None
+            return self._schema.empty_table()
         table = pyarrow.concat_tables([read_table(p, self._schema) for p in paths])
         first = table.append_column("row", pyarrow.array(range(table.num_rows)))
         first = first.group_by("run", use_threads=False).aggregate([("row", "min")])
@@ -239,8 +230,8 @@ def _lock(descriptor: int) -> None:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-def about(folder: Path) -> tuple[str, Sequence[str], Sequence[str], int]:
-    """Name, factors, criteria and draws at random of the campaign in a folder.
+def about(folder: Path) -> dict[str, Any]:
+    """What a `CampaignResult` says of the campaign in a folder, beside its table.
 
     Raises
     ------
@@ -249,7 +240,11 @@ def about(folder: Path) -> tuple[str, Sequence[str], Sequence[str], int]:
     """
     found = _about(folder / ABOUT)
     try:
-        # campaigns of older versions drew none
-        return found["name"], found["factors"], found["criteria"], found.get("draws", 0)
+        # campaigns of older versions have neither draws nor a search
+        return {
+            "name": found["name"], "factors": tuple(found["factors"]),
+            "criteria": tuple(found["criteria"]), "draws": found.get("draws", 0),
+            "searched": tuple(found.get("searched", ())),
+        }
     except KeyError as key:
         raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None

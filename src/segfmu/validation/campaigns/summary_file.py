@@ -21,7 +21,8 @@ def write_summary(result: CampaignResult) -> Path:
     """
     content = {
         "campaign": result.name, "passed": result.passed, "runs": result.table.num_rows,
-        "errors": len(result.errors), "criteria": [_entry(s) for s in result.summaries],
+        "errors": len(result.errors), "searched": list(result.searched),
+        "criteria": [_entry(result, s) for s in result.summaries],
     }
     path = result.folder / "results.json"
     with replacing(path) as temporary:
@@ -30,13 +31,16 @@ def write_summary(result: CampaignResult) -> Path:
     return path
 
 
-def _entry(row: Summary) -> dict[str, Any]:
+def _entry(result: CampaignResult, row: Summary) -> dict[str, Any]:
     known = row.worst is not None and isfinite(row.worst)
     entry: dict[str, Any] = {
         "criterion": row.criterion, "judged": row.judged, "held": row.held,
         # JSON has neither NaN nor infinity
-        "worst_margin": row.worst if known else None, "worst_run": row.run, "fails": None,
+        "worst_margin": row.worst if known else None, "worst_run": row.run, "worst_case": None,
+        "replay": None, "fails": None,
     }
+    if row.run is not None:
+        entry |= {"worst_case": result.values(row.run), "replay": result.command(row.run)}
     if row.fails is not None:
         low, high = row.fails.interval
         entry["fails"] = {

@@ -11,6 +11,9 @@ from segfmu.validation.files.scenario_tables import Name, scalar
 
 # of one campaign
 MOST_RUNS = 1_000_000
+# of a search at least: its first runs alone show where to go on
+LEAST_SEARCHED = 50
+DRAWN = ("latin hypercube", "random", "sobol")
 # columns of the table of runs that are no factors
 COLUMNS = ("run", "scenario", "passed", "error", "arrival")
 
@@ -50,7 +53,7 @@ class SamplingTable(Table):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        drawn = self.kind in ("latin hypercube", "random", "sobol")
+        drawn = self.kind in DRAWN
         if drawn and self.runs is None:
             raise ValueError(f"runs is missing, which {self.kind} needs")
         if not drawn and self.runs is not None:
@@ -130,12 +133,43 @@ class CampaignFile(Table):
     ]
     changes: Annotated[dict[str, Any], Key("changes of all scenarios, with their keys")] = {}
     sampling: Annotated[SamplingTable, Key("how runs are drawn")]
+    search: Annotated[
+        Literal["worst"] | None,
+        Key("runs go to where the margin of a criterion is least; sampling draws the first ones, "
+            "and its runs are those of each scenario and criterion",
+            default="sampling draws all runs"),
+    ] = None
+    search_for: Annotated[
+        Annotated[list[Name], Field(min_length=1)] | None,
+        Key("names of the criteria whose worst case is searched", default="all"),
+    ] = None
     factors: Annotated[list[FactorTable], Key("what differs from run to run")] = []
+
+    @model_validator(mode="after")
+    def _searches(self) -> Self:
+        if self.search is None:
+            if self.search_for is not None:
+                raise ValueError('search_for is for search = "worst"')
+            return self
+        if not self.factors:
+            raise ValueError("search needs factors, in which it looks for the worst case")
+        if self.sampling.kind not in DRAWN:
+            raise ValueError(
+                f"search needs sampling.kind {', '.join(DRAWN[:-1])} or {DRAWN[-1]}, which draws "
+                f"its first runs, got {self.sampling.kind}"
+            )
+        if (self.sampling.runs or 0) < LEAST_SEARCHED:
+            raise ValueError(
+                f"search needs sampling.runs of at least {LEAST_SEARCHED}, got "
+                f"{self.sampling.runs}; 500 are usual"
+            )
+        return self
 
     @model_validator(mode="after")
     def _unique(self) -> Self:
         for kind, names in (
             ("factors", [f.name for f in self.factors]), ("scenarios", self.scenarios),
+            ("search_for", self.search_for or []),
         ):
             double = next((n for n in names if names.count(n) > 1), None)
             if double is not None:

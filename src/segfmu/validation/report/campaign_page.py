@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from shlex import quote
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.campaigns.result import CampaignResult, Summary
-from segfmu.validation.campaigns.tables import CHANCE
+from segfmu.validation.campaigns.tables import CHANCE, case
 from segfmu.validation.report.curves import digits
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table
 from segfmu.validation.report.suite_page import runs
@@ -32,7 +31,9 @@ def campaign_page(result: CampaignResult, worst: Suite | None = None) -> Page:
         title=result.name,
         kind="Campaign",
         passed=result.passed,
-        verdict=f"{passed} of {count} runs passed",
+        verdict=f"{passed} of {count} runs passed" + (
+            ", which a search for the worst cases chose" if result.searched else ""
+        ),
         facts=_facts(result, count),
         summary=_overview(result),
         scenes=scenes,
@@ -61,11 +62,14 @@ def _overview(result: CampaignResult) -> Table:
             "" if row.worst is None else pretty(row.worst),
             "" if row.run is None else str(row.run), _causes(result, row),
         ))
-    heads = ("criterion", "held", "share", "fails (95 %)", "least margin", "run", "depends most on")
+    last = "worst case" if result.searched else "depends most on"
+    heads = ("criterion", "held", "share", "fails (95 %)", "least margin", "run", last)
     return Table("Criteria in all runs", heads, rows)
 
 
 def _causes(result: CampaignResult, row: Summary) -> str:
+    if result.searched:
+        return "" if row.run is None else case(result.values(row.run))
     found = [s for s in result.sensitivities if s.criterion == row.criterion]
     return ", ".join(s.factor for s in found[:2] if s.chance < CHANCE)
 
@@ -139,18 +143,16 @@ def _worst(result: CampaignResult) -> list[Section]:
     rows = []
     for row in result.summaries:
         if row.run is not None:
-            place = result.column("run").index(row.run)
-            values = ", ".join(f"{n} {_shown(result.column(n)[place])}" for n in result.factors)
-            rows.append((row.criterion, str(row.run), pretty(row.worst or 0.0), values))
+            rows.append((
+                row.criterion, str(row.run), pretty(row.worst or 0.0),
+                case(result.values(row.run)),
+            ))
     if not rows:
         return []
     return [Section(
         "Worst cases", "Each can be run again as a scenario of its own.",
         tables=[Table("Least margins", ("criterion", "run", "margin", "factors"), rows)],
-        commands=[
-            f"segfmu validate {quote(str(result.folder / f'run_{run}.toml'))}"
-            for run in result.worst()
-        ],
+        commands=[result.command(run) for run in result.worst()],
     )]
 
 
@@ -160,8 +162,3 @@ def _errors(result: CampaignResult) -> list[Section]:
         return []
     caption = f"the first {len(rows)} of {len(result.errors)}"
     return [Section("Runs without a verdict", tables=[Table(caption, ("run", "error"), rows)])]
-
-
-def _shown(value: Any) -> str:
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    return pretty(float(value)) if number else str(value)

@@ -1,0 +1,51 @@
+"""The runs of a campaign in batches: each can follow from what the ones before have found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from segfmu.validation.campaigns.campaign import Campaign, Run
+from segfmu.validation.campaigns.search import Case, next_cases
+from segfmu.validation.campaigns.store import Store
+
+
+def batches(campaign: Campaign, store: Store) -> Iterator[list[Run]]:
+    """Runs that are to be made; all of a batch are in the store when the next one is asked for."""
+    if campaign.searched:
+        yield from _searched(campaign, store)
+        return
+    done = set(store.rows()["run"].to_pylist())
+    missing = [run for run in campaign.runs if run.number not in done]
+    if missing:
+        yield missing
+
+
+def _searched(campaign: Campaign, store: Store) -> Iterator[list[Run]]:
+    """Search on search, of which each knows the runs that those before it have made.
+
+    A run is known when its batch comes, also if an earlier command has made it: so numbers and
+    cases do not depend on where a campaign was interrupted.
+    """
+    known: dict[tuple[int, Case], int] = {}
+    margins = {name: _margins(store, name) for name in campaign.searched}
+    for scenario in range(len(campaign.source.scenarios)):
+        for criterion in campaign.searched:
+            while True:
+                found = margins[criterion]
+                own = {c: found[run] for (s, c), run in known.items() if s == scenario}
+                sampling = campaign.source.file.sampling
+                samples = next_cases(sampling, campaign.factors, own)
+                if not samples:
+                    break
+                batch = [Run(len(known) + i, scenario, s) for i, s in enumerate(samples)]
+                missing = [run for run in batch if run.number not in found]
+                if missing:
+                    yield missing
+                    margins = {name: _margins(store, name) for name in campaign.searched}
+                known |= {(scenario, tuple(r.sample.values())): r.number for r in batch}
+
+
+def _margins(store: Store, criterion: str) -> dict[int, float | None]:
+    """Margins by the numbers of runs; None of a run that has no verdict."""
+    table = store.rows().select(["run", f"margin.{criterion}"])
+    return dict(zip(*(column.to_pylist() for column in table.columns), strict=True))
