@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.batches import batches
@@ -15,12 +14,9 @@ from segfmu.validation.campaigns.factors import changes
 from segfmu.validation.campaigns.result import CampaignResult, load_result
 from segfmu.validation.campaigns.sampling import levels
 from segfmu.validation.campaigns.store import FLUSH, Store, alone
-from segfmu.validation.campaigns.worker import Order
+from segfmu.validation.campaigns.worker import Order, Outcome
 from segfmu.validation.files.scenario_file import build_scenario
 from segfmu.validation.suite import Runner
-
-if TYPE_CHECKING:
-    from distributed import Client
 
 PACKAGES = ("dask", "distributed", "pyarrow")
 
@@ -74,7 +70,7 @@ def run_campaign(
         If there are no more workers. What was made is kept, here as in all other cases.
     """
     require_packages()
-    from segfmu.validation.campaigns.cluster import cluster
+    from segfmu.validation.campaigns.cluster import cluster, stream
 
     with alone(folder), ExitStack() as stack:
         store = Store(folder, campaign)
@@ -83,27 +79,26 @@ def run_campaign(
         for batch in batches(campaign, store):
             # a campaign that is complete needs no workers
             client = client or stack.enter_context(cluster(scheduler, jobs))
-            for count in _perform(client, campaign, store, batch):
+            orders = (Order(r.number, r.scenario, campaign.changes(r)) for r in batch)
+            outcomes = stream(
+                client, campaign.source.scenarios, orders, len(batch), lambda: store.flush(FLUSH)
+            )
+            for count in _kept(store, batch, outcomes):
                 made += count
                 progress(made, campaign.most)
         store.finish()
     return load_result(folder)
 
 
-def _perform(
-    client: Client, campaign: Campaign, store: Store, batch: Sequence[Run]
+def _kept(
+    store: Store, batch: Sequence[Run], outcomes: Iterator[list[Outcome]]
 ) -> Iterator[int]:
-    """Have runs made, and keep them; yields how many as they come."""
-    from segfmu.validation.campaigns.cluster import stream
-
+    """Keep runs as they come; yields how many."""
     runs = {run.number: run for run in batch}
-    orders = (Order(r.number, r.scenario, campaign.changes(r)) for r in batch)
     try:
-        for outcomes in stream(
-            client, campaign.source.scenarios, orders, len(batch), lambda: store.flush(FLUSH)
-        ):
-            store.add((runs[outcome.number], outcome) for outcome in outcomes)
-            yield len(outcomes)
+        for some in outcomes:
+            store.add((runs[outcome.number], outcome) for outcome in some)
+            yield len(some)
     finally:
         store.flush()
 
