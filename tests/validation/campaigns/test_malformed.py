@@ -59,10 +59,17 @@ CAMPAIGNS = {
         'variants.a.true_crane.wind = { gust = 3 }', "true_crane.wind.gust: must be a table",
     ),
     "changes": ("[sampling]", "[changes]\nspeed = 3\n[sampling]", "speed: unknown key"),
+    "criterion among the changes": (
+        "[sampling]", '[[changes.criteria]]\nname = "x"\nkind = "alway"\n[sampling]',
+        "c.toml: changes.criteria.1.kind: must be 'always'",
+    ),
+    "step among the changes": ("[sampling]", "changes.step = 0\n[sampling]",
+                               "c.toml: changes.step: must be at least 1e-06 s"),
     "outside of what the FMU takes": (
         "simulation.initial_sway.0", "parameters.GantryCrane.drive.bridge.lug",
         "GantryCrane has no variable drive.bridge.lug",
     ),
+    "short time": ("[sampling]", "timeout = 0.1\n[sampling]", "timeout: must be at least 1 s"),
     "search for something": (
         "[sampling]", 'search = "best"\n[sampling]', "search: must be 'worst', got 'best'",
     ),

@@ -16,11 +16,13 @@ import pyarrow
 import pyarrow.parquet
 import pytest
 
+from segfmu.validation.campaigns import worker
 from segfmu.validation.campaigns.campaign import load_campaign
 from segfmu.validation.campaigns.replay import write_run
 from segfmu.validation.campaigns.result import CampaignResult, load_result
-from segfmu.validation.files.scenario_file import load_scenario
+from segfmu.validation.files.scenario_file import Source, load_scenario
 from segfmu.validation.suite import Runner
+from tests.campaign import SOAK
 from tests.compiler import require_native
 from tests.cosim.probe.build import build
 from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, command, run, write
@@ -239,6 +241,36 @@ def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_pat
     assert all(f"run {number}: " in done.stdout for number in errors)
     judged = [margin is not None for margin in result.column("margin.follows")]
     assert judged == [number not in errors for number in range(8)]
+
+
+@pytest.mark.soak
+@pytest.mark.skipif(not SOAK, reason="takes the time limit of a run; make soak waits for it")
+def test_a_run_that_hangs_costs_itself_alone(tmp_path: Path) -> None:
+    require_native()
+    scenario = SCENARIO + FAILING.format(path=build(tmp_path, 2).as_posix())
+    campaign = FAILURES.replace('"failing"', '"hanging"\ntimeout = 20').replace("3, 99", "98")
+    path = write(tmp_path, campaign, scenario)
+    done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
+    errors = dict(load_result(tmp_path / "out").errors)
+    assert set(errors) == {2, 4} and errors[2] == "did not end within timeout = 20 s"
+    assert f"run 2: {errors[2]}" in done.stdout
+
+
+def test_a_worker_gives_up_at_the_run_that_hangs(monkeypatch: pytest.MonkeyPatch) -> None:
+    def make(_: Runner, __: Source, order: worker.Order) -> worker.Outcome:
+        if order.number == 1:
+            time.sleep(1.0)
+        return worker.Outcome(order.number, passed=True)
+
+    monkeypatch.setattr(worker, "_made", make)
+    orders = [worker.Order(number, 0, {}) for number in range(3)]
+    outcomes, _ = worker.perform([Source(Path("s.toml"), {})], orders, 0.2)
+    assert [(o.number, o.passed, o.hung) for o in outcomes] == [(0, True, False), (1, False, True)]
+    # what comes next has FMUs of its own
+    assert not worker._runners
+    again, _ = worker.perform([Source(Path("s.toml"), {})], orders[:1], None)
+    assert again[0].passed
+    worker.release()
 
 
 def test_two_campaigns_in_one_folder(whole: CampaignResult, tmp_path: Path) -> None:

@@ -85,12 +85,13 @@ def _require_workers(client: Client, scheduler: str | None) -> None:
 
 def stream(
     client: Client, sources: Sequence[Source], orders: Iterator[Order], count: int,
-    idle: Callable[[], None] = lambda: None,
+    idle: Callable[[], None] = lambda: None, timeout: float | None = None,
 ) -> Iterator[list[Outcome]]:
     """Have `count` orders performed; yields outcomes as they come.
 
     A run whose worker dies is repeated elsewhere; one at which worker after worker dies is an
-    outcome with an error. `idle` is called at least every second.
+    outcome with an error; so is one that takes longer than `timeout` [s], whose worker begins
+    anew. `idle` is called at least every second.
 
     Raises
     ------
@@ -107,7 +108,7 @@ def stream(
         while shares.left and len(running) < AHEAD * threads:
             own = shares.next(threads)
             # a campaign that is resumed asks for the same again
-            future = client.submit(worker.perform, sources, own, pure=False)
+            future = client.submit(worker.perform, sources, own, timeout, pure=False)
             running[future] = own
         if threads:
             seen = monotonic()
@@ -127,17 +128,21 @@ def stream(
         for future in done:
             if future.status in REPEATED:
                 continue
-            yield _outcomes(future, running.pop(future), shares)
+            yield _outcomes(client, future, running.pop(future), shares)
 
 
 def _outcomes(
-    future: Future[tuple[list[Outcome], float]], own: list[Order], shares: _Shares
+    client: Client, future: Future[tuple[list[Outcome], float]], own: list[Order], shares: _Shares
 ) -> list[Outcome]:
     from distributed import KilledWorker
 
     if future.status == "finished":
         outcomes, seconds = future.result()
-        shares.learn(seconds / len(outcomes))
+        if outcomes[-1].hung:
+            _restart(client, future)
+            shares.again(own[len(outcomes):])
+        else:
+            shares.learn(seconds / len(outcomes))
         return list(outcomes)
     error = future.exception() if future.status == "error" else None
     if not isinstance(error, KilledWorker):
@@ -150,6 +155,12 @@ def _outcomes(
         shares.again(own)
         return []
     return [Outcome(own[0].number, error="the process that made this run died, again and again")]
+
+
+def _restart(client: Client, future: Future[Any]) -> None:
+    """End the process in which a run hangs; without a nanny it goes on beside the others."""
+    with suppress(Exception):
+        client.restart_workers(client.who_has([future])[future.key], timeout=ANSWER)
 
 
 class _Shares:

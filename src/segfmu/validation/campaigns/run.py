@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from segfmu.validation.campaigns.factors import changes
 from segfmu.validation.campaigns.result import CampaignResult, load_result
 from segfmu.validation.campaigns.sampling import levels
 from segfmu.validation.campaigns.store import FLUSH, Store, alone
-from segfmu.validation.campaigns.worker import Order, Outcome
+from segfmu.validation.campaigns.worker import Order, Outcome, within
 from segfmu.validation.files.scenario_file import build_scenario
 from segfmu.validation.suite import Runner
 
@@ -81,7 +82,8 @@ def run_campaign(
             client = client or stack.enter_context(cluster(scheduler, jobs))
             orders = (Order(r.number, r.scenario, campaign.changes(r)) for r in batch)
             outcomes = stream(
-                client, campaign.source.scenarios, orders, len(batch), lambda: store.flush(FLUSH)
+                client, campaign.source.scenarios, orders, len(batch), lambda: store.flush(FLUSH),
+                campaign.source.file.timeout,
             )
             for count in _kept(store, batch, outcomes):
                 made += count
@@ -117,7 +119,12 @@ def require_names(campaign: Campaign) -> None:
     """
     with Runner() as runner:
         for source in campaign.source.scenarios:
-            runner.run(build_scenario(source))
+            timeout = campaign.source.file.timeout
+            if within(timeout, partial(runner.run, build_scenario(source))) is None:
+                raise InputError(
+                    f"{campaign.source.path}: timeout: {source.path} as it is does not end within "
+                    f"{timeout:g} s; the time to build its FMUs is a part of this"
+                )
             for factor in campaign.factors:
                 for value in levels(factor, 2):
                     own = changes(source, [factor], {factor.name: value})

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import logging
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
+from functools import partial
 from time import perf_counter
-from typing import Any
+from typing import Any, TypeVar
 
 from segfmu.cosim.messages import LOGGER
 from segfmu.errors import SegfmuError
 from segfmu.validation.files.scenario_file import Source, build_scenario
 from segfmu.validation.monitor import Finding
 from segfmu.validation.suite import Runner
+
+Found = TypeVar("Found")
 
 # an FMU runs in one thread at a time, and workers may have several
 _runners: dict[int, Runner] = {}
@@ -41,6 +45,8 @@ class Outcome:
     arrival : float or None
         Time at which the motion ends [s].
     findings : tuple of Finding
+    hung : bool
+        Whether it is still running in a thread that nothing can stop but the end of the process.
     """
 
     number: int
@@ -48,23 +54,70 @@ class Outcome:
     error: str = ""
     arrival: float | None = None
     findings: tuple[Finding, ...] = ()
+    hung: bool = False
 
 
 def perform(
-    sources: Sequence[Source], orders: Sequence[Order]
+    sources: Sequence[Source], orders: Sequence[Order], timeout: float | None = None
 ) -> tuple[list[Outcome], float]:
-    """Make runs; returns their outcomes, and how long they took [s]."""
+    """Make runs; returns their outcomes, and how long they took [s].
+
+    A run that takes longer than `timeout` [s] is the last one: its FMU may hang.
+    """
     # warnings of an FMU are the same in hundreds of runs
     LOGGER.setLevel(logging.CRITICAL)
     begin = perf_counter()
-    runner = _runners.setdefault(threading.get_ident(), Runner())
-    return [_made(runner, sources[o.scenario], o) for o in orders], perf_counter() - begin
+    outcomes: list[Outcome] = []
+    for order in orders:
+        runner = _runners.setdefault(threading.get_ident(), Runner())
+        made = partial(_made, runner, sources[order.scenario], order)
+        outcomes.append(_limited(made, order, timeout))
+        if outcomes[-1].hung:
+            # the thread that hangs keeps it
+            del _runners[threading.get_ident()]
+            break
+    return outcomes, perf_counter() - begin
 
 
 def release() -> None:
     """Free the FMUs of all threads."""
     while _runners:
         _runners.popitem()[1].close()
+
+
+def _limited(make: Callable[[], Outcome], order: Order, timeout: float | None) -> Outcome:
+    found = within(timeout, make)
+    if found is None:
+        error = f"did not end within timeout = {timeout:g} s"
+        return Outcome(order.number, error=error, hung=True)
+    return found
+
+
+def within(timeout: float | None, work: Callable[[], Found]) -> Found | None:
+    """What `work` returns; None if it takes longer [s], and its thread is left to itself.
+
+    Raises
+    ------
+    SegfmuError
+        That of the work.
+    """
+    if timeout is None:
+        return work()
+    found: Future[Found] = Future()
+
+    def perform() -> None:
+        try:
+            found.set_result(work())
+        except Exception as error:
+            found.set_exception(error)
+
+    threading.Thread(target=perform, daemon=True).start()
+    try:
+        return found.result(timeout)
+    except TimeoutError:
+        if found.done():
+            raise
+        return None
 
 
 def _made(runner: Runner, source: Source, order: Order) -> Outcome:

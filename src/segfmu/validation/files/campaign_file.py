@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
-from segfmu.validation.files.campaign_tables import CampaignFile, FactorTable
+from segfmu.validation.files.campaign_tables import CampaignFile, Changed, FactorTable
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.reading import checked, read
 from segfmu.validation.files.scenario_file import Source, inherit, located, read_source
@@ -49,6 +49,7 @@ def read_campaign(path: Path) -> CampaignSource:
     require_kind("campaign", data, path)
     file = checked(CampaignFile, data, str(path))
     file = file.model_copy(update={"factors": [_placed(place, f) for f in file.factors]})
+    checked(Changed, {"changes": file.changes}, str(path))
     own = located(place, file.changes)
     found = []
     for name in file.scenarios:

@@ -7,7 +7,12 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
 
 from segfmu.validation.files.keys import Key, Number, Seed, Table
-from segfmu.validation.files.scenario_tables import Name, scalar
+from segfmu.validation.files.scenario_tables import (
+    CriterionTable,
+    Name,
+    ScenarioFile,
+    scalar,
+)
 
 # of one campaign
 MOST_RUNS = 1_000_000
@@ -124,6 +129,25 @@ def _check_values(factor: FactorTable) -> None:
         raise ValueError("relative is for numbers")
 
 
+class ChangesTable(ScenarioFile):
+    """Changes of a scenario: its keys, none of which is required."""
+
+    name: Annotated[Name, Key("title of the scenario")] = "changes"
+    mission: Annotated[Name, Key("mission file")] = "mission"
+    criteria: Annotated[list[CriterionTable], Key("what has to hold")] = []
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """What has to fit together is seen when a scenario has the changes."""
+        return self
+
+
+class Changed(Table):
+    """The changes of a campaign, which have the names of its keys in messages."""
+
+    changes: Annotated[ChangesTable, Key("of all scenarios")]
+
+
 class CampaignFile(Table):
     """A whole campaign file."""
 
@@ -133,6 +157,11 @@ class CampaignFile(Table):
     ]
     changes: Annotated[dict[str, Any], Key("changes of all scenarios, with their keys")] = {}
     sampling: Annotated[SamplingTable, Key("how runs are drawn")]
+    timeout: Annotated[
+        Annotated[Number, Field(ge=1.0, le=1e6)] | None,
+        Key("longest time of a run, the building of its FMUs included; one that takes longer is a "
+            "row with an error", "s", default="no limit"),
+    ] = None
     search: Annotated[
         Literal["worst"] | None,
         Key("runs go to where the margin of a criterion is least; sampling draws the first ones, "
