@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from segfmu.crane.equipment import FRICTION, Friction
 from segfmu.crane.parameters import Crane
-from segfmu.crane.rope import LoadTrajectory
+from segfmu.crane.rope import LoadTrajectory, joined_pieces
 from segfmu.crane.variables import filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -62,14 +62,8 @@ class Contacts:
     @cached_property
     def pieces(self) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:
         """The trajectory as the kernels take it: timing, coefficients, offsets and ends."""
-        pieces = [self._trajectory.pieces(axis) for axis in range(3)]
-        timing = np.concatenate([np.column_stack(p[:2]) for p in pieces])
-        width = max(p[2].shape[1] for p in pieces)
-        coefficients = np.concatenate(
-            [np.pad(p[2], ((0, 0), (0, width - p[2].shape[1]))) for p in pieces]
-        )
-        offsets = np.cumsum([0, *(p[0].size for p in pieces)])
-        ends = np.array([p[0][-1] + p[1][-1] for p in pieces])
+        timing, coefficients, offsets = joined_pieces(self._trajectory)
+        ends = timing[offsets[1:] - 1].sum(axis=1)
         # the last pieces of axes that end together do so up to rounding
         last = self._trajectory.duration
         ends[np.abs(ends - last) <= 1e-12 * last] = last

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError
@@ -41,6 +41,26 @@ class LoadTrajectory(Protocol):
         """Starts (pieces,), lengths (pieces,) and ascending coefficients (pieces, width)."""
 
 
+def joined_pieces(
+    trajectory: LoadTrajectory, width: int = 0
+) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
+    """Pieces of the three axes below each other, as kernels take them.
+
+    Starts and lengths (pieces, 2) [s], ascending coefficients (pieces, at least `width`), and the
+    row at which each axis begins, with the number of rows behind the last one, (4,).
+    """
+    pieces = [trajectory.pieces(axis) for axis in range(3)]
+    offsets = np.cumsum([0, *(starts.size for starts, _, _ in pieces)], dtype=np.int64)
+    # filled in place, as searches look at thousands of plans
+    timing = np.empty((offsets[-1], 2))
+    coefficients = np.zeros((offsets[-1], max(width, *(own.shape[1] for _, _, own in pieces))))
+    for first, (starts, lengths, own) in zip(offsets, pieces, strict=False):
+        rows = slice(first, first + starts.size)
+        timing[rows, 0], timing[rows, 1] = starts, lengths
+        coefficients[rows, : own.shape[1]] = own
+    return timing, coefficients, offsets
+
+
 def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     """Check that the load stays below the trolley, the rope taut and its length in range.
 
@@ -49,18 +69,11 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     InfeasibleError
         With the first time of a violation, and the worst value after it.
     """
-    pieces = [trajectory.pieces(axis) for axis in range(3)]
-    timing = np.concatenate([np.column_stack(p[:2]) for p in pieces])
-    width = max(4, *(p[2].shape[1] for p in pieces))
-    coefficients = np.concatenate(
-        [np.pad(p[2], ((0, 0), (0, width - p[2].shape[1]))) for p in pieces]
-    )
-    offsets = np.cumsum([0, *(p[0].size for p in pieces)])
+    timing, coefficients, offsets = joined_pieces(trajectory, 4)
     bounds = np.array([crane.gravity, crane.rope_min or 0.0, crane.rope_max or 0.0])
     report = np.zeros(RopeFault.SIZE)
-    status = backend.check_rope(
-        timing, coefficients, offsets, bounds, np.zeros((RopeWork.SIZE, 4 * width - 5)), report,
-    )
+    work = np.zeros((RopeWork.SIZE, 4 * coefficients.shape[1] - 5))
+    status = backend.check_rope(timing, coefficients, offsets, bounds, work, report)
     if status != 0:
         time, worst, bound = report.tolist()
         raise InfeasibleError(
