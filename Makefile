@@ -79,8 +79,9 @@ QUICK := tests/golden tests/property tests/kernels/test_backend.py \
 	tests/validation/files/test_files.py::test_reference_page_is_that_of_the_models
 
 # Workers on all cores; one that is done takes over tests of the others. Threads of OpenBLAS would
-# wait for cores that other workers have.
-PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -q -n auto --dist worksteal
+# wait for cores that other workers have. Tests start hundreds of commands, whose modules are kept
+# compiled also where the environment, as that of many containers, asks for the opposite.
+PYTEST := PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -q -n auto --dist worksteal
 
 # what generated files are made from and by, and the files
 TRANSLATED := $(shell find src/segfmu/kernels src/segfmu/codegen src/segfmu/crane tests/codegen \
@@ -97,7 +98,7 @@ $(VENV)/translated: $(TRANSLATED)
 test: $(VENV)/installed ## all tests, on all cores
 	$(PYTEST)
 
-soak: $(VENV)/installed ## the random campaigns of the tests, with 2 to 40 times as many problems
+soak: $(VENV)/installed ## the random campaigns of the tests, with 2 to 100 times as many problems
 	SEGFMU_SOAK=1 $(PYTEST) -m soak
 
 interpreted: $(VENV)/installed ## some tests on the interpreted kernels, as where no C compiler is

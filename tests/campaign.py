@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import pytest
 
@@ -14,3 +15,8 @@ def campaign(usual: int, soak: int, name: str = "count") -> pytest.MarkDecorator
     assert usual < soak
     value = pytest.param(soak if SOAK else usual, marks=pytest.mark.soak)
     return pytest.mark.parametrize(name, [value])
+
+
+def soaked(*values: object) -> list[Any]:
+    """Values of an argument that only a soak takes: others tell the same in less time."""
+    return [pytest.param(value, marks=pytest.mark.soak) for value in values] if SOAK else []

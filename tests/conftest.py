@@ -1,4 +1,4 @@
-"""Both FMUs, built once for all tests."""
+"""Both FMUs and the planner in C, built once for all tests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.python.archive import build_all
-from tests.compiler import require_native
+from tests.compiler import require_cc, require_native
+from tests.kernels.planner.c_planner import Planner
 from tests.sharing import shared
 
 # The same examples in every run of the whole suite; `--hypothesis-profile=search` looks for more.
@@ -39,6 +40,13 @@ def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Pat
         ))
         for fmi in (2, 3)
     }
+
+
+@pytest.fixture(scope="session")
+def planner(tmp_path_factory: pytest.TempPathFactory) -> Planner:
+    """The C entry points of plans."""
+    require_cc()
+    return Planner(shared(tmp_path_factory, "planner", Planner))
 
 
 def pair(folder: Path) -> tuple[Path, Path]:

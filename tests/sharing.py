@@ -17,10 +17,10 @@ def shared(
     base = factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         base = base.parent
+    folder, whole = base / name, base / f"{name}.whole"
     with FileLock(base / f"{name}.lock"):
-        if not (base / name).exists():
-            part = base / f"{name}.part"
-            part.mkdir(exist_ok=True)
-            build(part)
-            part.rename(base / name)
-    return base / name
+        if not whole.exists():
+            folder.mkdir(exist_ok=True)
+            build(folder)
+            whole.touch()
+    return folder

@@ -23,7 +23,7 @@ from segfmu import (
 from segfmu.crane import actuators
 from segfmu.crane.bounds import NAMES
 from segfmu.crane.demand import peaks
-from tests.campaign import campaign
+from tests.campaign import campaign, soaked
 
 CRANE = Crane(2.2, 1.155, 1.0)
 SHIP_TO_SHORE = Crane(300e3, 15e3, 40e3)
@@ -144,8 +144,9 @@ def test_peaks_are_exact() -> None:
     assert found[0, 2] == 0.0 < found[1, 2]
 
 
-def test_random_cranes_of_any_size_keep_their_bounds() -> None:
-    for problem in drive_problems(4, seed=5):
+@campaign(2, 8)
+def test_random_cranes_of_any_size_keep_their_bounds(count: int) -> None:
+    for problem in drive_problems(count, seed=5):
         found = plan_actuated(problem.crane, problem.waypoints, problem.limits, problem.bounds)
         used = largest_use(problem.crane, found.trajectory, problem.bounds, 20001)
         assert used <= 1.0 + 1e-9
@@ -215,16 +216,22 @@ def test_free_states_do_not_run_up_backwards() -> None:
     assert found.trajectory(found.trajectory.waypoint_times[1], 1)[1] > 0.0
 
 
-@campaign(1, 2, "passed")
-def test_free_states_are_never_slower_than_rest(passed: int) -> None:
+@pytest.mark.parametrize("places", [
+    [[0.4, 0.0, -1.0], [0.5, 0.0, -1.0]],
+    *soaked(
+        [[0.4, 0.1, -1.0], [0.5, 0.4, -1.0]],
+        [[0.1, 0.05, -1.0], [0.4, 0.1, -1.0], [0.5, 0.4, -1.0]],
+    ),
+])
+def test_free_states_are_never_slower_than_rest(places: list[list[float]]) -> None:
     crane, bounds = Crane(1.2, 0.8, 0.5), ActuatorBounds(force=[8.0, 6.0, 8.0], velocity=0.3)
-    ends = [Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.4, -1.0])]
-    inner = ([0.1, 0.05, -1.0], [0.4, 0.1, -1.0])[-passed:]
+    *inner, end = places
     shares: list[float] = []
     resting, free = (
         plan_actuated(
-            crane, [ends[0], *(Waypoint(p, *words) for p in inner), ends[1]], None, bounds,
-            progress=shares.append,
+            crane,
+            [Waypoint([0.0, 0.0, -1.0]), *(Waypoint(p, *words) for p in inner), Waypoint(end)],
+            None, bounds, progress=shares.append,
         ).trajectory.duration
         for words in ((), ("free", "free"))
     )
@@ -266,6 +273,6 @@ def test_one_refused_search_of_free_states_is_not_the_end(
 
     monkeypatch.setattr(actuators, "_search", some)
     bounds = ActuatorBounds(velocity=0.8, acceleration=0.6)
-    points = [Waypoint([0.0, 0.0, -1.0]), Waypoint([1.0, 0.5, -0.9], "free", "free"),
-              Waypoint([2.0, 1.0, -0.8])]
+    points = [Waypoint([0.0, 0.0, -1.0]), Waypoint([1.0, 0.0, -1.0], "free", "free"),
+              Waypoint([2.0, 0.0, -1.0])]
     assert plan_actuated(CRANE, points, None, bounds).passed

@@ -23,8 +23,9 @@ HOISTING = [
 ]
 
 
-@pytest.mark.parametrize("points", [PAPER, HOISTING], ids=["paper", "hoisting"])
-@pytest.mark.parametrize("smoothness", [4, 5])
+@pytest.mark.parametrize(
+    ("points", "smoothness"), [(PAPER, 5), (HOISTING, 4)], ids=["paper", "hoisting"]
+)
 def test_plant_under_feedforward_follows_the_plan(points, smoothness: int) -> None:
     trajectory = plan(points, LIMITS, smoothness=smoothness)
     inverse = FlatInverse(CRANE, trajectory)

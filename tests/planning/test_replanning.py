@@ -19,7 +19,7 @@ from segfmu import (
     stop,
     verify,
 )
-from tests.campaign import campaign
+from tests.campaign import campaign, soaked
 from tests.property import soak_replan
 
 TARGET = Waypoint([1.0, 0.5, 0.2])
@@ -53,7 +53,7 @@ def test_a_plan_to_the_same_target_ends_when_the_first_one_would_have(n: int, t:
     assert t + new.duration <= old.duration * (1.0 + 1e-9)
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, *(pytest.param(n, marks=pytest.mark.long) for n in (5, 6))])
+@pytest.mark.parametrize("n", [2, 3, 4, pytest.param(5, marks=pytest.mark.long), *soaked(6)])
 def test_replanned_in_cycles_it_arrives_in_time(n: int) -> None:
     first = trajectory = first_plan(n)
     passed = 0.0
@@ -444,7 +444,7 @@ def test_a_refused_first_waypoint_names_the_limit_that_it_breaks(
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("synchronize", ["waypoints", "total", "none"])
-@campaign(5, 20)
+@campaign(3, 20)
 def test_at_the_very_end_of_a_plan_that_ends_moving_nothing_is_left(
     n: int, synchronize: str, count: int
 ) -> None:

@@ -36,7 +36,7 @@ def test_axes_meet_as_early_as_they_can(count: int) -> None:
 
 @pytest.mark.parametrize("smoothness", [*FEW, 5, 6])
 @pytest.mark.parametrize("ends", [False, True])
-@campaign(160, 2000)
+@campaign(96, 2000)
 def test_plans_are_replanned_and_stopped_anywhere(
     smoothness: int, ends: bool, count: int
 ) -> None:

@@ -150,7 +150,7 @@ def every(step: int, name: str, folder: Path) -> Path:
 
 
 @pytest.mark.parametrize(("name", "place"), [("lab", 0), ("quay", 1)])
-@campaign(4, 13, "disturbances")
+@campaign(2, 13, "disturbances")
 def test_the_comparison_is_as_told_and_every_drive_within_its_bounds(
     name: str, place: int, disturbances: int, tmp_path: Path
 ) -> None:

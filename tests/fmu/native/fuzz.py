@@ -18,19 +18,22 @@ from segfmu.fmu.standard.spec import Spec
 
 DRIVERS = Path(__file__).parent / "c"
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-OPTIONS = ("-std=c99", "-g", "-O1", "-ffp-contract=off", "-w", *SANITIZERS)
+OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w", *SANITIZERS)
 SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
 
 
-def program(compiler: str, spec: Spec, fmi: int, folder: Path) -> Path:
-    """Compile the driver of a version, which includes the FMU, and put its resources beside it."""
+def program(compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1") -> Path:
+    """Compile the driver of a version, which includes the FMU, and put its resources beside it.
+
+    `level` is the compiler's option of optimisation.
+    """
     place = folder / f"{spec.name}{fmi}"
     place.mkdir()
     written(spec, fmi, place)
     target = place / "fuzz"
     subprocess.run(
-        [compiler, *OPTIONS, f"-I{place}", f"-I{DRIVERS}", DRIVERS / f"fuzz{fmi}.c", "-lm", "-o",
-         target],
+        [compiler, *OPTIONS, level, f"-I{place}", f"-I{DRIVERS}", DRIVERS / f"fuzz{fmi}.c", "-lm",
+         "-o", target],
         check=True,
     )
     return target

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from segfmu import Limits, Waypoint, plan, verify
 from segfmu.kernels.planner.records import Cell, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
+from tests.campaign import campaign
 from tests.problems import AxisProblem, axis_problems, work_space
 
 
@@ -95,10 +96,13 @@ def test_stretching_keeps_the_distance() -> None:
         ),
     ],
 )
-def test_no_duration_is_lost_where_few_levels_keep_the_velocity_limit(problem) -> None:
+@campaign(40, 80)
+def test_no_duration_is_lost_where_few_levels_keep_the_velocity_limit(
+    problem: AxisProblem, count: int
+) -> None:
     # a level has to be low enough for the limit and high enough for the duration
     least = shortest(problem)
-    for target in np.linspace(1.001, 1.6, 80) * least:
+    for target in np.linspace(1.001, 1.6, count) * least:
         assert timed(problem, float(target))[0] >= 0.0, target
 
 

@@ -25,6 +25,7 @@ from segfmu.validation.suite import Runner
 from tests.campaign import SOAK
 from tests.compiler import require_native
 from tests.cosim.probe.build import build
+from tests.sharing import shared
 from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, command, run, write
 
 # some seconds of work, so that there is a half
@@ -34,22 +35,25 @@ LONG = CAMPAIGN.replace("runs = 40", f"runs = {RUNS}").replace(
 )
 
 
+def completed(factory: pytest.TempPathFactory, name: str, text: str) -> CampaignResult:
+    """A campaign's result, which all workers of the tests share."""
+    require_native()
+    folder = shared(
+        factory, f"campaign_{name}", lambda f: run(write(f, text), "-o", f / "out", "--jobs", "1")
+    )
+    return load_result(folder / "out")
+
+
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
     """A campaign on one worker."""
-    require_native()
-    folder = tmp_path_factory.mktemp("whole")
-    run(write(folder), "-o", folder / "out", "--jobs", "1")
-    return load_result(folder / "out")
+    return completed(tmp_path_factory, "whole", CAMPAIGN)
 
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
     """A longer one, uninterrupted."""
-    require_native()
-    folder = tmp_path_factory.mktemp("long")
-    run(write(folder, LONG), "-o", folder / "out", "--jobs", "1")
-    return load_result(folder / "out")
+    return completed(tmp_path_factory, "long", LONG)
 
 
 def test_every_run_is_that_of_its_scenario_file(whole: CampaignResult, tmp_path: Path) -> None:
