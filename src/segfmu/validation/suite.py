@@ -39,6 +39,11 @@ NO_REJECTION = {
 }
 # loaded FMUs take some 10 MB, plans next to nothing
 MOST_SYSTEMS, MOST_PLANS = 4, 256
+# keys of a mission that its plan does not depend on
+UNPLANNED: dict[str, Any] = {
+    "name": True, "true_crane": True, "simulation": True,
+    "crane": {"name", "drive", "travel", "sensors", "load", "controller", "wind"},
+}
 Rows = NDArray[np.void]
 
 
@@ -160,8 +165,7 @@ class Runner:
             return
 
     def _plan(self, mission: Mission) -> Trajectory:
-        key = mission.model_dump_json(exclude={"name", "true_crane", "simulation"})
-        return self._plans.get(key, mission.plan)
+        return self._plans.get(mission.model_dump_json(exclude=UNPLANNED), mission.plan)
 
     def _known(self, scenario: Scenario, trajectory: Trajectory) -> dict[str, float]:
         """Times of "start", "arrival" and "end" [s]."""
