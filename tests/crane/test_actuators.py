@@ -259,7 +259,7 @@ def test_a_wall_is_kept_whatever_the_limits(way: str) -> None:
     assert limited.trajectory.duration < resting.trajectory.duration
 
 
-@pytest.mark.parametrize("refused", [{1}, {2}, {3}, {2, 3}])
+@pytest.mark.parametrize("refused", [{1}, {2, 3}, *soaked({2}, {3})])
 def test_one_refused_search_of_free_states_is_not_the_end(
     refused: set[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -31,7 +31,8 @@ def test_what_a_plan_does_not_depend_on_makes_none(changes: dict[str, Any]) -> N
 @pytest.mark.parametrize("changes", [
     {"crane": {"payload_mass": 1.2}}, {"crane": {"rope_max": 5.0}}, {"smoothness": 5},
     {"crane": {"bridge": {"velocity_max": 0.4}}}, {"limits": {"x": {"velocity": 0.4}}},
-    {"crane": {"friction": {"bridge": {"coulomb": 0.2}}}}, {"actuators": {"sway_angle": 2.0}},
+    {"crane": {"friction": {"bridge": {"coulomb": 0.2}}}},
+    {"actuators": {"sway_angle": [2.0, 2.0]}},
 ])
 def test_what_a_plan_depends_on_makes_one(changes: dict[str, Any]) -> None:
     with Runner() as runner:

@@ -70,10 +70,14 @@ def prolonged(rng: np.random.Generator, smoothness: int, highest: int) -> bool:
     ("smoothness", "highest", "refused"),
     [(2, 3, 0), (3, 3, 0), (3, 4, 4), (4, 4, 0), (4, 5, 0), (5, 5, 0), (5, 6, 2), (6, 6, 0)],
 )
-def test_most_durations_of_smooth_motions(smoothness: int, highest: int, refused: int) -> None:
-    """Of 300."""
+@campaign(150, 300)
+def test_most_durations_of_smooth_motions(
+    smoothness: int, highest: int, refused: int, count: int
+) -> None:
+    """`refused` of 300."""
     rng = np.random.default_rng(smoothness)
-    assert sum(not prolonged(rng, smoothness, highest) for i in range(300)) <= refused
+    missed = sum(not prolonged(rng, smoothness, highest) for _ in range(count))
+    assert missed <= -(-refused * count // 300)
 
 
 @pytest.mark.parametrize(("n", "missed"), [(4, 1), (5, 2), (6, 15)])
