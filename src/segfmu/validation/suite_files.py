@@ -15,6 +15,7 @@ from rich.table import Table
 
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
+from segfmu.validation.requirements import of_results
 from segfmu.validation.suite import Result
 from segfmu.validation.units import signal_units
 
@@ -49,6 +50,7 @@ def write_junit(path: Path, results: Sequence[Result]) -> None:
     root = xml.Element("testsuites", name="segfmu validate")
     for result in results:
         _suite(root, result)
+    _requirements(root, results)
     with replacing(path) as temporary:
         xml.ElementTree(root).write(temporary, encoding="utf-8", xml_declaration=True)
 
@@ -126,6 +128,28 @@ def _suite(root: xml.Element, result: Result) -> None:
             )
     if result.passed and not result.right:
         case("expected to fail", "failure", "all criteria hold")
+    _counts(suite)
+
+
+def _requirements(root: xml.Element, results: Sequence[Result]) -> None:
+    """A test for every requirement; one without evidence is an error."""
+    every = of_results(results)
+    if not every:
+        return
+    suite = xml.SubElement(root, "testsuite", name="requirements")
+    for one in every:
+        entry = xml.SubElement(suite, "testcase", classname="requirements", name=_text(one.name))
+        told = "; ".join(f"{e.criterion}: {e.found}" for e in one.evidence)
+        if not one.holds:
+            outcome = "error" if one.holds is None else "failure"
+            message = f"{one.verdict}: {told or 'no criterion names it'}"
+            xml.SubElement(entry, outcome, message=_text(message))
+        elif told:
+            xml.SubElement(entry, "system-out").text = _text(told)
+    _counts(suite)
+
+
+def _counts(suite: xml.Element) -> None:
     for count, outcome in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
         suite.set(count, str(len(suite.findall(f"testcase/{outcome}"))))
     suite.set("tests", str(len(suite)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -223,6 +224,16 @@ def test_a_campaign_names_causes_worst_case_and_errors(tmp_path: Path) -> None:
     # the effect is that of the draw: the margin falls by 0.01 for 1 of the gust
     slope = np.polyfit(points.curves[0].x, points.curves[0].y, 1)[0]
     assert points.across == "gust" and slope == pytest.approx(-0.01, rel=0.05)
+
+
+def test_a_search_shows_worst_cases_in_place_of_shares() -> None:
+    result = replace(campaign(), searched=("near its plan",))
+    summary = campaign_page(result).summary
+    assert summary.heads == ("criterion", "held", "least margin", "run", "worst case")
+    worst = int(np.argmin(result.column("margin.near its plan")[:-1]))
+    gust = pretty(result.column("gust")[worst])
+    assert str(summary.rows[0][-1]).startswith(f"gust {gust}, payload ")
+    assert not result.sensitivities
 
 
 def test_a_campaign_of_one_run_has_a_report(tmp_path: Path) -> None:

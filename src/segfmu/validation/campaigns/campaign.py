@@ -16,6 +16,7 @@ from segfmu.validation.campaigns.sampling import Sample, levels, samples
 from segfmu.validation.files.campaign_file import CampaignSource, read_campaign
 from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable
 from segfmu.validation.files.scenario_file import Scenario, Source, build_scenario
+from segfmu.validation.requirements import words
 
 # kinds of sampling from which a probability follows
 AT_RANDOM = ("random", "latin hypercube")
@@ -51,11 +52,17 @@ class Campaign:
         All; none of a search, which chooses its runs from the margins of those before.
     criteria : tuple of str
         Names of all criteria.
+    requirements : tuple of str
+        Names of those that the scenarios list.
+    evidence : tuple of (str, str, str)
+        Requirement, criterion and its text, of all criteria that name a requirement.
     """
 
     source: CampaignSource
     runs: tuple[Run, ...]
     criteria: tuple[str, ...]
+    requirements: tuple[str, ...] = ()
+    evidence: tuple[tuple[str, str, str], ...] = ()
 
     @property
     def factors(self) -> list[FactorTable]:
@@ -127,11 +134,16 @@ def load_campaign(path: Path) -> Campaign:
     """
     source = read_campaign(path)
     try:
-        names: dict[str, None] = {}
-        for own in source.scenarios:
-            for scenario in _ends(own, source.file.factors):
-                names.update(dict.fromkeys(c.name for c in scenario.file.criteria))
-        campaign = Campaign(source, known_runs(source), tuple(names))
+        files = [s.file for own in source.scenarios for s in _ends(own, source.file.factors)]
+        criteria = [criterion for file in files for criterion in file.criteria]
+        names = tuple(dict.fromkeys(c.name for c in criteria))
+        campaign = Campaign(
+            source, known_runs(source), names,
+            tuple(dict.fromkeys(name for file in files for name in file.requirements)),
+            tuple(dict.fromkeys(
+                (c.requirement, c.name, words(c)) for c in criteria if c.requirement is not None
+            )),
+        )
         if campaign.most > MOST_RUNS:
             raise InputError(f"sampling: more than {MOST_RUNS} runs")
         for name in campaign.searched:

@@ -14,6 +14,8 @@ from segfmu.validation.campaigns.probability import Probability
 from segfmu.validation.campaigns.replay import run_name
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
 from segfmu.validation.campaigns.store import TABLE, about, read_table
+from segfmu.validation.requirements import Evidence, Requirement, gathered
+from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
     import pyarrow
@@ -71,6 +73,10 @@ class CampaignResult:
         Draws of the factors at random that each scenario has; 0 if they were chosen otherwise.
     searched : tuple of str
         Criteria whose worst case was searched; none without a search.
+    named : tuple of str
+        Requirements that the scenarios list.
+    evidence : tuple of (str, str, str)
+        Requirement, criterion and its text, of all criteria that name a requirement.
     """
 
     name: str
@@ -80,6 +86,8 @@ class CampaignResult:
     table: pyarrow.Table
     draws: int = 0
     searched: tuple[str, ...] = ()
+    named: tuple[str, ...] = ()
+    evidence: tuple[tuple[str, str, str], ...] = ()
 
     def column(self, name: str) -> list[Any]:
         """The values of a column, None where there is none."""
@@ -115,6 +123,15 @@ class CampaignResult:
         factors = {n: self.column(n) for n in [*names, *self.factors]}
         margins = {n: self.column(f"margin.{n}") for n in self.criteria}
         return tuple(sensitivities(factors, margins))
+
+    @property
+    def requirements(self) -> tuple[Requirement, ...]:
+        """All requirements with what the runs say of their criteria."""
+        rows = {row.criterion: row for row in self.summaries}
+        return gathered(self.named, (
+            (name, _evidence(rows[criterion], text, len(self.errors)))
+            for name, criterion, text in self.evidence
+        ))
 
     def worst(self) -> list[int]:
         """Numbers of the runs with the worst margin of each criterion, each once."""
@@ -156,6 +173,17 @@ class CampaignResult:
             draw = run % self.draws
             draws[draw] = draws.get(draw, True) and verdict
         return Probability(sum(not h for h in draws.values()), len(draws))
+
+
+def _evidence(row: Summary, text: str, errors: int) -> Evidence:
+    """Runs with an error might fail: with them a criterion is not known to hold."""
+    lost = f", {errors} runs without a verdict" if errors else ""
+    if row.worst is None:
+        return Evidence(text, f"no verdict{lost}", None)
+    found = f"{row.held} of {row.judged} runs hold it, least margin {pretty(row.worst)}{lost}"
+    if row.held < row.judged:
+        return Evidence(text, found, False)
+    return Evidence(text, found, None if errors else True)
 
 
 def load_result(folder: Path) -> CampaignResult:

@@ -94,6 +94,7 @@ class Store:
             "draws": self._campaign.draws, "searched": self._campaign.searched,
             "factors": [f.name for f in self._campaign.factors],
             "criteria": list(self._campaign.criteria),
+            "requirements": self._campaign.requirements, "evidence": self._campaign.evidence,
             "fingerprint": self._campaign.fingerprint(),
         }
         if path.exists():
@@ -240,11 +241,13 @@ def about(folder: Path) -> dict[str, Any]:
     """
     found = _about(folder / ABOUT)
     try:
-        # campaigns of older versions have neither draws nor a search
+        # campaigns of older versions have no draws, searches and requirements
         return {
             "name": found["name"], "factors": tuple(found["factors"]),
             "criteria": tuple(found["criteria"]), "draws": found.get("draws", 0),
             "searched": tuple(found.get("searched", ())),
+            "named": tuple(found.get("requirements", ())),
+            "evidence": tuple(tuple(entry) for entry in found.get("evidence", ())),
         }
     except KeyError as key:
         raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None

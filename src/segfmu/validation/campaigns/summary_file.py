@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,11 @@ def write_summary(result: CampaignResult) -> Path:
     content = {
         "campaign": result.name, "passed": result.passed, "runs": result.table.num_rows,
         "errors": len(result.errors), "searched": list(result.searched),
+        "requirements": [
+            {"requirement": one.name, "verdict": one.verdict,
+             "evidence": [asdict(evidence) for evidence in one.evidence]}
+            for one in result.requirements
+        ],
         "criteria": [_entry(result, s) for s in result.summaries],
     }
     path = result.folder / "results.json"

@@ -123,6 +123,14 @@ class CriterionTable(Table):
     """What has to hold of a run."""
 
     name: Annotated[Name, Key("of the criterion")]
+    requirement: Annotated[
+        Name | None,
+        Key("name of the requirement that it is evidence for", default="of none"),
+    ] = None
+    text: Annotated[
+        Annotated[str, Field(min_length=1, max_length=500), AfterValidator(printable)] | None,
+        Key("what it shows, for the table of requirements", default="its name"),
+    ] = None
     kind: Annotated[
         Literal["always", "eventually", "at", "settled", "tube", "drives"],
         Key("when it has to hold"),
@@ -226,6 +234,10 @@ class ScenarioFile(Table):
     events: Annotated[list[EventTable], Key("new values during the run")] = []
     profiles: Annotated[list[ProfileTable], Key("variables that follow samples")] = []
     fmus: Annotated[list[UnitTable], Key("further FMUs that take part")] = []
+    requirements: Annotated[
+        list[Name],
+        Key("names of requirements; one that no criterion names is shown as without evidence"),
+    ] = []
     criteria: Annotated[
         list[CriterionTable], Key("what has to hold"), Field(min_length=1)
     ]

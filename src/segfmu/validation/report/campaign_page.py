@@ -11,6 +11,7 @@ from segfmu.validation.campaigns.result import CampaignResult, Summary
 from segfmu.validation.campaigns.tables import CHANCE, case
 from segfmu.validation.report.curves import digits
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table
+from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.report.suite_page import runs
 from segfmu.validation.units import pretty
 
@@ -38,8 +39,8 @@ def campaign_page(result: CampaignResult, worst: Suite | None = None) -> Page:
         summary=_overview(result),
         scenes=scenes,
         sections=[
-            _distributions(result), *_dependence(result), *_worst(result),
-            *sections, *_errors(result),
+            *requirement_sections(result.requirements), _distributions(result),
+            *_dependence(result), *_worst(result), *sections, *_errors(result),
         ],
     )
 
@@ -56,14 +57,16 @@ def _overview(result: CampaignResult) -> Table:
     rows: list[tuple[Cell, ...]] = []
     for row in result.summaries:
         share = (f"{100.0 * row.share:.1f} %", "good" if row.held == row.judged else "bad")
+        # how often the runs of a search fail says nothing of other runs
+        rates: tuple[Cell, ...] = (share, "" if row.fails is None else str(row.fails))
         rows.append((
-            row.criterion, f"{row.held} of {row.judged}", share,
-            "" if row.fails is None else str(row.fails),
+            row.criterion, f"{row.held} of {row.judged}", *(() if result.searched else rates),
             "" if row.worst is None else pretty(row.worst),
             "" if row.run is None else str(row.run), _causes(result, row),
         ))
     last = "worst case" if result.searched else "depends most on"
-    heads = ("criterion", "held", "share", "fails (95 %)", "least margin", "run", last)
+    counts = () if result.searched else ("share", "fails (95 %)")
+    heads = ("criterion", "held", *counts, "least margin", "run", last)
     return Table("Criteria in all runs", heads, rows)
 
 

@@ -17,7 +17,9 @@ from segfmu.validation.report.motion import (
     sway_section,
 )
 from segfmu.validation.report.page import Cell, Page, Section, Table
+from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.report.scene import scene
+from segfmu.validation.requirements import of_results
 from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
@@ -43,7 +45,10 @@ def suite_page(suite: Suite) -> Page:
         facts=_facts(suite, right),
         summary=_overview(ordered),
         scenes=scenes,
-        sections=[Section("Criteria", tables=[_criteria(ordered)]), *sections],
+        sections=[
+            *requirement_sections(of_results(suite.results)),
+            Section("Criteria", tables=[_criteria(ordered)]), *sections,
+        ],
     )
 
 
