@@ -19,6 +19,8 @@ from segfmu.validation.files.campaign_tables import SamplingTable
 FOLDER = Path(__file__).parents[1] / "models" / "campaigns"
 TITLE = "worst cases: a search of 500 runs, and random runs"
 RUNS, RANDOM = 500, 20_000
+# in place of a margin of zero, so that any other one is behind by far
+SMALLEST = 1e-300
 MATRIX = SamplingTable(kind="matrix")
 
 
@@ -46,11 +48,14 @@ def _records(campaign: Campaign, count: int) -> list[Record]:
 
 def _record(criterion: str, found: CampaignResult, brute: CampaignResult) -> Record:
     least = [_least(result, criterion) for result in (found, brute)]
+    behind = least[0] - least[1]
+    if behind != 0.0:
+        behind /= abs(least[0]) or SMALLEST
     return {
         "criterion": criterion, "runs of all searches": found.table.num_rows,
         "least margin found": least[0], "other runs": brute.table.num_rows,
         "least margin of these": least[1],
-        "beaten by %": 100.0 * (least[0] - least[1]) / abs(least[0]),
+        "beaten by %": 100.0 * behind,
     }
 
 
