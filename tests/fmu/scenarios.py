@@ -13,6 +13,7 @@ import numpy as np
 
 from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, SIGNALS
 from segfmu.fmu.standard.spec import Variable
+from segfmu.kernels.clearance.records import SpaceLimits
 from tests.fmu.bench import Inputs, Values
 
 
@@ -160,11 +161,46 @@ for _i in range(1, 17):
 RUBBING: Values = {f"friction.{d}.coulomb": 0.3 for d in DRIVES}
 RUBBING |= {f"friction.{d}.static": 0.4 for d in DRIVES} | {"friction.presliding": 1e-4}
 
+# bounds that the zigzag keeps
+BOUNDS: Values = {f"drive.{d}.{q}_max": 50.0 for d in DRIVES
+                  for q in ("force", "velocity", "acceleration", "power")}
+BOUNDS |= {f"sway.{a}.angle_max": 1.0 for a in "xy"}
+
+# the load of the paper's mission is within these; boxes on one side of it, which they cover else
+WITHIN = ((-0.1, 1.1), (-0.1, 0.9), (-0.6, -0.4))
+BESIDE = ((3.0, 4.0), (3.0, 4.0), (-0.35, -0.3)), ((-4.0, -3.0), (-4.0, -3.0), (-4.0, -3.0))
+
+
+def boxes(axis: int, side: int, rope: bool = False) -> Values:
+    """Obstacles beyond (0) or before (1) the load along an axis."""
+    ends = [BESIDE[side][k] if k == axis else WITHIN[k] for k in range(3)]
+    values: Values = {"obstacle.count": SpaceLimits.OBSTACLES}
+    for i in range(1, SpaceLimits.OBSTACLES + 1):
+        values[f"obstacle[{i}].rope"] = rope
+        for a, (low, high) in zip("xyz", ends, strict=True):
+            values[f"obstacle[{i}].minimum.{a}"] = low
+            values[f"obstacle[{i}].maximum.{a}"] = high
+    return values
+
+
 FEEDFORWARD: dict[str, Scenario] = {
     "paper": Scenario({}, np.linspace(0.0, 5.0, 26), motion=still),
     "zigzag": Scenario(ZIGZAG, np.linspace(0.0, 60.0, 31), motion=still),
     "friction": Scenario(RUBBING, np.linspace(0.0, 0.2, 41), motion=still),
+    "bounds": Scenario(ZIGZAG | BOUNDS, TIMES[:2], motion=still),
+    "slowed": Scenario(
+        {"drive.trolley.acceleration_max": 0.05, "planner.slows_down": True}, TIMES[:2], still
+    ),
 }
+BOXES = {
+    f"{('beyond', 'before')[side]} {'xyz'[axis]}": Scenario(boxes(axis, side), TIMES[:2], still)
+    for axis in range(3) for side in range(2)
+}
+FEEDFORWARD |= BOXES
+# in the way, but not in use
+FEEDFORWARD["unused"] = Scenario(
+    boxes(2, 0) | {"obstacle.count": 0, "obstacle[1].minimum.z": -0.6}, TIMES[:2], still
+)
 
 
 # where a small change does nothing yet
@@ -179,11 +215,49 @@ CHANGES: Values = {
     "planner.duration": 80.0, "planner.start_time": 0.3,
     "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
 }
+
+
+def of_bounds() -> dict[str, tuple[str, Any, str]]:
+    """Refusals by bounds of the negative direction."""
+    values = {"force": -0.01, "velocity": -0.02, "acceleration": -0.1}
+    return {
+        name: ("zigzag", value, f"{name} is {value:g} ")
+        for drive in DRIVES for quantity, value in values.items()
+        for name in [f"drive.{drive}.{quantity}_min"]
+    }
+
+
+def of_space() -> dict[str, tuple[str, Any, str]]:
+    """Refusals by workspace, obstacles and the size of the load."""
+    found: dict[str, tuple[str, Any, str]] = {
+        "obstacle.count": ("unused", 1, "obstacle 1: the load meets it"),
+    }
+    for axis, (low, high) in zip("xyz", WITHIN, strict=True):
+        middle = 0.5 * (low + high) - (0.01 if axis == "z" else 0.0)
+        found[f"workspace.{axis}.max"] = ("paper", middle, f"workspace.{axis}: the load leaves")
+        middle = 0.5 * (low + high) + (0.01 if axis == "z" else 0.0)
+        found[f"workspace.{axis}.min"] = ("paper", middle, f"workspace.{axis}: the load leaves")
+        found[f"load.size.{axis}"] = (f"beyond {axis}", 10.0, "obstacle 1: the load meets it")
+        found[f"load.centre.{axis}"] = (
+            f"beyond {axis}", 0.18 if axis == "z" else 3.0, "obstacle 1: the load meets it"
+        )
+    for i in range(1, SpaceLimits.OBSTACLES + 1):
+        name, words = f"obstacle[{i}]", f"obstacle {i}: the load meets it"
+        for axis, (low, high) in zip("xyz", WITHIN, strict=True):
+            found[f"{name}.minimum.{axis}"] = (f"beyond {axis}", low, words)
+            found[f"{name}.maximum.{axis}"] = (f"before {axis}", high, words)
+        found[f"{name}.margin"] = ("beyond z", 0.2, words)
+        found[f"{name}.rope"] = ("beyond z", True, f"obstacle {i}: the rope meets it")
+    return found
+
+
 # what only ever refuses: the scenario, a value that is refused, and a part of what is said
 REFUSALS: dict[str, dict[str, tuple[str, Any, str]]] = {
     "feedforward": {
         "crane.rope_min": ("paper", 0.55, "rope length passes rope_min"),
         "crane.rope_max": ("paper", 0.45, "rope length passes rope_max"),
+        "planner.slows_down": ("slowed", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
+        **of_bounds(), **of_space(),
     },
     "crane": {
         "travel.bridge.min": ("equipment", 0.001, "bridge at 0 m is at its end stop, least"),

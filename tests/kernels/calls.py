@@ -9,7 +9,16 @@ import numpy as np
 from segfmu import Limits, Waypoint, plan
 from segfmu.crane.observer import Uncertainty
 from segfmu.kernels import backend
-from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Span, Stack
+from segfmu.kernels.clearance.records import (
+    Box,
+    Collision,
+    Part,
+    Ranges,
+    SpaceFault,
+    SpaceLimits,
+    Span,
+    Stack,
+)
 from segfmu.kernels.control.records import (
     AxisModel,
     Estimate,
@@ -27,16 +36,20 @@ from segfmu.kernels.control.records import (
     TrackingDesign,
 )
 from segfmu.kernels.crane.records import (
+    BoundFault,
+    BoundUses,
     Contact,
     ContactWork,
     CranePartials,
     Demand,
     DemandPeaks,
     DemandWork,
+    DriveBounds,
     FlatInverse,
     FlatSeries,
     FrictionSeries,
     LoadPartials,
+    Pace,
     Plant,
     PlantFault,
     PlantState,
@@ -185,6 +198,9 @@ def trajectory_calls() -> dict[str, Call]:
     boxes[:, Box.LOAD_LOW:Box.ROPE] = np.tile([0.2, 0.0, -0.3, 0.3, 0.3, -0.2], 2)
     boxes[0, Box.LOAD_LOW:Box.ROPE] += 9.0
     boxes[:, Box.ROPE] = 1.0
+    space = np.repeat([9.81, -1e9, 1e9, 0.1, 0.0, 2.0], [1, 3, 3, 3, 3, 1])
+    obstacles = np.array([[9.0, 9.0, 0.0, 9.5, 9.5, 1.0, 0.1, 1.0], [0.2, 0.0, -0.3, 0.3, 0.3,
+                           -0.2, 0.1, 1.0]])
     lead = zeros(LeadWork.SIZE, LeadWork.COLUMNS)
     lead[LeadWork.NOW, 1] = 0.3
     starts = zeros(3, SMOOTHNESS + 1)
@@ -239,10 +255,15 @@ def trajectory_calls() -> dict[str, Call]:
             Part.ROPE, 1e300, count, boxes[1].copy(), spans, stack, zeros(8, 2), zeros(3),
         ),
         "path_ranges": (*pieces, 9.81, zeros(2, width), zeros(Ranges.SIZE, 3)),
-        "is_any_near": (boxes.copy(), ranges),
         "first_contact": (
-            count, boxes, spans, stack.copy(), zeros(1, 2), ranges.copy(),
+            *pieces, 9.81, boxes.copy(), rope.copy(), stack.copy(), ranges.copy(),
             zeros(Collision.SIZE),
+        ),
+        "shrink_boxes": (1e-9, boxes.copy()),
+        "write_box": (space, obstacles[0].copy(), zeros(Box.SIZE)),
+        "space_contact": (
+            *pieces, space, obstacles, zeros(2 + SpaceLimits.FACES, Box.SIZE), rope.copy(),
+            stack.copy(), ranges.copy(), zeros(SpaceFault.SIZE),
         ),
         "evaluate": (np.linspace(-0.1, 9.0, 20), *pieces, ends, 2, zeros(20, 3)),
         "evaluate_orders": (0.4, *pieces, ends, zeros(5, 3)),
@@ -283,6 +304,13 @@ def crane_calls() -> dict[str, Call]:
             *planned, plant[: Resistance.SIZE].copy(), np.stack([rows] * 3),
             zeros(DemandPeaks.SIZE, DemandPeaks.COLUMNS), zeros(2, Demand.SIZE),
             zeros(2, Demand.SIZE),
+        ),
+        "begin_pace": (zeros(Pace.SIZE),),
+        "next_pace": (1.4, np.array([0.8, 0.5, 1.0, 0.7, 1.9, 2.0])),
+        "bound_uses": (
+            np.linspace(0.0, 2.0, 2 * Demand.SIZE).reshape(2, -1), zeros(2, Demand.SIZE) + 0.5,
+            np.where(np.arange(DriveBounds.SIZE) < DriveBounds.FORCE_MIN, 1.1, -0.7),
+            zeros(BoundUses.SIZE), zeros(BoundFault.SIZE),
         ),
         "contact_history": (
             1, *planned, plant[: Resistance.SIZE].copy(),

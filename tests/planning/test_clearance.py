@@ -17,8 +17,8 @@ from segfmu import (
     excursions,
     plan,
 )
-from segfmu.kernels.clearance import contact, ranges
-from segfmu.kernels.clearance.spans import clearance_spans
+from segfmu.kernels.clearance import path, ranges
+from segfmu.kernels.clearance.records import Box, Part
 from segfmu.planning import contacts
 
 LIMITS = Limits([1.0, 0.8, 0.5], [1.0, 0.8, 0.8], [4.0, 4.0, 4.0], [30.0, 30.0, 30.0])
@@ -180,21 +180,30 @@ def test_contact_is_one_of_a_plan_and_an_obstacle(trajectory, obstacle, words: s
 
 def test_boxes_beyond_the_path_are_passed_over(monkeypatch: pytest.MonkeyPatch) -> None:
     # the interpreted kernels, so that their calls can be counted
-    calls = []
-    kept = contact.contact_times
-    interpreted = SimpleNamespace(
-        clearance_spans=lambda *args: calls.append("spans") or clearance_spans(*args),
-        first_contact=contact.first_contact, path_ranges=ranges.path_ranges,
-        is_any_near=ranges.is_any_near,
-    )
+    spans, looked = [], []
+
+    def write_span(*args):
+        spans.append(args[0])
+        kept[0](*args)
+
+    def span_contacts(part, found, box, *args):
+        looked.append((part, *box[Box.ROPE_LOW : Box.ROPE_LOW + 3]))
+        return kept[1](part, found, box, *args)
+
+    kept = path.write_span, path.span_contacts
+    interpreted = SimpleNamespace(first_contact=path.first_contact, path_ranges=ranges.path_ranges)
     monkeypatch.setattr(contacts, "backend", interpreted)
-    monkeypatch.setattr(contact, "contact_times", lambda *args: calls.append("box") or kept(*args))
+    monkeypatch.setattr(path, "write_span", write_span)
+    monkeypatch.setattr(path, "span_contacts", span_contacts)
     trajectory = plan(OVER, LIMITS)
     far = [Obstacle(f"{i}", [1.5 + i, -1.0, -2.0], [2.0 + i, 1.0, -0.1]) for i in range(100)]
     # beside the load as beside the rope
     near = Obstacle("below", [0.0, -0.1, -2.0], [1.0, 0.1, -1.6])
     over = Obstacle("through", [0.3, 0.05, -0.6], [0.5, 0.2, -0.5])
     Clearance([*far, near, over]).require(trajectory)
-    assert calls == []
+    assert spans == looked == []
     Clearance([*far, STACK]).require(trajectory)
-    assert calls == ["spans", "box", "box"]
+    corner = pytest.approx(STACK.minimum - STACK.margin)
+    assert {part for part, *_ in looked} == {Part.LOAD, Part.ROPE}
+    assert all(low == corner for _, *low in looked)
+    assert len(looked) == len(spans)

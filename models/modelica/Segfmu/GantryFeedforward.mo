@@ -67,6 +67,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
   parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals and dwells become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
   parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
+  parameter Boolean planner_slows_down = false "where the plan exceeds bounds of the drives, the whole motion becomes as slow as they need, waypoint velocities included; false: it is refused" annotation(Dialog(tab = "planner"));
   parameter Real planner_start_time(unit = "s", min = -1000000000.0) = -1000000000.0 "time at which the motion starts; -1e+09: the start of the simulation" annotation(Dialog(tab = "planner"));
   parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "all outputs are those of so much later, from the end of initialisation on: the communication step of importers that couple in parallel" annotation(Dialog(tab = "setpoint"));
   parameter Real drive_bridge_lag(unit = "s", min = 0.0) = 0.0 "time constant of the bridge drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
@@ -75,6 +76,170 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real drive_trolley_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the trolley drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_lag(unit = "s", min = 0.0) = 0.0 "time constant of the hoist drive, for which its velocity setpoint is compensated; 0: none" annotation(Dialog(tab = "drive"));
   parameter Real drive_hoist_dead_time(unit = "s", min = 0.0) = 0.0 "time by which the hoist drive acts late, for which its setpoints are early; the load starts the longest of them late" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the bridge drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_force_min(unit = "N", max = 0.0) = 0.0 "least force of the bridge drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the bridge drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_velocity_min(unit = "m/s", max = 0.0) = 0.0 "least velocity of the bridge drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the bridge drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "least acceleration of the bridge drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_bridge_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the bridge drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the trolley drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_force_min(unit = "N", max = 0.0) = 0.0 "least force of the trolley drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the trolley drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_velocity_min(unit = "m/s", max = 0.0) = 0.0 "least velocity of the trolley drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the trolley drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "least acceleration of the trolley drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_trolley_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the trolley drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_force_max(unit = "N", min = 0.0) = 0.0 "largest force of the hoist drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_force_min(unit = "N", max = 0.0) = 0.0 "least force of the hoist drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_velocity_max(unit = "m/s", min = 0.0) = 0.0 "largest velocity of the hoist drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_velocity_min(unit = "m/s", max = 0.0) = 0.0 "least velocity of the hoist drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_acceleration_max(unit = "m/s2", min = 0.0) = 0.0 "largest acceleration of the hoist drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "least acceleration of the hoist drive, below 0; 0: minus the largest one" annotation(Dialog(tab = "drive"));
+  parameter Real drive_hoist_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the hoist drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
+  parameter Real sway_x_angle_max(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "largest sway angle phi_x; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "sway"));
+  parameter Real sway_y_angle_max(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "largest sway angle phi_y; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "sway"));
+  parameter Real workspace_x_min(unit = "m") = -1000000000.0 "least position of the load in x" annotation(Dialog(tab = "workspace"));
+  parameter Real workspace_x_max(unit = "m") = 1000000000.0 "greatest one in x" annotation(Dialog(tab = "workspace"));
+  parameter Real workspace_y_min(unit = "m") = -1000000000.0 "least position of the load in y" annotation(Dialog(tab = "workspace"));
+  parameter Real workspace_y_max(unit = "m") = 1000000000.0 "greatest one in y" annotation(Dialog(tab = "workspace"));
+  parameter Real workspace_z_min(unit = "m") = -1000000000.0 "least position of the load in z" annotation(Dialog(tab = "workspace"));
+  parameter Real workspace_z_max(unit = "m") = 1000000000.0 "greatest one in z" annotation(Dialog(tab = "workspace"));
+  parameter Real load_size_x(unit = "m", min = 0.0) = 0.0 "edge of the load's box; 0: a point, x" annotation(Dialog(tab = "load"));
+  parameter Real load_size_y(unit = "m", min = 0.0) = 0.0 "edge of the load's box; 0: a point, y" annotation(Dialog(tab = "load"));
+  parameter Real load_size_z(unit = "m", min = 0.0) = 0.0 "edge of the load's box; 0: a point, z" annotation(Dialog(tab = "load"));
+  parameter Real load_centre_x(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, x" annotation(Dialog(tab = "load"));
+  parameter Real load_centre_y(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, y" annotation(Dialog(tab = "load"));
+  parameter Real load_centre_z(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, z" annotation(Dialog(tab = "load"));
+  parameter Integer obstacle_count(min = 0, max = 16) = 0 "number of obstacles in use" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 1, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 1, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 1, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 1, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 1, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 1, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_1_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 1 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_1_rope = true "the rope keeps off obstacle 1 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 2, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 2, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 2, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 2, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 2, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 2, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_2_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 2 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_2_rope = true "the rope keeps off obstacle 2 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 3, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 3, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 3, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 3, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 3, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 3, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_3_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 3 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_3_rope = true "the rope keeps off obstacle 3 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 4, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 4, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 4, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 4, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 4, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 4, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_4_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 4 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_4_rope = true "the rope keeps off obstacle 4 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 5, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 5, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 5, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 5, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 5, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 5, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_5_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 5 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_5_rope = true "the rope keeps off obstacle 5 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 6, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 6, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 6, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 6, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 6, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 6, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_6_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 6 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_6_rope = true "the rope keeps off obstacle 6 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 7, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 7, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 7, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 7, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 7, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 7, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_7_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 7 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_7_rope = true "the rope keeps off obstacle 7 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 8, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 8, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 8, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 8, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 8, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 8, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_8_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 8 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_8_rope = true "the rope keeps off obstacle 8 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 9, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 9, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 9, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 9, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 9, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 9, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_9_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 9 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_9_rope = true "the rope keeps off obstacle 9 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 10, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 10, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 10, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 10, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 10, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 10, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_10_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 10 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_10_rope = true "the rope keeps off obstacle 10 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 11, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 11, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 11, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 11, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 11, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 11, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_11_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 11 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_11_rope = true "the rope keeps off obstacle 11 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 12, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 12, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 12, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 12, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 12, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 12, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_12_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 12 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_12_rope = true "the rope keeps off obstacle 12 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 13, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 13, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 13, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 13, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 13, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 13, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_13_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 13 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_13_rope = true "the rope keeps off obstacle 13 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 14, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 14, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 14, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 14, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 14, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 14, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_14_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 14 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_14_rope = true "the rope keeps off obstacle 14 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 15, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 15, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 15, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 15, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 15, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 15, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_15_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 15 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_15_rope = true "the rope keeps off obstacle 15 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 16, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 16, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 16, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 16, x" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 16, y" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 16, z" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_16_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 16 along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_16_rope = true "the rope keeps off obstacle 16 as well" annotation(Dialog(tab = "obstacle"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_static(unit = "N", min = 0.0) = 0.0 "static friction of the bridge; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
@@ -101,59 +266,96 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
       0.0, 0.0, 0.0] "acceleration of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
+  final parameter Real plan_pace(fixed = false) "pace of the motion; 1 unless it was slowed down";
+  final parameter Real plan_use_bridge_force(fixed = false) "largest use of the bound of bridge force; 1: all; 0: no bound";
+  final parameter Real plan_use_bridge_force_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_trolley_force(fixed = false) "largest use of the bound of trolley force; 1: all; 0: no bound";
+  final parameter Real plan_use_trolley_force_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_hoist_force(fixed = false) "largest use of the bound of hoist force; 1: all; 0: no bound";
+  final parameter Real plan_use_hoist_force_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_bridge_velocity(fixed = false) "largest use of the bound of bridge velocity; 1: all; 0: no bound";
+  final parameter Real plan_use_bridge_velocity_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_trolley_velocity(fixed = false) "largest use of the bound of trolley velocity; 1: all; 0: no bound";
+  final parameter Real plan_use_trolley_velocity_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_hoist_velocity(fixed = false) "largest use of the bound of hoist velocity; 1: all; 0: no bound";
+  final parameter Real plan_use_hoist_velocity_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_bridge_acceleration(fixed = false) "largest use of the bound of bridge acceleration; 1: all; 0: no bound";
+  final parameter Real plan_use_bridge_acceleration_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_trolley_acceleration(fixed = false) "largest use of the bound of trolley acceleration; 1: all; 0: no bound";
+  final parameter Real plan_use_trolley_acceleration_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_hoist_acceleration(fixed = false) "largest use of the bound of hoist acceleration; 1: all; 0: no bound";
+  final parameter Real plan_use_hoist_acceleration_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_bridge_power(fixed = false) "largest use of the bound of bridge power; 1: all; 0: no bound";
+  final parameter Real plan_use_bridge_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_trolley_power(fixed = false) "largest use of the bound of trolley power; 1: all; 0: no bound";
+  final parameter Real plan_use_trolley_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_hoist_power(fixed = false) "largest use of the bound of hoist power; 1: all; 0: no bound";
+  final parameter Real plan_use_hoist_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_sway_x(fixed = false) "largest use of the bound of sway x; 1: all; 0: no bound";
+  final parameter Real plan_use_sway_x_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
+  final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [91, 92, 93;
-      101, 102, 103;
-      111, 112, 113;
-      121, 122, 123;
-      131, 132, 133;
-      141, 142, 143;
-      151, 152, 153;
-      161, 162, 163;
-      171, 172, 173;
-      181, 182, 183;
-      191, 192, 193;
-      201, 202, 203;
-      211, 212, 213;
-      221, 222, 223;
-      231, 232, 233;
-      241, 242, 243];
-  constant Integer waypoint_velocity_references[16, 3] = [94, 95, 96;
-      104, 105, 106;
-      114, 115, 116;
-      124, 125, 126;
-      134, 135, 136;
-      144, 145, 146;
-      154, 155, 156;
-      164, 165, 166;
-      174, 175, 176;
-      184, 185, 186;
-      194, 195, 196;
-      204, 205, 206;
-      214, 215, 216;
-      224, 225, 226;
-      234, 235, 236;
-      244, 245, 246];
-  constant Integer waypoint_acceleration_references[16, 3] = [97, 98, 99;
-      107, 108, 109;
-      117, 118, 119;
-      127, 128, 129;
-      137, 138, 139;
-      147, 148, 149;
-      157, 158, 159;
-      167, 168, 169;
-      177, 178, 179;
-      187, 188, 189;
-      197, 198, 199;
-      207, 208, 209;
-      217, 218, 219;
-      227, 228, 229;
-      237, 238, 239;
-      247, 248, 249];
-  constant Integer waypoint_dwell_references[16] = {100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200, 210, 220, 230, 240, 250};
-  final parameter Integer real_references[:] = cat(1, {39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61,
-      62, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87,
-      88, 89},
+  constant Integer waypoint_position_references[16, 3] = [285, 286, 287;
+      295, 296, 297;
+      305, 306, 307;
+      315, 316, 317;
+      325, 326, 327;
+      335, 336, 337;
+      345, 346, 347;
+      355, 356, 357;
+      365, 366, 367;
+      375, 376, 377;
+      385, 386, 387;
+      395, 396, 397;
+      405, 406, 407;
+      415, 416, 417;
+      425, 426, 427;
+      435, 436, 437];
+  constant Integer waypoint_velocity_references[16, 3] = [288, 289, 290;
+      298, 299, 300;
+      308, 309, 310;
+      318, 319, 320;
+      328, 329, 330;
+      338, 339, 340;
+      348, 349, 350;
+      358, 359, 360;
+      368, 369, 370;
+      378, 379, 380;
+      388, 389, 390;
+      398, 399, 400;
+      408, 409, 410;
+      418, 419, 420;
+      428, 429, 430;
+      438, 439, 440];
+  constant Integer waypoint_acceleration_references[16, 3] = [291, 292, 293;
+      301, 302, 303;
+      311, 312, 313;
+      321, 322, 323;
+      331, 332, 333;
+      341, 342, 343;
+      351, 352, 353;
+      361, 362, 363;
+      371, 372, 373;
+      381, 382, 383;
+      391, 392, 393;
+      401, 402, 403;
+      411, 412, 413;
+      421, 422, 423;
+      431, 432, 433;
+      441, 442, 443];
+  constant Integer waypoint_dwell_references[16] = {294, 304, 314, 324, 334, 344, 354, 364, 374, 384, 394, 404, 414, 424, 434, 444};
+  final parameter Integer real_references[:] = cat(1, {40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62,
+      63, 67, 68, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89,
+      90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 129, 130, 131, 132, 133, 134, 135, 136, 137,
+      138, 139, 140, 142, 143, 144, 145, 146, 147, 148, 150, 151, 152, 153, 154, 155, 156, 158,
+      159, 160, 161, 162, 163, 164, 166, 167, 168, 169, 170, 171, 172, 174, 175, 176, 177, 178,
+      179, 180, 182, 183, 184, 185, 186, 187, 188, 190, 191, 192, 193, 194, 195, 196, 198, 199,
+      200, 201, 202, 203, 204, 206, 207, 208, 209, 210, 211, 212, 214, 215, 216, 217, 218, 219,
+      220, 222, 223, 224, 225, 226, 227, 228, 230, 231, 232, 233, 234, 235, 236, 238, 239, 240,
+      241, 242, 243, 244, 246, 247, 248, 249, 250, 251, 252, 254, 255, 256, 257, 258, 259, 260,
+      262, 263, 264, 265, 266, 267, 268, 270, 271, 272, 273, 274, 275, 276, 277, 278, 279, 280,
+      281, 282, 283},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -166,23 +368,67 @@ protected
       limits_z_velocity_min, limits_z_acceleration_min, planner_sample_time, planner_duration,
       planner_start_time, setpoint_lead, drive_bridge_lag, drive_bridge_dead_time,
       drive_trolley_lag, drive_trolley_dead_time, drive_hoist_lag, drive_hoist_dead_time,
-      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
-      friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
-      friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
-      friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
-      friction_presliding},
+      drive_bridge_force_max, drive_bridge_force_min, drive_bridge_velocity_max,
+      drive_bridge_velocity_min, drive_bridge_acceleration_max, drive_bridge_acceleration_min,
+      drive_bridge_power_max, drive_trolley_force_max, drive_trolley_force_min,
+      drive_trolley_velocity_max, drive_trolley_velocity_min, drive_trolley_acceleration_max,
+      drive_trolley_acceleration_min, drive_trolley_power_max, drive_hoist_force_max,
+      drive_hoist_force_min, drive_hoist_velocity_max, drive_hoist_velocity_min,
+      drive_hoist_acceleration_max, drive_hoist_acceleration_min, drive_hoist_power_max,
+      sway_x_angle_max, sway_y_angle_max, workspace_x_min, workspace_x_max, workspace_y_min,
+      workspace_y_max, workspace_z_min, workspace_z_max, load_size_x, load_size_y, load_size_z,
+      load_centre_x, load_centre_y, load_centre_z, obstacle_1_minimum_x, obstacle_1_minimum_y,
+      obstacle_1_minimum_z, obstacle_1_maximum_x, obstacle_1_maximum_y, obstacle_1_maximum_z,
+      obstacle_1_margin, obstacle_2_minimum_x, obstacle_2_minimum_y, obstacle_2_minimum_z,
+      obstacle_2_maximum_x, obstacle_2_maximum_y, obstacle_2_maximum_z, obstacle_2_margin,
+      obstacle_3_minimum_x, obstacle_3_minimum_y, obstacle_3_minimum_z, obstacle_3_maximum_x,
+      obstacle_3_maximum_y, obstacle_3_maximum_z, obstacle_3_margin, obstacle_4_minimum_x,
+      obstacle_4_minimum_y, obstacle_4_minimum_z, obstacle_4_maximum_x, obstacle_4_maximum_y,
+      obstacle_4_maximum_z, obstacle_4_margin, obstacle_5_minimum_x, obstacle_5_minimum_y,
+      obstacle_5_minimum_z, obstacle_5_maximum_x, obstacle_5_maximum_y, obstacle_5_maximum_z,
+      obstacle_5_margin, obstacle_6_minimum_x, obstacle_6_minimum_y, obstacle_6_minimum_z,
+      obstacle_6_maximum_x, obstacle_6_maximum_y, obstacle_6_maximum_z, obstacle_6_margin,
+      obstacle_7_minimum_x, obstacle_7_minimum_y, obstacle_7_minimum_z, obstacle_7_maximum_x,
+      obstacle_7_maximum_y, obstacle_7_maximum_z, obstacle_7_margin, obstacle_8_minimum_x,
+      obstacle_8_minimum_y, obstacle_8_minimum_z, obstacle_8_maximum_x, obstacle_8_maximum_y,
+      obstacle_8_maximum_z, obstacle_8_margin, obstacle_9_minimum_x, obstacle_9_minimum_y,
+      obstacle_9_minimum_z, obstacle_9_maximum_x, obstacle_9_maximum_y, obstacle_9_maximum_z,
+      obstacle_9_margin, obstacle_10_minimum_x, obstacle_10_minimum_y, obstacle_10_minimum_z,
+      obstacle_10_maximum_x, obstacle_10_maximum_y, obstacle_10_maximum_z, obstacle_10_margin,
+      obstacle_11_minimum_x, obstacle_11_minimum_y, obstacle_11_minimum_z, obstacle_11_maximum_x,
+      obstacle_11_maximum_y, obstacle_11_maximum_z, obstacle_11_margin, obstacle_12_minimum_x,
+      obstacle_12_minimum_y, obstacle_12_minimum_z, obstacle_12_maximum_x, obstacle_12_maximum_y,
+      obstacle_12_maximum_z, obstacle_12_margin, obstacle_13_minimum_x, obstacle_13_minimum_y,
+      obstacle_13_minimum_z, obstacle_13_maximum_x, obstacle_13_maximum_y, obstacle_13_maximum_z,
+      obstacle_13_margin, obstacle_14_minimum_x, obstacle_14_minimum_y, obstacle_14_minimum_z,
+      obstacle_14_maximum_x, obstacle_14_maximum_y, obstacle_14_maximum_z, obstacle_14_margin,
+      obstacle_15_minimum_x, obstacle_15_minimum_y, obstacle_15_minimum_z, obstacle_15_maximum_x,
+      obstacle_15_maximum_y, obstacle_15_maximum_z, obstacle_15_margin, obstacle_16_minimum_x,
+      obstacle_16_minimum_y, obstacle_16_minimum_z, obstacle_16_maximum_x, obstacle_16_maximum_y,
+      obstacle_16_maximum_z, obstacle_16_margin, friction_bridge_viscous, friction_bridge_coulomb,
+      friction_bridge_static, friction_bridge_drag, friction_trolley_viscous,
+      friction_trolley_coulomb, friction_trolley_static, friction_trolley_drag,
+      friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag,
+      friction_width, friction_presliding},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[4] = {63, 64, 65, 90};
-  final parameter Integer integers[4] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization), waypoint_count};
-  constant Integer boolean_references[0] = fill(0, 0);
-  final parameter Integer booleans[0] = fill(0, 0);
+  constant Integer integer_references[5] = {64, 65, 66, 141, 284};
+  final parameter Integer integers[5] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
+      obstacle_count, waypoint_count};
+  constant Integer boolean_references[17] = {69, 149, 157, 165, 173, 181, 189, 197, 205, 213, 221, 229, 237, 245, 253, 261, 269};
+  final parameter Integer booleans[17] = {if planner_slows_down then 1 else 0, if obstacle_1_rope then 1 else 0, if obstacle_2_rope
+      then 1 else 0, if obstacle_3_rope then 1 else 0, if obstacle_4_rope then 1 else 0, if
+      obstacle_5_rope then 1 else 0, if obstacle_6_rope then 1 else 0, if obstacle_7_rope then 1
+      else 0, if obstacle_8_rope then 1 else 0, if obstacle_9_rope then 1 else 0, if
+      obstacle_10_rope then 1 else 0, if obstacle_11_rope then 1 else 0, if obstacle_12_rope then
+      1 else 0, if obstacle_13_rope then 1 else 0, if obstacle_14_rope then 1 else 0, if
+      obstacle_15_rope then 1 else 0, if obstacle_16_rope then 1 else 0};
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{a4b1d386-0526-968e-5d33-bed38d1149d3}", 0);
+      "{2baef091-57be-d7d2-98b8-924486cccbd6}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -192,7 +438,18 @@ initial equation
   started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
       boolean_references, booleans);
   begun = FMI.begin(fmu, input_references, inputs, started);
-  {plan_duration} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {38}, started);
+  {plan_duration, plan_pace, plan_use_bridge_force, plan_use_bridge_force_time,
+      plan_use_trolley_force, plan_use_trolley_force_time, plan_use_hoist_force,
+      plan_use_hoist_force_time, plan_use_bridge_velocity, plan_use_bridge_velocity_time,
+      plan_use_trolley_velocity, plan_use_trolley_velocity_time, plan_use_hoist_velocity,
+      plan_use_hoist_velocity_time, plan_use_bridge_acceleration,
+      plan_use_bridge_acceleration_time, plan_use_trolley_acceleration,
+      plan_use_trolley_acceleration_time, plan_use_hoist_acceleration,
+      plan_use_hoist_acceleration_time, plan_use_bridge_power, plan_use_bridge_power_time,
+      plan_use_trolley_power, plan_use_trolley_power_time, plan_use_hoist_power,
+      plan_use_hoist_power_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
+      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {38, 39, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117,
+      118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);

@@ -111,6 +111,15 @@ class ActuatorBounds(Frozen):
         return np.array([self.vector, np.concatenate([self.lower(n) for n in QUANTITIES])])
 
     @property
+    def record(self) -> FloatArray:
+        """As FMUs take them, shape (23,), the record `DriveBounds`."""
+        upper, lower = self.table
+        own = slice(Demand.POWER)
+        least = np.where(np.isinf(lower), -UNBOUNDED, -lower)
+        least = np.where(lower == upper, 0.0, least)[own]
+        return np.concatenate([np.where(np.isinf(upper), 0.0, upper), least])
+
+    @property
     def known(self) -> bool:
         """Whether there is any bound."""
         return bool(np.isfinite(self.table).any())

@@ -66,22 +66,6 @@ def check_braked_plan(
     /,
 ) -> int: ...
 
-def path_ranges(
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    gravity: float,
-    work: Floats,
-    ranges: Floats,
-    /,
-) -> None: ...
-
-def is_any_near(
-    boxes: Floats,
-    ranges: Floats,
-    /,
-) -> bool: ...
-
 def check_rope(
     timing: Floats,
     coefficients: Floats,
@@ -114,14 +98,53 @@ def contact_times(
     /,
 ) -> int: ...
 
+def path_ranges(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    gravity: float,
+    work: Floats,
+    ranges: Floats,
+    /,
+) -> None: ...
+
 def first_contact(
-    count: int,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    gravity: float,
     boxes: Floats,
-    spans: Floats,
+    work: Floats,
     stack: Floats,
-    times: Floats,
     ranges: Floats,
     report: Floats,
+    /,
+) -> int: ...
+
+def shrink_boxes(
+    touch: float,
+    boxes: Floats,
+    /,
+) -> None: ...
+
+def write_box(
+    space: Floats,
+    obstacle: Floats,
+    box: Floats,
+    /,
+) -> None: ...
+
+def space_contact(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    space: Floats,
+    obstacles: Floats,
+    boxes: Floats,
+    work: Floats,
+    stack: Floats,
+    ranges: Floats,
+    fault: Floats,
     /,
 ) -> int: ...
 
@@ -446,6 +469,17 @@ def friction_derivative(
     /,
 ) -> float: ...
 
+def begin_pace(
+    pace: Floats,
+    /,
+) -> None: ...
+
+def next_pace(
+    use: float,
+    pace: Floats,
+    /,
+) -> bool: ...
+
 def demand_peaks(
     timing: Floats,
     coefficients: Floats,
@@ -497,6 +531,15 @@ def plant_advance(
     tolerance: float,
     work: Floats,
     report: Floats,
+    /,
+) -> int: ...
+
+def bound_uses(
+    peaks: Floats,
+    times: Floats,
+    bounds: Floats,
+    uses: Floats,
+    fault: Floats,
     /,
 ) -> int: ...
 

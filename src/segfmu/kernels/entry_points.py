@@ -14,7 +14,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from segfmu.kernels.clearance.records import Box, Collision, Ranges, Span, Stack
+from segfmu.kernels.clearance.records import (
+    Box,
+    Collision,
+    ObstacleRow,
+    Ranges,
+    Space,
+    SpaceFault,
+    Span,
+    Stack,
+)
 from segfmu.kernels.control.records import (
     AxisModel,
     Estimate,
@@ -34,6 +43,8 @@ from segfmu.kernels.control.records import (
 )
 from segfmu.kernels.crane.records import (
     Axes,
+    BoundFault,
+    BoundUses,
     Contact,
     ContactWork,
     Coordinates,
@@ -41,6 +52,7 @@ from segfmu.kernels.crane.records import (
     Demand,
     DemandPeaks,
     DemandWork,
+    DriveBounds,
     FlatInverse,
     FlatSeries,
     FrictionSeries,
@@ -48,6 +60,7 @@ from segfmu.kernels.crane.records import (
     Load,
     LoadPartials,
     Masses,
+    Pace,
     Plant,
     PlantFault,
     PlantState,
@@ -261,9 +274,6 @@ ENTRY_POINTS = (
         coefficients=("pieces", "width"), offsets=4, work=(2, "width"), ranges=(Ranges.SIZE, 3),
     ),
     entry(
-        "clearance.ranges", "is_any_near", boxes=("boxes", Box.SIZE), ranges=(Ranges.SIZE, 3),
-    ),
-    entry(
         "clearance.spans", "clearance_spans", timing=("pieces", 2),
         coefficients=("pieces", "width"), offsets=4, work=(RopeWork.SIZE, "4 * width - 5"),
         spans=("pieces + 1", Span.SIZE, "2 * width - 3"),
@@ -273,9 +283,23 @@ ENTRY_POINTS = (
         stack=(Stack.ROWS, Span.SIZE, "columns"), times=("rows", 2), place=3,
     ),
     entry(
-        "clearance.contact", "first_contact", boxes=("boxes", Box.SIZE),
-        spans=("count", Span.SIZE, "columns"), stack=(Stack.ROWS, Span.SIZE, "columns"),
-        times=(1, 2), ranges=(Ranges.SIZE, 3), report=Collision.SIZE,
+        "clearance.path", "first_contact", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=4, boxes=("boxes", Box.SIZE),
+        work=(RopeWork.SIZE, "4 * width - 5"), stack=(Stack.ROWS, Span.SIZE, "2 * width - 3"),
+        ranges=(Ranges.SIZE, 3), report=Collision.SIZE,
+    ),
+    entry(
+        "clearance.path", "shrink_boxes", boxes=("boxes", Box.SIZE),
+    ),
+    entry(
+        "clearance.space", "write_box", space=Space.SIZE, obstacle=ObstacleRow.SIZE, box=Box.SIZE,
+    ),
+    entry(
+        "clearance.space", "space_contact", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=4, space=Space.SIZE,
+        obstacles=("obstacles", ObstacleRow.SIZE), boxes=("obstacles + 6", Box.SIZE),
+        work=(RopeWork.SIZE, "4 * width - 5"), stack=(Stack.ROWS, Span.SIZE, "2 * width - 3"),
+        ranges=(Ranges.SIZE, 3), fault=SpaceFault.SIZE,
     ),
     entry(
         "crane.failure", "plant_failure", state=State.SIZE, plant=Plant.SIZE,
@@ -379,6 +403,12 @@ ENTRY_POINTS = (
         work=(DemandPeaks.SIZE, DemandPeaks.COLUMNS), peaks=(2, Demand.SIZE),
         times=(2, Demand.SIZE),
     ),
+    entry(
+        "crane.uses", "bound_uses", peaks=(2, Demand.SIZE), times=(2, Demand.SIZE),
+        bounds=DriveBounds.SIZE, uses=BoundUses.SIZE, fault=BoundFault.SIZE,
+    ),
+    entry("crane.pace", "begin_pace", pace=Pace.SIZE),
+    entry("crane.pace", "next_pace", pace=Pace.SIZE),
     entry(
         "crane.contact", "contact_history", timing=("pieces", Timing.SIZE),
         coefficients=("pieces", "width"), offsets=Vector.SIZE + 1, ends=Vector.SIZE,

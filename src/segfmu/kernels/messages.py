@@ -11,9 +11,12 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from segfmu.kernels.clearance.records import SpaceFault, SpaceStatus
 from segfmu.kernels.crane.records import (
     AXES,
     DRIVES,
+    BoundFault,
+    BoundStatus,
     PlantFault,
     PlantStatus,
     RopeDemand,
@@ -152,6 +155,53 @@ ROPE = Messages(
 )
 
 
+def _bound(name: str, unit: str, remedy: str) -> str:
+    return (
+        f"at {{TIME:.3f}} s: the plan needs {{VALUE:.9g}} {unit}, {name} is {{BOUND:.9g}} {unit}; "
+        f"lower limits.{{AXIS}}{remedy}, move the waypoints, or raise the bound"
+    )
+
+
+# behind the start of the plan, where it exceeds a bound of the drives
+BOUND = Messages(
+    "bound", BoundFault,
+    {
+        status: _bound(f"drive.{{DRIVE}}.{name}_{{SIDE}}", unit, remedy)
+        for status, name, unit, remedy in (
+            (BoundStatus.FORCE, "force", "N", " or the masses"),
+            (BoundStatus.VELOCITY, "velocity", "m/s", ""),
+            (BoundStatus.ACCELERATION, "acceleration", "m/s2", ""),
+            (BoundStatus.POWER, "power", "W", " or the masses"),
+        )
+    } | {BoundStatus.SWAY: _bound("sway.{AXIS}.angle_max", "rad", "")},
+    {"DRIVE": DRIVES, "AXIS": ("x", "y", "z"), "SIDE": ("max", "min")},
+)
+
+
+def _meets(part: str) -> str:
+    return (
+        f"obstacle {{BOX+1}}: the {part} meets it from {{BEGIN:.3f}} s to {{END:.3f}} s, first at "
+        "({X:.4g}, {Y:.4g}, {Z:.4g}) m; lead the waypoints past it at more distance or above it"
+    )
+
+
+_EMPTY = "must be below its maximum {BOUND:g} m, got {VALUE:g} m"
+
+# behind the start of the plan
+SPACE = Messages(
+    "space", SpaceFault,
+    {
+        SpaceStatus.LOAD: _meets("load"),
+        SpaceStatus.ROPE: _meets("rope"),
+        SpaceStatus.WORKSPACE: "workspace.{AXIS}: the load leaves its end at {BOUND:.9g} m from "
+        "{BEGIN:.3f} s to {END:.3f} s; move the waypoints or give them lower velocities",
+        SpaceStatus.EMPTY_WORKSPACE: f"workspace.{{AXIS}}: minimum {_EMPTY}",
+        SpaceStatus.EMPTY_OBSTACLE: f"obstacle[{{BOX+1}}]: minimum.{{AXIS}} {_EMPTY}",
+    },
+    {"AXIS": ("x", "y", "z")},
+)
+
+
 def _out_of_range(reason: str) -> str:
     return f"at {{TIME:.3f}} s: {reason}; check the setpoints, the masses and the friction"
 
@@ -256,4 +306,4 @@ START = Messages(
     {"PLACE": tuple(v for f in State.FIELDS.values() for v in f.variables)},
 )
 
-TABLES = (PLAN, ROPE, PLANT, SETUP, RANGE, ACCESS, START)
+TABLES = (PLAN, ROPE, BOUND, SPACE, PLANT, SETUP, RANGE, ACCESS, START)

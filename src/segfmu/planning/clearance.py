@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges
+from segfmu.kernels import backend
+from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Space
 from segfmu.planning.arrays import (
     FloatArray,
     Frozen,
@@ -34,8 +35,6 @@ from segfmu.planning.trajectory import Trajectory, require_plan
 
 # [m/s2], that of `Crane` by default
 GRAVITY = 9.81
-# more of a thin box than this share on each side is no rounding
-EDGE = 0.25
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,11 +189,9 @@ class Clearance(Frozen):
         _require_axes(trajectory)
         path = Path(trajectory, _gravity(gravity))
         self._require_range(trajectory, path)
-        # a search asks this for each of its plans: most need no closer look
-        if path.is_near(self._boxes):
-            part, report = path.first(_smaller(self._boxes, path.rounding))
-            if part != Part.CLEAR:
-                raise self._met(trajectory, part, report)
+        part, report = path.first(self._boxes)
+        if part != Part.CLEAR:
+            raise self._met(trajectory, part, report)
 
     def _times(
         self, part: int, trajectory: Trajectory, obstacle: Obstacle, gravity: float
@@ -202,7 +199,9 @@ class Clearance(Frozen):
         _require_axes(trajectory)
         _require_obstacle(obstacle)
         path = Path(trajectory, _gravity(gravity))
-        return path.times(part, _smaller(self._placed([obstacle]), path.rounding)[0])
+        boxes = self._placed([obstacle])
+        backend.shrink_boxes(path.rounding, boxes)
+        return path.times(part, boxes[0])
 
     @cached_property
     def _boxes(self) -> FloatArray:
@@ -212,21 +211,24 @@ class Clearance(Frozen):
     def _placed(self, obstacles: Sequence[Obstacle]) -> FloatArray:
         """Obstacles as the kernels take them, (obstacles, Box)."""
         boxes = np.empty((len(obstacles), Box.SIZE))
-        boxes[:, Box.ROPE] = [obstacle.rope for obstacle in obstacles]
-        for row, obstacle in zip(boxes, obstacles, strict=True):
-            low, high = obstacle.minimum - obstacle.margin, obstacle.maximum + obstacle.margin
-            row[Box.ROPE_LOW : Box.ROPE] = *low, *high
-            half = 0.5 * self.load_size
-            row[Box.LOAD_LOW : Box.ROPE_LOW] = (
-                *(low - half - self.load_centre), *(high + half - self.load_centre)
-            )
+        for box, obstacle in zip(boxes, obstacles, strict=True):
+            row = [*obstacle.minimum, *obstacle.maximum, obstacle.margin, obstacle.rope]
+            backend.write_box(self._space, np.array(row, dtype=np.float64), box)
         return boxes
+
+    @cached_property
+    def _space(self) -> FloatArray:
+        """Size of the load, as the kernels take it."""
+        space = np.zeros(Space.SIZE)
+        space[Space.LOAD_SIZE : Space.LOAD_CENTRE] = self.load_size
+        space[Space.LOAD_CENTRE : Space.OBSTACLES] = self.load_centre
+        return space
 
     def _met(self, trajectory: Trajectory, part: int, report: FloatArray) -> InfeasibleError:
         """The error for a contact (Collision) of a part (Part)."""
         obstacle = self.obstacles[int(report[Collision.BOX])]
         begin, end = report[[Collision.BEGIN, Collision.END]].tolist()
-        place = report[Collision.PLACE : Collision.PLACE + 3].tolist()
+        place = report[Collision.X : Collision.Z + 1].tolist()
         first, last = trajectory.interval(begin), trajectory.interval(end)
         height = float(obstacle.maximum[2] + obstacle.margin)
         if part == Part.LOAD:
@@ -268,17 +270,6 @@ class Clearance(Frozen):
                 axis=axis, interval=trajectory.interval(begin), limit="workspace",
                 value=value, bound=float(bound), time=begin,
             )
-
-
-def _smaller(boxes: FloatArray, touch: float) -> FloatArray:
-    """Boxes (boxes, Box) without what may be touched [m] on each side."""
-    smaller = boxes.copy()
-    for low, high in ((Box.LOAD_LOW, Box.LOAD_HIGH), (Box.ROPE_LOW, Box.ROPE_HIGH)):
-        lows, highs = smaller[:, low : low + 3], smaller[:, high : high + 3]
-        edge = np.minimum(touch, EDGE * (highs - lows))
-        lows += edge
-        highs -= edge
-    return smaller
 
 
 def _require_axes(trajectory: Trajectory) -> None:

@@ -40,13 +40,9 @@ class Path:
         """Distance [m] below which a touch is rounding: 1e-9 of the largest coordinate."""
         return 1e-9 * float(np.abs(self.ranges[: Ranges.ROPE_LOW]).max())
 
-    def is_near(self, boxes: FloatArray) -> bool:
-        """Whether load or rope may meet one of the boxes (boxes, Box), from their ranges alone."""
-        return bool(backend.is_any_near(boxes, self.ranges))
-
     def times(self, part: int, box: FloatArray) -> FloatArray:
         """Intervals [s] in which a part (Part) meets a box (Box), shape (intervals, 2)."""
-        spans, stack, rows = *self._spans(), USUAL_CONTACTS
+        spans, stack, rows = self._spans(), self._stack(), USUAL_CONTACTS
         while True:
             times = np.empty((rows, 2))
             count = backend.contact_times(
@@ -58,20 +54,27 @@ class Path:
 
     def first(self, boxes: FloatArray) -> tuple[int, FloatArray]:
         """What meets one of the boxes (boxes, Box) first (Part), and how (Collision)."""
-        spans, stack = self._spans()
-        report = np.zeros(Collision.SIZE)
+        report, trajectory = np.zeros(Collision.SIZE), self._trajectory
         part = backend.first_contact(
-            len(spans), boxes, spans, stack, np.empty((1, 2)), self.ranges.copy(), report
+            trajectory.timing, trajectory.coefficients, trajectory.offsets, self._gravity,
+            boxes.copy(), self._work(), self._stack(), self.ranges.copy(), report,
         )
         return part, report
 
-    def _spans(self) -> tuple[FloatArray, FloatArray]:
-        """What moves between changes of piece (spans, Span, columns), and work space for halves."""
-        pieces, width = self._trajectory.coefficients.shape
-        columns = 2 * width - 3
-        spans = np.empty((pieces + 1, Span.SIZE, columns))
+    def _spans(self) -> FloatArray:
+        """What moves between changes of piece (spans, Span, columns)."""
+        pieces = len(self._trajectory.timing)
+        spans = np.empty((pieces + 1, *self._stack().shape[1:]))
         count = backend.clearance_spans(
             self._trajectory.timing, self._trajectory.coefficients, self._trajectory.offsets,
-            self._gravity, np.zeros((RopeWork.SIZE, 4 * width - 5)), spans,
+            self._gravity, self._work(), spans,
         )
-        return spans[:count], np.empty((Stack.ROWS, Span.SIZE, columns))
+        return spans[:count]
+
+    def _work(self) -> FloatArray:
+        return np.zeros((RopeWork.SIZE, 4 * self._trajectory.coefficients.shape[1] - 5))
+
+    def _stack(self) -> FloatArray:
+        """Work space for halves of spans."""
+        width = self._trajectory.coefficients.shape[1]
+        return np.empty((Stack.ROWS, Span.SIZE, 2 * width - 3))

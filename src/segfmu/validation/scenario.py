@@ -10,11 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import simulate
+from segfmu.crane.bounds import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import Spec, started
+from segfmu.kernels.clearance.records import SpaceLimits
+from segfmu.kernels.crane.records import DriveBounds
 from segfmu.planning import Trajectory
+from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import LOWER
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.keys import AXES
@@ -67,7 +71,8 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     """Parameters of GantryFeedforward: the arguments of the mission's trajectory.
 
     Free waypoint states, and limits scaled for the actuators, come from the trajectory. What the
-    crane file says of the drives as well is that of the crane that is planned for.
+    crane file says of the drives as well is that of the crane that is planned for; their bounds
+    are those that the mission tightens.
     """
     known = gantry_feedforward.spec().references
     values = {n: v for n, v in crane_parameters.parameters(mission.crane).items() if n in known}
@@ -78,6 +83,9 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     least = -differing * trajectory.limits.lower(len(AXES))
     for axis, numbers in zip(AXES, least.tolist(), strict=True):
         values |= dict(zip((f"limits.{axis}.{name}" for name in LOWER), numbers, strict=True))
+    bounds = (mission.build_bounds() or ActuatorBounds()).record.tolist()
+    values |= {name: bounds[place] for place, name, _ in DriveBounds.feeds()}
+    values |= space_values(mission.build_clearance())
     values["waypoint.count"] = len(trajectory.waypoints)
     for i, point in enumerate(trajectory.waypoints, 1):
         for quantity in QUANTITIES:
@@ -89,6 +97,35 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     values["planner.synchronization"] = mission.synchronization
     values["planner.sample_time"] = mission.sample_time or 0.0
     values["planner.duration"] = mission.duration or 0.0
+    return values
+
+
+def space_values(clearance: Clearance) -> dict[str, float]:
+    """Parameters of GantryFeedforward for workspace, obstacles and the size of the load.
+
+    Raises
+    ------
+    InputError
+        For more obstacles than there is room for.
+    """
+    most, obstacles = SpaceLimits.OBSTACLES, clearance.obstacles
+    if len(obstacles) > most:
+        raise InputError(
+            f"obstacles: GantryFeedforward has room for {most}, the mission has {len(obstacles)}; "
+            "join those that are close to each other, or drop those out of reach"
+        )
+    vectors = {
+        "workspace.{}.min": np.maximum(clearance.minimum, -gantry_feedforward.FAR),
+        "workspace.{}.max": np.minimum(clearance.maximum, gantry_feedforward.FAR),
+        "load.size.{}": clearance.load_size, "load.centre.{}": clearance.load_centre,
+    }
+    values: dict[str, float] = {"obstacle.count": len(obstacles)}
+    for i, box in enumerate(obstacles, 1):
+        name = f"obstacle[{i}]"
+        vectors |= {f"{name}.minimum.{{}}": box.minimum, f"{name}.maximum.{{}}": box.maximum}
+        values |= {f"{name}.margin": box.margin, f"{name}.rope": box.rope}
+    for name, vector in vectors.items():
+        values |= {name.format(a): v for a, v in zip(AXES, vector.tolist(), strict=True)}
     return values
 
 

@@ -267,6 +267,10 @@ def test_gains_are_tunable_between_steps(native_fmus) -> None:
         assert before != 0.0 and fmu.get("drive.bridge.force")[0] == 0.0
 
 
+# value reference of a parameter
+MASS = gantry_feedforward.native_spec().references["crane.bridge_mass"]
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -277,7 +281,7 @@ def test_gains_are_tunable_between_steps(native_fmus) -> None:
         (lambda f: f.getReal([1]), "not allowed before initialisation"),
         (lambda f: f.doStep(0.0, 0.1), "not allowed before initialisation"),
         (lambda f: f.exitInitializationMode(), "not allowed before initialisation"),
-        (lambda f: f.setReal([39], [float("nan")]), "must be finite, got nan"),
+        (lambda f: f.setReal([MASS], [float("nan")]), "must be finite, got nan"),
         (lambda f: f.setupExperiment(startTime=1e300), "the start time must be within"),
     ],
 )

@@ -249,6 +249,12 @@ def test_the_true_crane_differs_where_it_says_so(tmp_path: Path) -> None:
 NOT_OF_MISSIONS = {
     "planner.start_time": "a mission begins at once",
     "setpoint.lead": "a matter of the importer that couples the FMUs",
+    "planner.slows_down": "a mission's own plan keeps the bounds",
+    **{
+        name: "the mission has no obstacles"
+        for name in gantry_feedforward.spec().references
+        if name.startswith("obstacle[")
+    },
 }
 
 

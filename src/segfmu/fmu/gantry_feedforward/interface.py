@@ -11,13 +11,16 @@ from segfmu.fmu.standard.spec import (
     Spec,
     Variable,
     beginning,
+    calculated,
     choice,
     output,
     parameter,
     time,
     triple,
+    triple_parameter,
 )
-from segfmu.kernels.crane.records import DRIVES
+from segfmu.kernels.clearance.records import SpaceLimits
+from segfmu.kernels.crane.records import DRIVES, BoundUses
 
 # waypoints: largest number in a plan, and default of an FMU
 MOST_WAYPOINTS = 256
@@ -39,6 +42,10 @@ LIMITS = {
     "y": (0.4, 0.5, 0.5, 5.0),
     "z": (0.3, 0.5, 0.5, 5.0),
 }
+# an end of the workspace [m] that is none
+FAR = 1e9
+# what a drive may have a bound of
+DRIVE_BOUNDS = {"force": "N", "velocity": "m/s", "acceleration": "m/s2", "power": "W"}
 
 
 def _outputs() -> list[Variable]:
@@ -142,6 +149,11 @@ def _planner() -> list[Variable]:
         parameter(
             "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0
         ),
+        parameter(
+            "planner.slows_down", False, None, "where the plan exceeds bounds of the drives, the "
+            "whole motion becomes as slow as they need, waypoint velocities included; false: it is "
+            "refused", kind="Boolean",
+        ),
         beginning("planner.start_time", "time at which the motion starts"),
         parameter(
             "setpoint.lead", 0.0, "s",
@@ -168,6 +180,81 @@ def _drives() -> list[Variable]:
     return rows
 
 
+def _bounds() -> list[Variable]:
+    """Bounds of the drives and of the sway, and what the plan uses of them."""
+    kept = "the plan keeps it, or initialisation fails"
+    rows = []
+    for drive in DRIVES:
+        for name, unit in DRIVE_BOUNDS.items():
+            rows.append(
+                parameter(
+                    f"drive.{drive}.{name}_max", 0.0, unit,
+                    f"largest {name} of the {drive} drive; {kept}; 0: no bound", minimum=0.0,
+                )
+            )
+            if name != "power":
+                rows.append(
+                    parameter(
+                        f"drive.{drive}.{name}_min", 0.0, unit, f"least {name} of the {drive} "
+                        "drive, below 0; 0: minus the largest one", maximum=0.0,
+                    )
+                )
+    for axis in "xy":
+        rows.append(
+            parameter(
+                f"sway.{axis}.angle_max", 0.0, "rad",
+                f"largest sway angle phi_{axis}; {kept}; 0: no bound", minimum=0.0,
+            )
+        )
+    for name, when in zip(BoundUses.FIELDS["USE"].variables, BoundUses.FIELDS["TIME"].variables,
+                          strict=True):
+        bounded = name.removeprefix("plan.use.").replace(".", " ")
+        rows.append(
+            calculated(name, None, f"largest use of the bound of {bounded}; 1: all; 0: no bound")
+        )
+        rows.append(calculated(when, "s", "when it is reached, since the start of the plan"))
+    return rows
+
+
+def _space() -> list[Variable]:
+    """Workspace and obstacles."""
+    rows = []
+    for axis in "xyz":
+        rows += [
+            parameter(f"workspace.{axis}.min", -FAR, "m", f"least position of the load in {axis}"),
+            parameter(f"workspace.{axis}.max", FAR, "m", f"greatest one in {axis}"),
+        ]
+    rows += triple_parameter(
+        "load.size", 0.0, "m", "edge of the load's box; 0: a point", minimum=0.0
+    )
+    rows += triple_parameter(
+        "load.centre", 0.0, "m", "centre of the load's box from its position, the rope's end"
+    )
+    rows.append(
+        parameter(
+            "obstacle.count", 0, None, "number of obstacles in use", kind="Integer", minimum=0,
+            maximum=SpaceLimits.OBSTACLES,
+        )
+    )
+    for i in range(1, SpaceLimits.OBSTACLES + 1):
+        name = f"obstacle[{i}]"
+        for corner, start in (("minimum", 0.0), ("maximum", 1.0)):
+            rows += triple_parameter(
+                f"{name}.{corner}", start, "m", f"{corner} corner of obstacle {i}"
+            )
+        rows += [
+            parameter(
+                f"{name}.margin", 0.0, "m", f"distance that load and rope keep from obstacle {i} "
+                "along each axis", minimum=0.0,
+            ),
+            parameter(
+                f"{name}.rope", True, None, f"the rope keeps off obstacle {i} as well",
+                kind="Boolean",
+            ),
+        ]
+    return rows
+
+
 def spec(waypoints: int = WAYPOINTS) -> Spec:
     """The interface of GantryFeedforward, with room for so many waypoints; they come last."""
     return Spec(
@@ -177,14 +264,14 @@ def spec(waypoints: int = WAYPOINTS) -> Spec:
         "setpoints and the reference of load and state",
         (
             *_outputs(),
-            Variable(
-                "plan.duration", "Real", "calculatedParameter", "fixed",
-                "duration of the planned motion", unit="s",
-            ),
+            calculated("plan.duration", "s", "duration of the planned motion"),
+            calculated("plan.pace", None, "pace of the motion; 1 unless it was slowed down"),
             *crane_parameters("nominal crane"),
             *_limits(),
             *_planner(),
             *_drives(),
+            *_bounds(),
+            *_space(),
             *friction_parameters(),
             *_waypoints(waypoints),
         ),

@@ -6,10 +6,14 @@ from functools import cache
 
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS, native_spec, spec
 from segfmu.fmu.model import Model
+from segfmu.kernels.clearance.records import ObstacleRow, Space
 from segfmu.kernels.crane.records import (
+    BoundUses,
     Compensation,
+    DriveBounds,
     Feedforward,
     LoadMotion,
+    Pace,
     Resistance,
     RopeBounds,
 )
@@ -23,7 +27,7 @@ GANTRY_FEEDFORWARD = Model(
     largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
     records=(
         Resistance, RopeBounds, PlanOptions, LoadLimits, LowerLimits, LoadMotion, Feedforward,
-        Compensation,
+        Compensation, DriveBounds, BoundUses, Space, ObstacleRow, Pace,
     ),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

@@ -8,15 +8,41 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane import Crane, FlatInverse, Friction
+from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import FRICTION
 from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, ORDERS, VELOCITY
 from segfmu.crane.variables import build
+from segfmu.errors import InfeasibleError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import Compensation, Feedforward, LoadMotion
+from segfmu.kernels.clearance.records import (
+    Box,
+    ObstacleRow,
+    Ranges,
+    Space,
+    SpaceFault,
+    SpaceLimits,
+    SpaceStatus,
+    Span,
+    Stack,
+)
+from segfmu.kernels.crane.records import (
+    BoundFault,
+    BoundStatus,
+    BoundUses,
+    Compensation,
+    Demand,
+    DriveBounds,
+    Feedforward,
+    LoadMotion,
+    Pace,
+    RopeWork,
+)
+from segfmu.kernels.messages import BOUND, SPACE
 from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
+from segfmu.planning.arrays import FloatArray
 
 AXES = ("x", "y", "z")
 # that of the sway is no matter of the drives
@@ -67,10 +93,32 @@ class FeedforwardSlave(SpecSlave):
         """Plan, unless nothing was set since the last time."""
         if self._planned:
             return
+        crane, friction = Crane.of(self.value), build(Friction, KNOWN, self.value)
+        pace, slows = np.zeros(Pace.SIZE), bool(self.value("planner.slows_down"))
+        backend.begin_pace(pace)
+        while True:
+            trajectory = self._planned_at(float(pace[Pace.PACE]))
+            inverse = FlatInverse(crane, trajectory, friction)
+            self._require_space(trajectory)
+            status, uses, fault = self._uses(crane, trajectory, friction)
+            largest = float(uses[: Demand.SIZE].max())
+            if not slows or not backend.next_pace(largest, pace):
+                break
+        if status != BoundStatus.KEPT:
+            raise InfeasibleError(BOUND.text(status, fault))
+        self._inverse, self._trajectory = inverse, trajectory
+        self.show(BoundUses, uses)
+        self.show(Pace, pace)
+        self.assign(("plan.duration",), (trajectory.duration,))
+        self._evaluate(self.start_time)
+        self._planned = True
+
+    def _planned_at(self, pace: float) -> Trajectory:
+        """The plan at a pace."""
         options = self.filled(PlanOptions)
-        trajectory = plan(
-            self._waypoints(),
-            self._limits(),
+        return plan(
+            self._waypoints(pace),
+            self._limits(pace),
             smoothness=int(options[PlanOptions.SMOOTHNESS]),
             shape=gantry_feedforward.SHAPES.items[int(options[PlanOptions.SHAPE])],
             synchronize=gantry_feedforward.SYNCHRONIZATIONS.items[
@@ -80,30 +128,55 @@ class FeedforwardSlave(SpecSlave):
             duration=float(options[PlanOptions.DURATION]) or None,
             axis_names=AXES,
         )
-        friction = build(Friction, KNOWN, self.value)
-        self._inverse = FlatInverse(Crane.of(self.value), trajectory, friction)
-        self._trajectory = trajectory
-        self.assign(("plan.duration",), (trajectory.duration,))
-        self._evaluate(self.start_time)
-        self._planned = True
 
-    def _limits(self) -> Limits:
-        velocity, acceleration, *others = self.filled(LoadLimits).reshape(len(AXES), -1).T
-        least = self.filled(LowerLimits).reshape(len(AXES), -1).T
+    def _uses(
+        self, crane: Crane, trajectory: Trajectory, friction: Friction
+    ) -> tuple[int, FloatArray, FloatArray]:
+        """What a plan uses of the drives' bounds: BoundStatus, BoundUses and BoundFault."""
+        bounds, uses = self.filled(DriveBounds), np.zeros(BoundUses.SIZE)
+        found, times = np.zeros((2, 2, Demand.SIZE))
+        if bounds.any():
+            found, times = peaks(crane, trajectory, friction)
+        fault = np.zeros(BoundFault.SIZE)
+        return backend.bound_uses(found, times, bounds, uses, fault), uses, fault
+
+    def _require_space(self, trajectory: Trajectory) -> None:
+        """Refuse a plan that leaves the workspace or meets an obstacle."""
+        space, fault = self.filled(Space), np.zeros(SpaceFault.SIZE)
+        obstacles = np.zeros((SpaceLimits.OBSTACLES, ObstacleRow.SIZE))
+        for i, row in enumerate(obstacles, 1):
+            ObstacleRow.fill(row, self.value, i)
+        width = trajectory.coefficients.shape[1]
+        status = backend.space_contact(
+            trajectory.timing, trajectory.coefficients, trajectory.offsets, space, obstacles,
+            np.zeros((SpaceLimits.FACES + len(obstacles), Box.SIZE)),
+            np.zeros((RopeWork.SIZE, 4 * width - 5)),
+            np.zeros((Stack.ROWS, Span.SIZE, 2 * width - 3)), np.zeros((Ranges.SIZE, len(AXES))),
+            fault,
+        )
+        if status != SpaceStatus.CLEAR:
+            raise InfeasibleError(SPACE.text(status, fault))
+
+    def _limits(self, pace: float) -> Limits:
+        given = self.filled(LoadLimits).reshape(len(AXES), -1).T
+        powers = pace ** np.arange(1.0, len(given) + 1.0)
+        velocity, acceleration, *others = powers[:, None] * given
+        least = powers[:2, None] * self.filled(LowerLimits).reshape(len(AXES), -1).T
         velocity_min, acceleration_min = np.where(least < 0.0, least, [-velocity, -acceleration])
         return Limits(
             velocity, acceleration, *(np.where(c > 0.0, c, inf) for c in others),
             velocity_min=velocity_min, acceleration_min=acceleration_min,
         )
 
-    def _waypoints(self) -> list[Waypoint]:
+    def _waypoints(self, pace: float) -> list[Waypoint]:
         count = int(self.value("waypoint.count"))
-        columns = [
+        position, velocity, acceleration, dwell = (
             np.array([float(self.value(n)) for n in array.members[: count * array.columns]])
+            .reshape(count, -1)
             for array in gantry_feedforward.arrays(count)
-        ]
-        rows = (c.reshape(count, -1).tolist() for c in columns)
-        return [Waypoint(p, v, a, dwell=dwell) for p, v, a, (dwell,) in zip(*rows, strict=True)]
+        )
+        rows = zip(position, pace * velocity, pace**2 * acceleration, dwell, strict=True)
+        return [Waypoint(p, v, a, dwell=float(rest[0])) for p, v, a, rest in rows]
 
     def _evaluate(self, time: float) -> None:
         inverse, trajectory = self._inverse, self._trajectory

@@ -216,6 +216,11 @@ def parameter(
     )
 
 
+def calculated(name: str, unit: str | None, description: str) -> Variable:
+    """A real number that initialisation finds."""
+    return Variable(name, "Real", "calculatedParameter", "fixed", description, unit=unit)
+
+
 def beginning(name: str, description: str) -> Variable:
     """A fixed parameter for the time at which something begins: by default with the simulation."""
     first = float(GivenTime.AT_START)
@@ -238,6 +243,16 @@ def triple(
 ) -> list[Variable]:
     """Three outputs of one quantity."""
     return [output(f"{prefix}.{n}{suffix}", unit, f"{description}, {n}") for n in names]
+
+
+def triple_parameter(
+    prefix: str, start: float, unit: str, description: str, *, minimum: float | None = None
+) -> list[Variable]:
+    """Three fixed parameters of one quantity, along x, y and z."""
+    return [
+        parameter(f"{prefix}.{a}", start, unit, f"{description}, {a}", minimum=minimum)
+        for a in "xyz"
+    ]
 
 
 def time() -> Variable:

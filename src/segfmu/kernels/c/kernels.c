@@ -14,6 +14,13 @@ static double shared_height(double share, array_double_2d span, array_double_1d 
 static bool is_within(double height, array_double_2d span, array_double_1d box);
 static int64_t rope_meeting(array_double_2d span, array_double_1d box);
 static bool part_moves(int64_t part, array_double_2d span);
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
+static void polynomial_clear(array_double_1d found);
+static void polynomial_shift(array_double_1d a, double offset, int64_t count);
+static void rope_pull(double gravity, int64_t width, array_double_2d work);
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static double local_time(double time, array_double_2d timing, int64_t row);
@@ -32,16 +39,6 @@ static bool check_piece(int64_t order, int64_t row, bool joined, double length, 
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
-static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
-static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
-static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
-static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
-static void polynomial_clear(array_double_1d found);
-static void polynomial_shift(array_double_1d a, double offset, int64_t count);
-static void rope_pull(double gravity, int64_t width, array_double_2d work);
-static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
-static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -52,11 +49,23 @@ static double worst_value(int64_t demand, double first, array_double_2d timing, 
 static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span);
 static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span);
 static void note_rounding(array_double_2d span);
+static void write_span(int64_t part, double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span);
 static void halve_span(int64_t row, array_double_3d stack);
 static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d box);
 static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place);
 static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times);
 static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place);
+static int64_t span_contacts(int64_t part, int64_t found, array_double_1d box, array_double_2d span, array_double_3d stack, array_double_2d times, array_double_1d place);
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
+static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
+static bool is_any_near(array_double_2d boxes, array_double_2d ranges);
+static double touch_distance(array_double_2d ranges);
+static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
+static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
+static void write_faces(array_double_1d space, array_double_2d boxes);
+static int64_t obstacle_count(array_double_1d space, array_double_2d obstacles);
+static int64_t check_space(array_double_1d space, array_double_2d obstacles, array_double_1d fault);
 static double side_bound(double sign, double greatest, double least);
 static bool exceeds(double value, double bound);
 static double limited(double value, double bound);
@@ -205,6 +214,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
+static double pace_between(array_double_1d pace);
 static void write_transform(array_double_2d work);
 static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
 static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
@@ -243,6 +253,9 @@ static void first_stage(array_double_1d plant, array_double_2d components, doubl
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
+static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
+static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
+static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
@@ -1089,6 +1102,133 @@ static bool part_moves(int64_t part, array_double_2d span)
     }
     return 0;
 }
+static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
+{
+    int64_t i;
+    double factor;
+    int64_t j;
+    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
+    {
+        factor = 1.0;
+        for (j = INT64_C(0); j < order; j += INT64_C(1))
+        {
+            factor = factor * (i + j + INT64_C(1));
+        }
+        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
+    }
+}
+static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
+        {
+            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
+        }
+    }
+}
+static void polynomial_clear(array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = 0.0;
+    }
+}
+static void polynomial_shift(array_double_1d a, double offset, int64_t count)
+{
+    int64_t i;
+    int64_t j;
+    int64_t k;
+    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
+        {
+            k = count - INT64_C(2) - j;
+            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
+        }
+    }
+}
+static void rope_pull(double gravity, int64_t width, array_double_2d work)
+{
+    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
+    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
+    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
+}
+static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
+{
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d margin;
+    array_double_1d product_0;
+    array_double_1d product_1;
+    array_double_1d product_2;
+    int64_t i;
+    double sign;
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    margin = span_row(&work, INT64_C(6));
+    product_0 = span_row(&work, INT64_C(7));
+    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
+    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
+    if (demand == INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width;
+    }
+    if (demand == INT64_C(2))
+    {
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
+        }
+        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
+        return width - INT64_C(2);
+    }
+    polynomial_clear(product_0);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
+    polynomial_clear(product_1);
+    polynomial_add_product(z, width, z, width, product_1);
+    polynomial_clear(product_2);
+    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
+    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
+    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
+    polynomial_clear(margin);
+    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
+    sign = 1.0;
+    if (demand == INT64_C(4))
+    {
+        sign = -1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
+    {
+        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
+    }
+    return INT64_C(4) * width - INT64_C(7);
+}
+static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
+{
+    if (demand == INT64_C(1))
+    {
+        return z;
+    }
+    if (demand == INT64_C(2))
+    {
+        return gravity - w_z;
+    }
+    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
+}
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last)
 {
     int64_t upper;
@@ -1637,250 +1777,6 @@ int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, 
     }
     return INT64_C(0);
 }
-static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
-{
-    int64_t width;
-    double least;
-    double most;
-    int64_t piece;
-    int64_t i;
-    double second;
-    width = coefficients.shape[INT64_C(1)];
-    least = 1e+300;
-    most = -1e+300;
-    for (piece = (*cspan_at(&offsets, axis)); piece < (*cspan_at(&offsets, axis + INT64_C(1))); piece += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(1), i)) = share * (*cspan_at(&coefficients, piece, i));
-        }
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            second = (i + INT64_C(1)) * (i + INT64_C(2)) * (*cspan_at(&coefficients, piece, i + INT64_C(2)));
-            (*cspan_at(&work, INT64_C(1), i)) = (*cspan_at(&work, INT64_C(1), i)) + lean * second;
-        }
-        bernstein_coefficients(work, INT64_C(1), width, (*cspan_at(&timing, piece, INT64_C(1))), work);
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            least = span_min(least, (*cspan_at(&work, INT64_C(0), i)));
-            most = span_max(most, (*cspan_at(&work, INT64_C(0), i)));
-        }
-    }
-    (*result_0) = least;
-    (*result_1) = most;
-    return 0;
-}
-static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
-{
-    (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
-    (*cspan_at(&ranges, row + INT64_C(1), axis)) = span_max((*cspan_at(&ranges, row + INT64_C(1), axis)), most);
-}
-void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges)
-{
-    int64_t axis;
-    int64_t row;
-    double least;
-    double most;
-    double pull;
-    double lean;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
-        {
-            (*cspan_at(&ranges, row, axis)) = 1e+300;
-            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
-        }
-        sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
-        widen_range(INT64_C(0), axis, least, most, ranges);
-        widen_range(INT64_C(2), axis, least, most, ranges);
-    }
-    widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
-    sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
-    pull = gravity + least;
-    if (pull <= 0.0)
-    {
-        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-        {
-            widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
-        }
-        return;
-    }
-    lean = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-    {
-        sum_range(&least, &most, axis, 1.0, lean, timing, coefficients, offsets, work);
-        widen_range(INT64_C(2), axis, least, most, ranges);
-    }
-}
-static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
-{
-    int64_t low;
-    int64_t high;
-    int64_t row;
-    int64_t axis;
-    low = INT64_C(0);
-    high = INT64_C(3);
-    row = INT64_C(0);
-    if (part == INT64_C(2))
-    {
-        low = INT64_C(6);
-        high = INT64_C(9);
-        row = INT64_C(2);
-        if ((*cspan_at(&box, INT64_C(12))) < 0.5)
-        {
-            return 0;
-        }
-    }
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, high + axis))))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-bool segfmu_is_any_near(array_double_2d boxes, array_double_2d ranges)
-{
-    int64_t number;
-    array_double_1d box;
-    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
-    {
-        box = span_row(&boxes, number);
-        if (is_near(INT64_C(1), box, ranges) || is_near(INT64_C(2), box, ranges))
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
-static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found)
-{
-    int64_t i;
-    double factor;
-    int64_t j;
-    for (i = INT64_C(0); i < count - order; i += INT64_C(1))
-    {
-        factor = 1.0;
-        for (j = INT64_C(0); j < order; j += INT64_C(1))
-        {
-            factor = factor * (i + j + INT64_C(1));
-        }
-        (*cspan_at(&found, i)) = factor * (*cspan_at(&a, i + order));
-    }
-}
-static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found)
-{
-    int64_t i;
-    int64_t j;
-    for (i = INT64_C(0); i < a_count; i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < b_count; j += INT64_C(1))
-        {
-            (*cspan_at(&found, i + j)) = (*cspan_at(&found, i + j)) + (*cspan_at(&a, i)) * (*cspan_at(&b, j));
-        }
-    }
-}
-static void polynomial_clear(array_double_1d found)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < found.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = 0.0;
-    }
-}
-static void polynomial_shift(array_double_1d a, double offset, int64_t count)
-{
-    int64_t i;
-    int64_t j;
-    int64_t k;
-    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
-        {
-            k = count - INT64_C(2) - j;
-            (*cspan_at(&a, k)) = (*cspan_at(&a, k)) + offset * (*cspan_at(&a, k + INT64_C(1)));
-        }
-    }
-}
-static void rope_pull(double gravity, int64_t width, array_double_2d work)
-{
-    polynomial_differentiate(span_row(&work, INT64_C(0)), width, INT64_C(2), span_row(&work, INT64_C(3)));
-    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(1)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(1)));
-    polynomial_differentiate(span_row(&work, INT64_C(0) + INT64_C(2)), width, INT64_C(2), span_row(&work, INT64_C(3) + INT64_C(2)));
-    (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0))) + gravity;
-}
-static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work)
-{
-    array_double_1d z;
-    array_double_1d w_x;
-    array_double_1d w_y;
-    array_double_1d w_z;
-    array_double_1d margin;
-    array_double_1d product_0;
-    array_double_1d product_1;
-    array_double_1d product_2;
-    int64_t i;
-    double sign;
-    z = span_row(&work, INT64_C(0) + INT64_C(2));
-    w_x = span_row(&work, INT64_C(3));
-    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
-    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
-    margin = span_row(&work, INT64_C(6));
-    product_0 = span_row(&work, INT64_C(7));
-    product_1 = span_row(&work, INT64_C(7) + INT64_C(1));
-    product_2 = span_row(&work, INT64_C(7) + INT64_C(2));
-    if (demand == INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&margin, i)) = -(*cspan_at(&z, i));
-        }
-        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
-        return width;
-    }
-    if (demand == INT64_C(2))
-    {
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&margin, i)) = (*cspan_at(&w_z, i));
-        }
-        (*cspan_at(&margin, INT64_C(0))) = (*cspan_at(&margin, INT64_C(0))) - bound;
-        return width - INT64_C(2);
-    }
-    polynomial_clear(product_0);
-    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_0);
-    polynomial_clear(product_1);
-    polynomial_add_product(z, width, z, width, product_1);
-    polynomial_clear(product_2);
-    polynomial_add_product(w_x, width - INT64_C(2), w_x, width - INT64_C(2), product_2);
-    polynomial_add_product(w_y, width - INT64_C(2), w_y, width - INT64_C(2), product_2);
-    polynomial_add_product(w_z, width - INT64_C(2), w_z, width - INT64_C(2), product_2);
-    polynomial_clear(margin);
-    polynomial_add_product(product_1, INT64_C(2) * width - INT64_C(1), product_2, INT64_C(2) * width - INT64_C(5), margin);
-    sign = 1.0;
-    if (demand == INT64_C(4))
-    {
-        sign = -1.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(4) * width - INT64_C(7); i += INT64_C(1))
-    {
-        (*cspan_at(&margin, i)) = sign * (bound * bound * (*cspan_at(&product_0, i)) - (*cspan_at(&margin, i)));
-    }
-    return INT64_C(4) * width - INT64_C(7);
-}
-static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z)
-{
-    if (demand == INT64_C(1))
-    {
-        return z;
-    }
-    if (demand == INT64_C(2))
-    {
-        return gravity - w_z;
-    }
-    return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
-}
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
 {
     int64_t axis;
@@ -2195,46 +2091,62 @@ static void note_rounding(array_double_2d span)
     (*cspan_at(&span, INT64_C(9), INT64_C(3))) = 1e-14 * place * pull;
     (*cspan_at(&span, INT64_C(9), INT64_C(4))) = 1e-12 * place;
 }
-int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans)
+static void write_span(int64_t part, double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span)
 {
     int64_t width;
-    double time;
-    double until;
     int64_t axis;
     int64_t i;
     double pull;
-    array_double_2d span;
-    int64_t count;
+    int64_t row;
     width = coefficients.shape[INT64_C(1)];
-    count = INT64_C(0);
-    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
-    until = interval_end(time, timing, offsets);
-    while((until > time) || (count == INT64_C(0)))
+    interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
         {
-            for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-            {
-                pull = (*cspan_at(&work, INT64_C(3) + axis, i));
-                (*cspan_at(&work, INT64_C(3) + axis, i)) = pull / gravity;
-            }
+            pull = (*cspan_at(&work, INT64_C(3) + axis, i));
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = pull / gravity;
         }
-        span = span_matrix(&spans, count);
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            write_row(INT64_C(0) + axis, width, until - time, INT64_C(0) + axis, work, span);
-            write_row(INT64_C(3) + axis, width - INT64_C(2), until - time, INT64_C(6) + axis, work, span);
-        }
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        write_row(INT64_C(0) + axis, width, until - time, INT64_C(0) + axis, work, span);
+        write_row(INT64_C(3) + axis, width - INT64_C(2), until - time, INT64_C(6) + axis, work, span);
+    }
+    if (part == INT64_C(2))
+    {
         for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
         {
             write_difference(axis, INT64_C(2), INT64_C(2), axis, until - time, INT64_C(3) + axis, work, span);
         }
         write_difference(INT64_C(0), INT64_C(1), INT64_C(1), INT64_C(0), until - time, INT64_C(5), work, span);
-        (*cspan_at(&span, INT64_C(9), INT64_C(0))) = time;
-        (*cspan_at(&span, INT64_C(9), INT64_C(1))) = until - time;
-        (*cspan_at(&span, INT64_C(9), INT64_C(2))) = 0.0;
-        note_rounding(span);
+    }
+    else
+    {
+        for (row = INT64_C(3); row < INT64_C(6); row += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+            {
+                (*cspan_at(&span, row, i)) = 0.0;
+            }
+        }
+    }
+    (*cspan_at(&span, INT64_C(9), INT64_C(0))) = time;
+    (*cspan_at(&span, INT64_C(9), INT64_C(1))) = until - time;
+    (*cspan_at(&span, INT64_C(9), INT64_C(2))) = 0.0;
+    note_rounding(span);
+}
+int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans)
+{
+    double time;
+    double until;
+    int64_t count;
+    count = INT64_C(0);
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    while((until > time) || (count == INT64_C(0)))
+    {
+        write_span(INT64_C(2), time, until, timing, coefficients, offsets, gravity, work, span_matrix(&spans, count));
         count = count + INT64_C(1);
         time = until;
         until = interval_end(time, timing, offsets);
@@ -2366,13 +2278,29 @@ static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box,
     }
     return found;
 }
+static int64_t span_contacts(int64_t part, int64_t found, array_double_1d box, array_double_2d span, array_double_3d stack, array_double_2d times, array_double_1d place)
+{
+    int64_t k;
+    int64_t i;
+    int64_t result;
+    if (part_meeting(part, span, box) == INT64_C(0))
+    {
+        return found;
+    }
+    for (k = INT64_C(0); k < INT64_C(10); k += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&stack, INT64_C(0), k, i)) = (*cspan_at(&span, k, i));
+        }
+    }
+    result = halved_contacts(part, found, box, stack, times, place);
+    return result;
+}
 int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_double_1d box, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_1d place)
 {
     int64_t row;
     array_double_2d span;
-    int64_t meeting;
-    int64_t k;
-    int64_t i;
     int64_t found;
     found = INT64_C(0);
     for (row = INT64_C(0); row < count; row += INT64_C(1))
@@ -2382,57 +2310,176 @@ int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_do
         {
             break;
         }
-        meeting = part_meeting(part, span, box);
-        if (meeting == INT64_C(0))
-        {
-            if ((found > INT64_C(0)) && (times.shape[INT64_C(0)] == INT64_C(1)))
-            {
-                break;
-            }
-            continue;
-        }
-        for (k = INT64_C(0); k < INT64_C(10); k += INT64_C(1))
-        {
-            for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
-            {
-                (*cspan_at(&stack, INT64_C(0), k, i)) = (*cspan_at(&span, k, i));
-            }
-        }
-        found = halved_contacts(part, found, box, stack, times, place);
+        found = span_contacts(part, found, box, span, stack, times, place);
     }
     return found;
 }
-int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_2d ranges, array_double_1d report)
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
 {
-    array_double_1d place;
-    int64_t part;
+    int64_t width;
+    double least;
+    double most;
+    int64_t piece;
+    int64_t i;
+    double second;
+    width = coefficients.shape[INT64_C(1)];
+    least = 1e+300;
+    most = -1e+300;
+    for (piece = (*cspan_at(&offsets, axis)); piece < (*cspan_at(&offsets, axis + INT64_C(1))); piece += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(1), i)) = share * (*cspan_at(&coefficients, piece, i));
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            second = (i + INT64_C(1)) * (i + INT64_C(2)) * (*cspan_at(&coefficients, piece, i + INT64_C(2)));
+            (*cspan_at(&work, INT64_C(1), i)) = (*cspan_at(&work, INT64_C(1), i)) + lean * second;
+        }
+        bernstein_coefficients(work, INT64_C(1), width, (*cspan_at(&timing, piece, INT64_C(1))), work);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            least = span_min(least, (*cspan_at(&work, INT64_C(0), i)));
+            most = span_max(most, (*cspan_at(&work, INT64_C(0), i)));
+        }
+    }
+    (*result_0) = least;
+    (*result_1) = most;
+    return 0;
+}
+static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
+{
+    (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
+    (*cspan_at(&ranges, row + INT64_C(1), axis)) = span_max((*cspan_at(&ranges, row + INT64_C(1), axis)), most);
+}
+void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges)
+{
+    int64_t axis;
+    int64_t row;
+    double least;
+    double most;
+    double pull;
+    double lean;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
+        {
+            (*cspan_at(&ranges, row, axis)) = 1e+300;
+            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
+        }
+        sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
+        widen_range(INT64_C(0), axis, least, most, ranges);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+    }
+    widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
+    sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
+    pull = gravity + least;
+    if (pull <= 0.0)
+    {
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
+        }
+        return;
+    }
+    lean = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        sum_range(&least, &most, axis, 1.0, lean, timing, coefficients, offsets, work);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+    }
+}
+static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
+{
+    int64_t low;
+    int64_t high;
+    int64_t row;
+    int64_t axis;
+    low = INT64_C(0);
+    high = INT64_C(3);
+    row = INT64_C(0);
+    if (part == INT64_C(2))
+    {
+        low = INT64_C(6);
+        high = INT64_C(9);
+        row = INT64_C(2);
+        if ((*cspan_at(&box, INT64_C(12))) < 0.5)
+        {
+            return 0;
+        }
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (((*cspan_at(&ranges, row + INT64_C(1), axis)) <= (*cspan_at(&box, low + axis))) || ((*cspan_at(&ranges, row, axis)) >= (*cspan_at(&box, high + axis))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool is_any_near(array_double_2d boxes, array_double_2d ranges)
+{
     int64_t number;
     array_double_1d box;
-    double until;
+    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
+    {
+        box = span_row(&boxes, number);
+        if (is_near(INT64_C(1), box, ranges) || is_near(INT64_C(2), box, ranges))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static double touch_distance(array_double_2d ranges)
+{
+    double largest;
+    int64_t axis;
+    largest = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        largest = span_max(largest, fabs((*cspan_at(&ranges, INT64_C(0), axis))));
+        largest = span_max(largest, fabs((*cspan_at(&ranges, INT64_C(1), axis))));
+    }
+    return 1e-09 * largest;
+}
+void segfmu_shrink_boxes(double touch, array_double_2d boxes)
+{
+    int64_t number;
+    int64_t low;
+    int64_t axis;
+    double size;
+    double edge;
+    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
+    {
+        for (low = INT64_C(0); low < INT64_C(12); low += INT64_C(6))
+        {
+            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+            {
+                size = (*cspan_at(&boxes, number, low + INT64_C(3) + axis)) - (*cspan_at(&boxes, number, low + axis));
+                edge = span_min(touch, 0.25 * size);
+                (*cspan_at(&boxes, number, low + axis)) = (*cspan_at(&boxes, number, low + axis)) + edge;
+                (*cspan_at(&boxes, number, low + INT64_C(3) + axis)) = (*cspan_at(&boxes, number, low + INT64_C(3) + axis)) - edge;
+            }
+        }
+    }
+}
+static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)
+{
+    array_double_2d times;
+    array_double_1d place;
+    int64_t number;
     int64_t found;
     int64_t axis;
-    int64_t first;
-    first = INT64_C(0);
-    (*cspan_at(&report, INT64_C(0))) = 1e+300;
+    times = span_rows(&ranges, INT64_C(5), INT64_C(5) + INT64_C(1));
     place = span_row(&ranges, INT64_C(4));
-    for (part = INT64_C(1); part < INT64_C(2) + INT64_C(1); part += INT64_C(1))
+    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
     {
-        if (first != INT64_C(0))
+        if (is_near(part, span_row(&boxes, number), ranges))
         {
-            break;
-        }
-        for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
-        {
-            box = span_row(&boxes, number);
-            if (!is_near(part, box, ranges))
+            found = span_contacts(part, INT64_C(0), span_row(&boxes, number), span_matrix(&stack, INT64_C(42)), stack, times, place);
+            if ((found > INT64_C(0)) && ((*cspan_at(&times, INT64_C(0), INT64_C(0))) < (*cspan_at(&report, INT64_C(0)))))
             {
-                continue;
-            }
-            until = (*cspan_at(&report, INT64_C(0)));
-            found = segfmu_contact_times(part, until, count, box, spans, stack, times, place);
-            if ((found > INT64_C(0)) && ((*cspan_at(&times, INT64_C(0), INT64_C(0))) < until))
-            {
-                first = part;
                 (*cspan_at(&report, INT64_C(0))) = (*cspan_at(&times, INT64_C(0), INT64_C(0)));
                 (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&times, INT64_C(0), INT64_C(1)));
                 (*cspan_at(&report, INT64_C(5))) = number;
@@ -2443,7 +2490,179 @@ int64_t segfmu_first_contact(int64_t count, array_double_2d boxes, array_double_
             }
         }
     }
-    return first;
+}
+static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)
+{
+    array_double_2d times;
+    int64_t number;
+    times = span_rows(&ranges, INT64_C(5), INT64_C(5) + INT64_C(1));
+    (*cspan_at(&times, INT64_C(0), INT64_C(0))) = (*cspan_at(&report, INT64_C(0)));
+    (*cspan_at(&times, INT64_C(0), INT64_C(1))) = (*cspan_at(&report, INT64_C(1)));
+    number = (int64_t)((*cspan_at(&report, INT64_C(5))));
+    span_contacts(part, INT64_C(1), span_row(&boxes, number), span_matrix(&stack, INT64_C(42)), stack, times, span_row(&ranges, INT64_C(4)));
+    (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&times, INT64_C(0), INT64_C(1)));
+}
+int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d report)
+{
+    double time;
+    double until;
+    bool lasts;
+    bool ended;
+    int64_t part;
+    segfmu_shrink_boxes(touch_distance(ranges), boxes);
+    if (!is_any_near(boxes, ranges))
+    {
+        return INT64_C(0);
+    }
+    for (part = INT64_C(1); part < INT64_C(2) + INT64_C(1); part += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(0))) = 1e+300;
+        time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+        until = interval_end(time, timing, offsets);
+        lasts = 1;
+        while(lasts)
+        {
+            write_span(part, time, until, timing, coefficients, offsets, gravity, work, span_matrix(&stack, INT64_C(42)));
+            if ((*cspan_at(&report, INT64_C(0))) >= 1e+300)
+            {
+                note_first(part, boxes, stack, ranges, report);
+            }
+            else
+            {
+                prolong_contact(part, boxes, stack, ranges, report);
+            }
+            ended = ((*cspan_at(&report, INT64_C(0))) < 1e+300) && ((*cspan_at(&report, INT64_C(1))) < until * (INT64_C(1) - 1e-11));
+            time = until;
+            until = interval_end(time, timing, offsets);
+            lasts = (until > time) && (!ended);
+        }
+        if ((*cspan_at(&report, INT64_C(0))) < 1e+300)
+        {
+            return part;
+        }
+    }
+    return INT64_C(0);
+}
+void segfmu_write_box(array_double_1d space, array_double_1d obstacle, array_double_1d box)
+{
+    int64_t axis;
+    double low;
+    double high;
+    double half;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        low = (*cspan_at(&obstacle, INT64_C(0) + axis)) - (*cspan_at(&obstacle, INT64_C(6)));
+        high = (*cspan_at(&obstacle, INT64_C(3) + axis)) + (*cspan_at(&obstacle, INT64_C(6)));
+        half = 0.5 * (*cspan_at(&space, INT64_C(7) + axis));
+        (*cspan_at(&box, INT64_C(0) + axis)) = low - half - (*cspan_at(&space, INT64_C(10) + axis));
+        (*cspan_at(&box, INT64_C(3) + axis)) = high + half - (*cspan_at(&space, INT64_C(10) + axis));
+        (*cspan_at(&box, INT64_C(6) + axis)) = low;
+        (*cspan_at(&box, INT64_C(9) + axis)) = high;
+    }
+    (*cspan_at(&box, INT64_C(12))) = (*cspan_at(&obstacle, INT64_C(7)));
+}
+static void write_faces(array_double_1d space, array_double_2d boxes)
+{
+    int64_t number;
+    int64_t axis;
+    for (number = INT64_C(0); number < INT64_C(6); number += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&boxes, number, INT64_C(0) + axis)) = -1e+30;
+            (*cspan_at(&boxes, number, INT64_C(3) + axis)) = 1e+30;
+            (*cspan_at(&boxes, number, INT64_C(6) + axis)) = -1e+30;
+            (*cspan_at(&boxes, number, INT64_C(9) + axis)) = 1e+30;
+        }
+        (*cspan_at(&boxes, number, INT64_C(12))) = 0.0;
+        axis = span_floor_div(number, INT64_C(2));
+        if (span_floor_mod(number, INT64_C(2)) == INT64_C(0))
+        {
+            (*cspan_at(&boxes, number, INT64_C(3) + axis)) = (*cspan_at(&space, INT64_C(1) + axis));
+        }
+        else
+        {
+            (*cspan_at(&boxes, number, INT64_C(0) + axis)) = (*cspan_at(&space, INT64_C(4) + axis));
+        }
+    }
+}
+static int64_t obstacle_count(array_double_1d space, array_double_2d obstacles)
+{
+    int64_t result;
+    result = span_min_int((int64_t)((*cspan_at(&space, INT64_C(13)))), obstacles.shape[INT64_C(0)]);
+    return result;
+}
+static int64_t check_space(array_double_1d space, array_double_2d obstacles, array_double_1d fault)
+{
+    int64_t axis;
+    int64_t number;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&fault, INT64_C(6))) = axis;
+        (*cspan_at(&fault, INT64_C(7))) = (*cspan_at(&space, INT64_C(1) + axis));
+        (*cspan_at(&fault, INT64_C(8))) = (*cspan_at(&space, INT64_C(4) + axis));
+        if ((*cspan_at(&fault, INT64_C(7))) >= (*cspan_at(&fault, INT64_C(8))))
+        {
+            return INT64_C(4);
+        }
+    }
+    for (number = INT64_C(0); number < obstacle_count(space, obstacles); number += INT64_C(1))
+    {
+        (*cspan_at(&fault, INT64_C(5))) = number;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&fault, INT64_C(6))) = axis;
+            (*cspan_at(&fault, INT64_C(7))) = (*cspan_at(&obstacles, number, INT64_C(0) + axis));
+            (*cspan_at(&fault, INT64_C(8))) = (*cspan_at(&obstacles, number, INT64_C(3) + axis));
+            if ((*cspan_at(&fault, INT64_C(7))) >= (*cspan_at(&fault, INT64_C(8))))
+            {
+                return INT64_C(5);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d space, array_double_2d obstacles, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d fault)
+{
+    int64_t status;
+    int64_t count;
+    int64_t number;
+    array_double_2d used;
+    int64_t part;
+    int64_t axis;
+    status = check_space(space, obstacles, fault);
+    if (status != INT64_C(0))
+    {
+        return status;
+    }
+    write_faces(space, boxes);
+    count = obstacle_count(space, obstacles);
+    for (number = INT64_C(0); number < count; number += INT64_C(1))
+    {
+        segfmu_write_box(space, span_row(&obstacles, number), span_row(&boxes, INT64_C(6) + number));
+    }
+    segfmu_path_ranges(timing, coefficients, offsets, (*cspan_at(&space, INT64_C(0))), work, ranges);
+    used = span_rows(&boxes, INT64_C(0), INT64_C(6) + count);
+    part = segfmu_first_contact(timing, coefficients, offsets, (*cspan_at(&space, INT64_C(0))), used, work, stack, ranges, fault);
+    if (part == INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    number = (int64_t)((*cspan_at(&fault, INT64_C(5))));
+    if (number >= INT64_C(6))
+    {
+        (*cspan_at(&fault, INT64_C(5))) = number - INT64_C(6);
+        return part;
+    }
+    axis = span_floor_div(number, INT64_C(2));
+    (*cspan_at(&fault, INT64_C(6))) = axis;
+    (*cspan_at(&fault, INT64_C(7))) = (*cspan_at(&fault, INT64_C(2) + axis));
+    (*cspan_at(&fault, INT64_C(8))) = (*cspan_at(&space, INT64_C(1) + axis));
+    if (span_floor_mod(number, INT64_C(2)) == INT64_C(1))
+    {
+        (*cspan_at(&fault, INT64_C(8))) = (*cspan_at(&space, INT64_C(4) + axis));
+    }
+    return INT64_C(3);
 }
 static double side_bound(double sign, double greatest, double least)
 {
@@ -7839,6 +8058,76 @@ double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, doub
     result = series_derivative(friction, order);
     return result;
 }
+void segfmu_begin_pace(array_double_1d pace)
+{
+    (*cspan_at(&pace, INT64_C(0))) = 1.0;
+    (*cspan_at(&pace, INT64_C(1))) = 0.0;
+    (*cspan_at(&pace, INT64_C(2))) = 1.0;
+    (*cspan_at(&pace, INT64_C(3))) = 0.0;
+    (*cspan_at(&pace, INT64_C(4))) = 0.0;
+    (*cspan_at(&pace, INT64_C(5))) = 0.0;
+}
+static double pace_between(array_double_1d pace)
+{
+    double lower;
+    double upper;
+    double aim;
+    double slower;
+    double share;
+    double rise;
+    lower = (*cspan_at(&pace, INT64_C(1)));
+    upper = (*cspan_at(&pace, INT64_C(2)));
+    aim = 1.0 - 5e-07;
+    if (lower <= 0.0)
+    {
+        slower = span_min(sqrt(aim / (*cspan_at(&pace, INT64_C(4)))), 0.999);
+        if ((*cspan_at(&pace, INT64_C(5))) > 2.5)
+        {
+            slower = 0.5;
+        }
+        return span_max(slower * upper, 0.001);
+    }
+    share = 0.5;
+    rise = (*cspan_at(&pace, INT64_C(4))) / (*cspan_at(&pace, INT64_C(3)));
+    if (span_floor_mod((int64_t)((*cspan_at(&pace, INT64_C(5)))), INT64_C(3)) > INT64_C(0))
+    {
+        share = log(aim / (*cspan_at(&pace, INT64_C(3)))) / log(rise);
+    }
+    share = span_min(span_max(share, 0.001), 0.999);
+    return lower * exp(share * log(upper / lower));
+}
+bool segfmu_next_pace(double use, array_double_1d pace)
+{
+    double last;
+    bool result;
+    last = (*cspan_at(&pace, INT64_C(0)));
+    if (use <= 1.0 + 1e-09)
+    {
+        (*cspan_at(&pace, INT64_C(1))) = last;
+        (*cspan_at(&pace, INT64_C(3))) = use;
+        if ((last >= 1.0) || (use >= 1.0 - 1e-06) || ((*cspan_at(&pace, INT64_C(5))) >= 40.0))
+        {
+            return 0;
+        }
+    }
+    else
+    {
+        (*cspan_at(&pace, INT64_C(2))) = last;
+        (*cspan_at(&pace, INT64_C(4))) = use;
+        if (last <= 0.001)
+        {
+            return 0;
+        }
+    }
+    (*cspan_at(&pace, INT64_C(5))) = (*cspan_at(&pace, INT64_C(5))) + 1.0;
+    (*cspan_at(&pace, INT64_C(0))) = pace_between(pace);
+    if ((*cspan_at(&pace, INT64_C(5))) >= 40.0)
+    {
+        (*cspan_at(&pace, INT64_C(0))) = (*cspan_at(&pace, INT64_C(1)));
+    }
+    result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
+    return result;
+}
 static void write_transform(array_double_2d work)
 {
     int64_t last;
@@ -8902,6 +9191,74 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         reuse_last_stage(work);
     }
     return INT64_C(3);
+}
+static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds)
+{
+    bool result;
+    result = (side == INT64_C(1)) && (i < INT64_C(9)) && ((*cspan_at(&bounds, INT64_C(14) + i)) < 0.0);
+    return result;
+}
+static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds)
+{
+    double result;
+    if (has_own_bound(i, side, bounds))
+    {
+        result = -(*cspan_at(&bounds, INT64_C(14) + i));
+        return result;
+    }
+    result = (*cspan_at(&bounds, i));
+    return result;
+}
+static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault)
+{
+    (*cspan_at(&fault, INT64_C(0))) = span_floor_mod(i, INT64_C(3));
+    (*cspan_at(&fault, INT64_C(1))) = span_floor_mod(i, INT64_C(3));
+    (*cspan_at(&fault, INT64_C(2))) = 0.0;
+    (*cspan_at(&fault, INT64_C(3))) = peak;
+    (*cspan_at(&fault, INT64_C(4))) = (*cspan_at(&bounds, i));
+    if (has_own_bound(i, side, bounds))
+    {
+        (*cspan_at(&fault, INT64_C(2))) = 1.0;
+        (*cspan_at(&fault, INT64_C(3))) = -peak;
+        (*cspan_at(&fault, INT64_C(4))) = (*cspan_at(&bounds, INT64_C(14) + i));
+    }
+    (*cspan_at(&fault, INT64_C(5))) = time;
+}
+int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_double_1d bounds, array_double_1d uses, array_double_1d fault)
+{
+    double worst;
+    int64_t i;
+    int64_t side;
+    double bound;
+    double share;
+    int64_t status;
+    status = INT64_C(0);
+    worst = 1.0 + 1e-09;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&uses, INT64_C(0) + i)) = 0.0;
+        (*cspan_at(&uses, INT64_C(14) + i)) = 0.0;
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            bound = bound_magnitude(i, side, bounds);
+            if (bound > 0.0)
+            {
+                share = (*cspan_at(&peaks, side, i)) / bound;
+                if (share > (*cspan_at(&uses, INT64_C(0) + i)))
+                {
+                    (*cspan_at(&uses, INT64_C(0) + i)) = share;
+                    (*cspan_at(&uses, INT64_C(14) + i)) = (*cspan_at(&times, side, i));
+                }
+                if (share > worst)
+                {
+                    worst = share;
+                    status = INT64_C(1) + span_floor_div(i, INT64_C(3));
+                    write_fault(i, side, (*cspan_at(&peaks, side, i)), (*cspan_at(&times, side, i)), bounds, fault);
+                }
+            }
+        }
+    }
+    return status;
 }
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
 {

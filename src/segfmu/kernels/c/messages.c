@@ -174,6 +174,128 @@ bool segfmu_rope_message(
     }
 }
 
+bool segfmu_bound_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const drive[] = {"bridge", "trolley", "hoist"};
+    static const char *const axis[] = {"x", "y", "z"};
+    static const char *const side[] = {"max", "min"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "at %.3f s: the plan needs %.9g N, drive.%s.force_%s is %.9g N; lower "
+            "limits.%s or the masses, move the waypoints, or raise the bound",
+            report[BOUND_FAULT_TIME],
+            report[BOUND_FAULT_VALUE],
+            drive[(int)report[BOUND_FAULT_DRIVE]],
+            side[(int)report[BOUND_FAULT_SIDE]],
+            report[BOUND_FAULT_BOUND],
+            axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "at %.3f s: the plan needs %.9g m/s, drive.%s.velocity_%s is %.9g m/s; lower "
+            "limits.%s, move the waypoints, or raise the bound",
+            report[BOUND_FAULT_TIME],
+            report[BOUND_FAULT_VALUE],
+            drive[(int)report[BOUND_FAULT_DRIVE]],
+            side[(int)report[BOUND_FAULT_SIDE]],
+            report[BOUND_FAULT_BOUND],
+            axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "at %.3f s: the plan needs %.9g m/s2, drive.%s.acceleration_%s is %.9g m/s2; "
+            "lower limits.%s, move the waypoints, or raise the bound",
+            report[BOUND_FAULT_TIME],
+            report[BOUND_FAULT_VALUE],
+            drive[(int)report[BOUND_FAULT_DRIVE]],
+            side[(int)report[BOUND_FAULT_SIDE]],
+            report[BOUND_FAULT_BOUND],
+            axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    case 4:
+        snprintf(text, size,
+            "at %.3f s: the plan needs %.9g W, drive.%s.power_%s is %.9g W; lower "
+            "limits.%s or the masses, move the waypoints, or raise the bound",
+            report[BOUND_FAULT_TIME],
+            report[BOUND_FAULT_VALUE],
+            drive[(int)report[BOUND_FAULT_DRIVE]],
+            side[(int)report[BOUND_FAULT_SIDE]],
+            report[BOUND_FAULT_BOUND],
+            axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    case 5:
+        snprintf(text, size,
+            "at %.3f s: the plan needs %.9g rad, sway.%s.angle_max is %.9g rad; lower "
+            "limits.%s, move the waypoints, or raise the bound",
+            report[BOUND_FAULT_TIME],
+            report[BOUND_FAULT_VALUE],
+            axis[(int)report[BOUND_FAULT_AXIS]],
+            report[BOUND_FAULT_BOUND],
+            axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_space_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "obstacle %d: the load meets it from %.3f s to %.3f s, first at (%.4g, %.4g, "
+            "%.4g) m; lead the waypoints past it at more distance or above it",
+            (int)report[SPACE_FAULT_BOX] + 1,
+            report[SPACE_FAULT_BEGIN],
+            report[SPACE_FAULT_END],
+            report[SPACE_FAULT_X],
+            report[SPACE_FAULT_Y],
+            report[SPACE_FAULT_Z]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "obstacle %d: the rope meets it from %.3f s to %.3f s, first at (%.4g, %.4g, "
+            "%.4g) m; lead the waypoints past it at more distance or above it",
+            (int)report[SPACE_FAULT_BOX] + 1,
+            report[SPACE_FAULT_BEGIN],
+            report[SPACE_FAULT_END],
+            report[SPACE_FAULT_X],
+            report[SPACE_FAULT_Y],
+            report[SPACE_FAULT_Z]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "workspace.%s: the load leaves its end at %.9g m from %.3f s to %.3f s; move "
+            "the waypoints or give them lower velocities",
+            axis[(int)report[SPACE_FAULT_AXIS]],
+            report[SPACE_FAULT_BOUND],
+            report[SPACE_FAULT_BEGIN],
+            report[SPACE_FAULT_END]);
+        return true;
+    case 4:
+        snprintf(text, size,
+            "workspace.%s: minimum must be below its maximum %g m, got %g m",
+            axis[(int)report[SPACE_FAULT_AXIS]],
+            report[SPACE_FAULT_BOUND],
+            report[SPACE_FAULT_VALUE]);
+        return true;
+    case 5:
+        snprintf(text, size,
+            "obstacle[%d]: minimum.%s must be below its maximum %g m, got %g m",
+            (int)report[SPACE_FAULT_BOX] + 1,
+            axis[(int)report[SPACE_FAULT_AXIS]],
+            report[SPACE_FAULT_BOUND],
+            report[SPACE_FAULT_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size)
 {

@@ -13,6 +13,10 @@ SEGFMU_API bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_rope_message(
     int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_bound_message(
+    int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_space_message(
+    int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_setup_message(

@@ -234,70 +234,6 @@ static PyObject *call_check_braked_plan(
     return answer;
 }
 
-static PyObject *call_path_ranges(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "path_ranges", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    double in_gravity;
-    Py_buffer *in_work;
-    Py_buffer *in_ranges;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && take_float(&call, 3, &in_gravity)
-        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_ranges = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "work", 1, in_work->shape[1], in_coefficients->shape[1])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
-        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 5)
-        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
-        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
-        segfmu_path_ranges(
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            in_gravity,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_is_any_near(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "is_any_near", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_boxes;
-    Py_buffer *in_ranges;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_boxes = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_ranges = take_array(&call, 1, 2, 'd', false)) != NULL
-        && has_at_least(&call, "boxes", 1, in_boxes->shape[1], 13)
-        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 5)
-        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)) {
-        answer = PyBool_FromLong(segfmu_is_any_near(
-            (array_double_2d){in_boxes->buf, {in_boxes->shape[0], in_boxes->shape[1]}},
-            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_check_rope(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -410,7 +346,7 @@ static PyObject *call_contact_times(
         && has_at_least(&call, "box", 0, in_box->shape[0], 13)
         && has_at_least(&call, "spans", 0, in_spans->shape[0], in_count)
         && has_at_least(&call, "spans", 1, in_spans->shape[1], 10)
-        && has_at_least(&call, "stack", 0, in_stack->shape[0], 42)
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
         && has_at_least(&call, "times", 1, in_times->shape[1], 2)
         && has_at_least(&call, "place", 0, in_place->shape[0], 3)) {
@@ -428,47 +364,207 @@ static PyObject *call_contact_times(
     return answer;
 }
 
+static PyObject *call_path_ranges(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "path_ranges", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    double in_gravity;
+    Py_buffer *in_work;
+    Py_buffer *in_ranges;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 3, &in_gravity)
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_ranges = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "work", 1, in_work->shape[1], in_coefficients->shape[1])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 2)
+        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 6)
+        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        segfmu_path_ranges(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            in_gravity,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_first_contact(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
     arguments call = {.function = "first_contact", .values = values};
     PyObject *answer = NULL;
-    int64_t in_count;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    double in_gravity;
     Py_buffer *in_boxes;
-    Py_buffer *in_spans;
+    Py_buffer *in_work;
     Py_buffer *in_stack;
-    Py_buffer *in_times;
     Py_buffer *in_ranges;
     Py_buffer *in_report;
     (void)self;
-    if (take_count(&call, count, 7)
-        && take_int(&call, 0, &in_count)
-        && (in_boxes = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_spans = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_stack = take_array(&call, 3, 3, 'd', true)) != NULL
-        && (in_times = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_ranges = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_report = take_array(&call, 6, 1, 'd', true)) != NULL
-        && has_at_least(&call, "spans", 2, in_spans->shape[2], 1)
-        && has_extent(&call, "stack", 2, in_stack->shape[2], in_spans->shape[2])
+    if (take_count(&call, count, 9)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && take_float(&call, 3, &in_gravity)
+        && (in_boxes = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
+        && (in_ranges = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 8, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "boxes", 1, in_boxes->shape[1], 13)
-        && has_at_least(&call, "spans", 0, in_spans->shape[0], in_count)
-        && has_at_least(&call, "spans", 1, in_spans->shape[1], 10)
-        && has_at_least(&call, "stack", 0, in_stack->shape[0], 42)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
-        && has_at_least(&call, "times", 0, in_times->shape[0], 1)
-        && has_at_least(&call, "times", 1, in_times->shape[1], 2)
-        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 5)
+        && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[1]) - 3))
+        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 6)
         && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
-        && has_at_least(&call, "report", 0, in_report->shape[0], 6)) {
+        && has_at_least(&call, "report", 0, in_report->shape[0], 6)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_first_contact(
-            in_count,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            in_gravity,
             (array_double_2d){in_boxes->buf, {in_boxes->shape[0], in_boxes->shape[1]}},
-            (array_double_3d){in_spans->buf, {in_spans->shape[0], in_spans->shape[1], in_spans->shape[2]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
             (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}},
             (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_shrink_boxes(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "shrink_boxes", .values = values};
+    PyObject *answer = NULL;
+    double in_touch;
+    Py_buffer *in_boxes;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_touch)
+        && (in_boxes = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "boxes", 1, in_boxes->shape[1], 13)) {
+        segfmu_shrink_boxes(
+            in_touch,
+            (array_double_2d){in_boxes->buf, {in_boxes->shape[0], in_boxes->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_box(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_box", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_space;
+    Py_buffer *in_obstacle;
+    Py_buffer *in_box;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_space = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_obstacle = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_box = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "space", 0, in_space->shape[0], 14)
+        && has_at_least(&call, "obstacle", 0, in_obstacle->shape[0], 8)
+        && has_at_least(&call, "box", 0, in_box->shape[0], 13)) {
+        segfmu_write_box(
+            (array_double_1d){in_space->buf, {in_space->shape[0]}},
+            (array_double_1d){in_obstacle->buf, {in_obstacle->shape[0]}},
+            (array_double_1d){in_box->buf, {in_box->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_space_contact(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "space_contact", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_space;
+    Py_buffer *in_obstacles;
+    Py_buffer *in_boxes;
+    Py_buffer *in_work;
+    Py_buffer *in_stack;
+    Py_buffer *in_ranges;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_space = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_obstacles = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_boxes = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_stack = take_array(&call, 7, 3, 'd', true)) != NULL
+        && (in_ranges = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_fault = take_array(&call, 9, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "obstacles", 0, in_obstacles->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "space", 0, in_space->shape[0], 14)
+        && has_at_least(&call, "obstacles", 1, in_obstacles->shape[1], 8)
+        && has_at_least(&call, "boxes", 0, in_boxes->shape[0], (in_obstacles->shape[0] + 6))
+        && has_at_least(&call, "boxes", 1, in_boxes->shape[1], 13)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
+        && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
+        && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[1]) - 3))
+        && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 6)
+        && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 9)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_space_contact(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_space->buf, {in_space->shape[0]}},
+            (array_double_2d){in_obstacles->buf, {in_obstacles->shape[0], in_obstacles->shape[1]}},
+            (array_double_2d){in_boxes->buf, {in_boxes->shape[0], in_boxes->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}},
+            (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -1660,6 +1756,44 @@ static PyObject *call_friction_derivative(
     return answer;
 }
 
+static PyObject *call_begin_pace(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "begin_pace", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_pace;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_pace = take_array(&call, 0, 1, 'd', true)) != NULL
+        && has_at_least(&call, "pace", 0, in_pace->shape[0], 6)) {
+        segfmu_begin_pace(
+            (array_double_1d){in_pace->buf, {in_pace->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_pace(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_pace", .values = values};
+    PyObject *answer = NULL;
+    double in_use;
+    Py_buffer *in_pace;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_use)
+        && (in_pace = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "pace", 0, in_pace->shape[0], 6)) {
+        answer = PyBool_FromLong(segfmu_next_pace(
+            in_use,
+            (array_double_1d){in_pace->buf, {in_pace->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_demand_peaks(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1858,6 +1992,41 @@ static PyObject *call_plant_advance(
             in_tolerance,
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_bound_uses(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "bound_uses", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_peaks;
+    Py_buffer *in_times;
+    Py_buffer *in_bounds;
+    Py_buffer *in_uses;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_peaks = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_bounds = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_uses = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 2)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 14)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 6)) {
+        answer = PyLong_FromLongLong(segfmu_bound_uses(
+            (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -3723,12 +3892,14 @@ static PyMethodDef methods[] = {
     {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
     {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
     {"check_braked_plan", (PyCFunction)(void (*)(void))call_check_braked_plan, METH_FASTCALL, NULL},
-    {"path_ranges", (PyCFunction)(void (*)(void))call_path_ranges, METH_FASTCALL, NULL},
-    {"is_any_near", (PyCFunction)(void (*)(void))call_is_any_near, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"clearance_spans", (PyCFunction)(void (*)(void))call_clearance_spans, METH_FASTCALL, NULL},
     {"contact_times", (PyCFunction)(void (*)(void))call_contact_times, METH_FASTCALL, NULL},
+    {"path_ranges", (PyCFunction)(void (*)(void))call_path_ranges, METH_FASTCALL, NULL},
     {"first_contact", (PyCFunction)(void (*)(void))call_first_contact, METH_FASTCALL, NULL},
+    {"shrink_boxes", (PyCFunction)(void (*)(void))call_shrink_boxes, METH_FASTCALL, NULL},
+    {"write_box", (PyCFunction)(void (*)(void))call_write_box, METH_FASTCALL, NULL},
+    {"space_contact", (PyCFunction)(void (*)(void))call_space_contact, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -3767,12 +3938,15 @@ static PyMethodDef methods[] = {
     {"drive_demands", (PyCFunction)(void (*)(void))call_drive_demands, METH_FASTCALL, NULL},
     {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
     {"friction_derivative", (PyCFunction)(void (*)(void))call_friction_derivative, METH_FASTCALL, NULL},
+    {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
+    {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
     {"demand_peaks", (PyCFunction)(void (*)(void))call_demand_peaks, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
+    {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},

@@ -10,8 +10,7 @@ from segfmu.kernels.clearance.meeting import (
     rope_meeting,
     shared_height,
 )
-from segfmu.kernels.clearance.ranges import is_near
-from segfmu.kernels.clearance.records import Collision, Meeting, Moment, Part, Ranges, Span
+from segfmu.kernels.clearance.records import Meeting, Moment, Part, Span
 from segfmu.kernels.clearance.spans import halve_span
 
 
@@ -36,23 +35,28 @@ def contact_times(
 
     Those that begin before a time [s], among the first `count` spans; stack (Stack.ROWS, Span.SIZE,
     columns of a span). Written: times (rows, 2), as many as there are rows, and the place (3,)
-    where the first contact begins. With one row, only the first interval is looked for.
+    where the first contact begins.
     """
     found = 0
     for row in range(count):
         span = spans[row, :, :]
         if span[Span.MOMENT, Moment.START] >= until or found > times.shape[0]:
             break
-        meeting = part_meeting(part, span, box)
-        if meeting == Meeting.NEVER:
-            if found > 0 and times.shape[0] == 1:
-                break
-            continue
-        for k in range(Span.SIZE):
-            for i in range(span.shape[1]):
-                stack[0, k, i] = span[k, i]
-        found = halved_contacts(part, found, box, stack, times, place)
+        found = span_contacts(part, found, box, span, stack, times, place)
     return found
+
+
+def span_contacts(
+    part: int, found: int, box: 'float[:]', span: 'float[:,:]', stack: 'float[:,:,:]',
+    times: 'float[:,:]', place: 'float[:]',
+) -> int:
+    """Add the contacts of a span to those found; returns their number."""
+    if part_meeting(part, span, box) == Meeting.NEVER:
+        return found
+    for k in range(Span.SIZE):
+        for i in range(span.shape[1]):
+            stack[0, k, i] = span[k, i]
+    return halved_contacts(part, found, box, stack, times, place)
 
 
 def halved_contacts(
@@ -109,40 +113,3 @@ def note_place(part: int, span: 'float[:,:]', box: 'float[:]', place: 'float[:]'
             rope = span[Span.REACH + axis, 0] + height * span[Span.PULL + axis, 0]
             place[axis] = rope / upwards
         place[2] = height
-
-
-def first_contact(
-    count: int,
-    boxes: 'float[:,:]',
-    spans: 'float[:,:,:]',
-    stack: 'float[:,:,:]',
-    times: 'float[:,:]',
-    ranges: 'float[:,:]',
-    report: 'float[:]',
-) -> int:
-    """The part (Part) that meets one of the boxes first, with a report (Collision); or CLEAR.
-
-    boxes (.., Box); count, spans and stack as in `contact_times`; ranges (Ranges, 3) of the path;
-    times (1, 2) and the row PLACE of ranges are work space. The rope counts where the load meets
-    nothing: it has to follow that.
-    """
-    first = Part.CLEAR
-    report[Collision.BEGIN] = 1e300
-    place = ranges[Ranges.PLACE, :]
-    for part in range(Part.LOAD, Part.ROPE + 1):
-        if first != Part.CLEAR:
-            break
-        for number in range(boxes.shape[0]):
-            box = boxes[number, :]
-            if not is_near(part, box, ranges):
-                continue
-            until = report[Collision.BEGIN]
-            found = contact_times(part, until, count, box, spans, stack, times, place)
-            if found > 0 and times[0, 0] < until:
-                first = part
-                report[Collision.BEGIN] = times[0, 0]
-                report[Collision.END] = times[0, 1]
-                report[Collision.BOX] = number
-                for axis in range(3):
-                    report[Collision.PLACE + axis] = place[axis]
-    return first

@@ -39,6 +39,62 @@ class Box(Record):
     ROPE = field("1 if the rope must not meet it, else 0")
 
 
+class Space(Record):
+    """Where the load may be, and how large it is."""
+
+    GRAVITY = field("gravity, which the rope's direction follows from", "m/s2",
+                    variables=("crane.gravity",))
+    WORKSPACE_MIN = field(
+        "least position of the load", "m", size=3,
+        variables=[f"workspace.{a}.min" for a in "xyz"],
+    )
+    WORKSPACE_MAX = field(
+        "greatest one", "m", size=3, variables=[f"workspace.{a}.max" for a in "xyz"]
+    )
+    LOAD_SIZE = field(
+        "edges of the load's box", "m", size=3, variables=[f"load.size.{a}" for a in "xyz"]
+    )
+    LOAD_CENTRE = field(
+        "centre of that box from the load's position, the rope's end", "m", size=3,
+        variables=[f"load.centre.{a}" for a in "xyz"],
+    )
+    OBSTACLES = field("number of obstacles", variables=("obstacle.count",))
+
+
+class ObstacleRow(Record):
+    """An obstacle, a row of a table."""
+
+    MINIMUM = field(
+        "least corner", "m", size=3, variables=[f"obstacle[{{}}].minimum.{a}" for a in "xyz"]
+    )
+    MAXIMUM = field(
+        "greatest corner", "m", size=3, variables=[f"obstacle[{{}}].maximum.{a}" for a in "xyz"]
+    )
+    MARGIN = field(
+        "distance that load and rope keep along each axis", "m",
+        variables=("obstacle[{}].margin",),
+    )
+    ROPE = field("1 if the rope must not meet it, else 0", variables=("obstacle[{}].rope",))
+
+
+class SpaceStatus(Codes):
+    """What a path meets."""
+
+    CLEAR = 0
+    LOAD = 1
+    ROPE = 2
+    WORKSPACE = 3
+    EMPTY_WORKSPACE = 4
+    EMPTY_OBSTACLE = 5
+
+
+class SpaceLimits(Codes):
+    """Boxes around the workspace, two for each axis, and obstacles of an FMU at most."""
+
+    FACES = 6
+    OBSTACLES = 16
+
+
 class Part(Codes):
     """What meets a box; CLEAR: neither load nor rope."""
 
@@ -60,14 +116,25 @@ class Collision(Record):
 
     BEGIN = field("first moment", "s")
     END = field("last moment of the first contact", "s")
-    PLACE = field("where load or rope are at first", "m", size=3)
+    X = field("where load or rope are at first", "m")
+    Y = field("the same along y", "m")
+    Z = field("the same along z", "m")
     BOX = field("number of the box, from 0")
 
 
-class Stack(Codes):
-    """Spans in the work space, one for each time that a span is halved, and the next one."""
+class SpaceFault(Collision):
+    """When and where load or rope leave the space that they have; or which corners are wrong."""
 
-    ROWS = 42
+    AXIS = field("axis of the workspace or of the corners")
+    VALUE = field("position of the load, or least corner", "m")
+    BOUND = field("end of the workspace, or greatest corner", "m")
+
+
+class Stack(Codes):
+    """Spans in the work space: one for each time that a span is halved, the next one, the whole."""
+
+    WHOLE = 42
+    ROWS = 43
 
 
 class Ranges(Record):
@@ -78,3 +145,4 @@ class Ranges(Record):
     ROPE_LOW = field("least position of the rope", "m")
     ROPE_HIGH = field("greatest one", "m")
     PLACE = field("place of a contact", "m")
+    TIMES = field("begin and end of a contact", "s")

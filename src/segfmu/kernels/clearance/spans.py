@@ -5,7 +5,7 @@ rope at a height h is beside the load by (h - z) w / w_z: products with w_z are 
 linear in h, and those that a box needs are sums of the rows of a `Span`.
 """
 
-from segfmu.kernels.clearance.records import Moment, Span
+from segfmu.kernels.clearance.records import Moment, Part, Span
 from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.crane.rope import interval_end, interval_pieces
 from segfmu.kernels.numerics.polynomials import polynomial_add_product, polynomial_clear
@@ -26,31 +26,56 @@ def clearance_spans(
     Pieces as for `check_rope`, of `width` coefficients; work (RopeWork.SIZE, 4 width - 5 or more),
     spans (pieces + 1 or more, Span.SIZE, 2 width - 3).
     """
-    width = coefficients.shape[1]
     count = 0
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     while until > time or count == 0:
-        interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
-        for axis in range(3):
-            for i in range(width - 2):
-                pull = work[RopeWork.PULL + axis, i]
-                work[RopeWork.PULL + axis, i] = pull / gravity
-        span = spans[count, :, :]
-        for axis in range(3):
-            write_row(RopeWork.LOAD + axis, width, until - time, Span.LOAD + axis, work, span)
-            write_row(RopeWork.PULL + axis, width - 2, until - time, Span.PULL + axis, work, span)
-        for axis in range(2):
-            write_difference(axis, 2, 2, axis, until - time, Span.REACH + axis, work, span)
-        write_difference(0, 1, 1, 0, until - time, Span.TURN, work, span)
-        span[Span.MOMENT, Moment.START] = time
-        span[Span.MOMENT, Moment.LENGTH] = until - time
-        span[Span.MOMENT, Moment.DEPTH] = 0.0
-        note_rounding(span)
+        write_span(
+            Part.ROPE, time, until, timing, coefficients, offsets, gravity, work,
+            spans[count, :, :],
+        )
         count = count + 1
         time = until
         until = interval_end(time, timing, offsets)
     return count
+
+
+def write_span(
+    part: int,
+    time: float,
+    until: float,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    gravity: float,
+    work: 'float[:,:]',
+    span: 'float[:,:]',
+) -> None:
+    """Write the span between two times [s] without a change of piece between them.
+
+    The load alone (Part) needs no products; their rows are 0 then.
+    """
+    width = coefficients.shape[1]
+    interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
+    for axis in range(3):
+        for i in range(width - 2):
+            pull = work[RopeWork.PULL + axis, i]
+            work[RopeWork.PULL + axis, i] = pull / gravity
+    for axis in range(3):
+        write_row(RopeWork.LOAD + axis, width, until - time, Span.LOAD + axis, work, span)
+        write_row(RopeWork.PULL + axis, width - 2, until - time, Span.PULL + axis, work, span)
+    if part == Part.ROPE:
+        for axis in range(2):
+            write_difference(axis, 2, 2, axis, until - time, Span.REACH + axis, work, span)
+        write_difference(0, 1, 1, 0, until - time, Span.TURN, work, span)
+    else:
+        for row in range(Span.REACH, Span.PULL):
+            for i in range(span.shape[1]):
+                span[row, i] = 0.0
+    span[Span.MOMENT, Moment.START] = time
+    span[Span.MOMENT, Moment.LENGTH] = until - time
+    span[Span.MOMENT, Moment.DEPTH] = 0.0
+    note_rounding(span)
 
 
 def write_row(

@@ -285,6 +285,96 @@ class Demand(Record):
     SWAY = field("sway angles", "rad", size=2)
 
 
+class DriveBounds(Record):
+    """Bounds in the order of `Demand`, 0: none; then those of the negative directions.
+
+    The latter are below 0; 0: minus those of the positive direction.
+    """
+
+    FORCE_MAX = field(
+        "largest forces of the drives", "N", size=3,
+        variables=[f"drive.{d}.force_max" for d in DRIVES],
+    )
+    VELOCITY_MAX = field(
+        "largest velocities of the drives", "m/s", size=3,
+        variables=[f"drive.{d}.velocity_max" for d in DRIVES],
+    )
+    ACCELERATION_MAX = field(
+        "largest accelerations of the drives", "m/s2", size=3,
+        variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
+    )
+    POWER_MAX = field(
+        "largest powers of the drives, driving or braking", "W", size=3,
+        variables=[f"drive.{d}.power_max" for d in DRIVES],
+    )
+    SWAY_MAX = field(
+        "largest sway angles", "rad", size=2, variables=[f"sway.{a}.angle_max" for a in "xy"]
+    )
+    FORCE_MIN = field(
+        "least forces", "N", size=3, variables=[f"drive.{d}.force_min" for d in DRIVES]
+    )
+    VELOCITY_MIN = field(
+        "least velocities", "m/s", size=3, variables=[f"drive.{d}.velocity_min" for d in DRIVES]
+    )
+    ACCELERATION_MIN = field(
+        "least accelerations", "m/s2", size=3,
+        variables=[f"drive.{d}.acceleration_min" for d in DRIVES],
+    )
+
+
+# what is bounded, in the order of `Demand`
+BOUNDED = (
+    *(f"{d}.{q}" for q in ("force", "velocity", "acceleration", "power") for d in DRIVES),
+    "sway.x", "sway.y",
+)
+
+
+class BoundUses(Record):
+    """What a plan uses of the bounds, in the order of `Demand`; 0 without a bound."""
+
+    USE = field(
+        "largest use of the bounds", size=Demand.SIZE,
+        variables=[f"plan.use.{name}" for name in BOUNDED],
+    )
+    TIME = field(
+        "when, since the start of the plan", "s", size=Demand.SIZE,
+        variables=[f"plan.use.{name}_time" for name in BOUNDED],
+    )
+
+
+class BoundStatus(Codes):
+    """Which bound a plan exceeds most."""
+
+    KEPT = 0
+    FORCE = 1
+    VELOCITY = 2
+    ACCELERATION = 3
+    POWER = 4
+    SWAY = 5
+
+
+class BoundFault(Record):
+    """Where a plan exceeds a bound of the drives."""
+
+    DRIVE = field("bridge, trolley or hoist, counted from 0; of the sway its axis")
+    AXIS = field("the same, as an axis of the load")
+    SIDE = field("1 where the negative direction has a bound of its own, and exceeds it")
+    VALUE = field("what the plan needs")
+    BOUND = field("bound")
+    TIME = field("when, since the start of the plan", "s")
+
+
+class Pace(Record):
+    """State of the search for the pace at which a motion just keeps the bounds."""
+
+    PACE = field("pace to try; 1: the motion as it is given", variables=("plan.pace",))
+    KEEPS = field("largest pace that is known to keep the bounds, 0: none")
+    EXCEEDS = field("least pace that is known to exceed them")
+    KEPT_USE = field("largest use of a bound at the former")
+    EXCEEDED_USE = field("largest use of a bound at the latter")
+    TRIALS = field("paces tried so far")
+
+
 class DemandWork(Record):
     """Rows: the work space of `drive_demands`, parts of a `FlatInverse`."""
 

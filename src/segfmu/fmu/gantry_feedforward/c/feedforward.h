@@ -30,7 +30,8 @@ typedef struct {
     /* the same of the load's motion, with which they are found */
     int64_t moved[1 + AXES_SIZE];
     double motion[1 + AXES_SIZE][(ORDERS + MODEL_ORDERS) * AXES];
-    int64_t turns[AXES_SIZE];        /* rows of the history of each drive's contact; 0: no friction */
+    int64_t rows;                    /* of the history of every drive's contact */
+    int64_t turns[AXES_SIZE];        /* those that count; 0: no friction */
     double space[];                  /* timing, coefficients, offsets, times, ends, contacts */
 } feedforward;
 

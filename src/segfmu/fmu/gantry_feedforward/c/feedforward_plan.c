@@ -51,41 +51,73 @@ static size_t planned_size(const feedforward *m)
     return (size_t)(m->pieces * (2 + 2 * m->smoothness) + AXES + 1 + m->points * AXES + AXES);
 }
 
-static array_double_2d contacts_of(const feedforward *m, int axis)
+static array_double_3d contacts(const feedforward *m)
 {
-    const double *first = m->space + planned_size(m);
-    for (int i = 0; i < axis; i++) {
-        first += m->turns[i] * CONTACT_SIZE;
-    }
-    return matrix((double *)first, m->turns[axis], CONTACT_SIZE);
+    return cuboid((double *)m->space + planned_size(m), AXES_SIZE, m->rows, CONTACT_SIZE);
 }
 
-/* The contacts that rub, in what the planner has left of the block. */
+static array_double_2d contacts_of(const feedforward *m, int axis)
+{
+    return matrix(contacts(m).data + axis * m->rows * CONTACT_SIZE, m->rows, CONTACT_SIZE);
+}
+
+/* The histories of all contacts, in what the planner has left of the block. */
 static bool note_contacts(feedforward *m, char message[MESSAGE])
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
     double known[RESISTANCE_SIZE], work[CONTACT_WORK_SIZE * CONTACT_WORK_COLUMNS];
     double fault[SETUP_FAULT_SIZE] = {0.0};
+    int64_t longest = 0, rubbing = 0;
     feed_record(&feeds_resistance, &m->base, known);
-    memset(m->turns, 0, sizeof m->turns);
+    for (int i = 0; i < AXES_SIZE; i++) {
+        rubbing += segfmu_resists(vector(known, RESISTANCE_SIZE), i);
+    }
     int64_t status = segfmu_check_friction(
         vector(known + RESISTANCE_STATIC, AXES_SIZE), vector(known + RESISTANCE_COULOMB, AXES_SIZE),
         vector(fault, SETUP_FAULT_SIZE));
     size_t left = segfmu_plan_size(m->points, AXES, m->smoothness) - planned_size(m);
+    m->rows = rubbing > 0 ? (int64_t)(left / (AXES_SIZE * CONTACT_SIZE)) : 1;
     for (int i = 0; i < AXES_SIZE && status == SETUP_STATUS_FITS; i++) {
-        if (segfmu_resists(vector(known, RESISTANCE_SIZE), i)) {
-            array_double_2d rows = contacts_of(m, i);
-            rows.shape[0] = (int64_t)(left / CONTACT_SIZE);
-            m->turns[i] = segfmu_contact_history(
-                i, timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
-                offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
-                matrix(work, CONTACT_WORK_SIZE, CONTACT_WORK_COLUMNS), rows);
-            left -= (size_t)(m->turns[i] * CONTACT_SIZE);
-            fault[SETUP_FAULT_DRIVE] = i;
-            status = m->turns[i] > 0 ? SETUP_STATUS_FITS : SETUP_STATUS_MANY_TURNS;
-        }
+        int64_t rows = segfmu_contact_history(
+            i, timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
+            offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
+            matrix(work, CONTACT_WORK_SIZE, CONTACT_WORK_COLUMNS), contacts_of(m, i));
+        m->turns[i] = segfmu_resists(vector(known, RESISTANCE_SIZE), i) ? rows : 0;
+        longest = rows > longest ? rows : longest;
+        fault[SETUP_FAULT_DRIVE] = i;
+        status = rows > 0 ? SETUP_STATUS_FITS : SETUP_STATUS_MANY_TURNS;
     }
+    double *to = contacts(m).data;
+    for (int i = 0; i < AXES_SIZE; i++) {
+        move(&to, contacts_of(m, i).data, longest * CONTACT_SIZE);
+    }
+    m->rows = longest;
     return !segfmu_setup_message(status, fault, message, MESSAGE);
+}
+
+/* What the plan uses of the bounds of the drives; a `BoundStatus`. */
+static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fault[BOUND_FAULT_SIZE])
+{
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    double bounds[DRIVE_BOUNDS_SIZE], known[RESISTANCE_SIZE];
+    double work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
+    double space[2][2 * DEMAND_SIZE] = {{0.0}};
+    array_double_2d peaks = matrix(space[0], 2, DEMAND_SIZE), times = matrix(space[1], 2, DEMAND_SIZE);
+    bool bounded = false;
+    feed_record(&feeds_drive_bounds, &m->base, bounds);
+    for (int i = 0; i < DRIVE_BOUNDS_SIZE; i++) {
+        bounded = bounded || bounds[i] != 0.0;
+    }
+    if (bounded) {
+        feed_record(&feeds_resistance, &m->base, known);
+        segfmu_demand_peaks(
+            timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
+            offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
+            contacts(m), matrix(work, DEMAND_PEAKS_SIZE, DEMAND_PEAKS_COLUMNS), peaks, times);
+    }
+    return segfmu_bound_uses(
+        peaks, times, vector(bounds, DRIVE_BOUNDS_SIZE), vector(uses, BOUND_USES_SIZE),
+        vector(fault, BOUND_FAULT_SIZE));
 }
 
 static void note_events(feedforward *m, const segfmu_trajectory *found)
@@ -101,24 +133,26 @@ static void note_events(feedforward *m, const segfmu_trajectory *found)
     m->events[m->points - 1] = start + m->duration;
 }
 
-/* Limits as the planner takes them, (axes, n + 1). */
-static void gather_limits(const model *base, int64_t smoothness, double *table)
+/* Limits at a pace as the planner takes them, (axes, n + 1). */
+static void gather_limits(const model *base, int64_t smoothness, double pace, double *table)
 {
     double limits[LOAD_LIMITS_SIZE];
     feed_record(&feeds_load_limits, base, limits);
     for (int axis = 0; axis < AXES; axis++) {
+        double power = 1.0;
         for (int64_t i = 0; i <= smoothness; i++) {
-            table[axis * (smoothness + 1) + i] = i < LIMITS ? limits[axis * LIMITS + i] : 0.0;
+            power *= pace;
+            table[axis * (smoothness + 1) + i] = i < LIMITS ? power * limits[axis * LIMITS + i] : 0.0;
         }
     }
 }
 
 /* Magnitudes of the limits in the negative direction, (axes, 2). */
-static void gather_lower(const model *base, double *lower)
+static void gather_lower(const model *base, double pace, double *lower)
 {
     feed_record(&feeds_lower_limits, base, lower);
     for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
-        lower[i] = -lower[i];
+        lower[i] *= i % 2 == 0 ? -pace : -pace * pace;
     }
 }
 
@@ -138,29 +172,78 @@ static bool require_rope(const segfmu_trajectory *t, const model *base, char mes
     return !segfmu_rope_message(status, fault, message, MESSAGE);
 }
 
-bool feedforward_plan(feedforward *m, char message[MESSAGE])
+/* Check that load and rope keep to the workspace and off the obstacles; works in what the planner has
+   left of the block, which is more than this needs. */
+static bool require_space(feedforward *m, char message[MESSAGE])
+{
+    enum { BOXES = SPACE_LIMITS_FACES + SPACE_LIMITS_OBSTACLES };
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    const int64_t width = 2 * t.smoothness, rows = 4 * width - 5, columns = 2 * width - 3;
+    double space[SPACE_SIZE], obstacles[SPACE_LIMITS_OBSTACLES * OBSTACLE_ROW_SIZE];
+    double ranges[RANGES_SIZE * AXES], fault[SPACE_FAULT_SIZE] = {0.0};
+    double *left = m->space + planned_size(m);
+    array_double_2d boxes = matrix(take(&left, BOXES * BOX_SIZE), BOXES, BOX_SIZE);
+    array_double_2d work = matrix(take(&left, ROPE_WORK_SIZE * rows), ROPE_WORK_SIZE, rows);
+    feed_record(&feeds_space, &m->base, space);
+    for (int64_t i = 0; i < SPACE_LIMITS_OBSTACLES; i++) {
+        feed_row(&feeds_obstacle_row, &m->base, i, obstacles + i * OBSTACLE_ROW_SIZE);
+    }
+    int64_t status = segfmu_space_contact(
+        timing_of(&t), matrix((double *)t.coefficients, t.pieces, width), offsets_of(&t),
+        vector(space, SPACE_SIZE), matrix(obstacles, SPACE_LIMITS_OBSTACLES, OBSTACLE_ROW_SIZE),
+        boxes, work, cuboid(left, STACK_ROWS, SPAN_SIZE, columns),
+        matrix(ranges, RANGES_SIZE, AXES), vector(fault, SPACE_FAULT_SIZE));
+    return !segfmu_space_message(status, fault, message, MESSAGE);
+}
+
+/* Plan at a pace; false with a message where that cannot be done. */
+static bool plan_at(feedforward *m, double pace, char message[MESSAGE])
 {
     const double *real = m->base.real;
     double limits[AXES * (MOST_SMOOTHNESS + 1)], lower[LOWER_LIMITS_SIZE];
+    double velocity[MOST_POINTS * AXES], acceleration[MOST_POINTS * AXES];
     double options[PLAN_OPTIONS_SIZE];
     feed_record(&feeds_plan_options, &m->base, options);
     segfmu_problem problem = {
         m->base.integer[V_WAYPOINT_COUNT], AXES, (int64_t)options[PLAN_OPTIONS_SMOOTHNESS],
         (int64_t)options[PLAN_OPTIONS_SHAPE], (int64_t)options[PLAN_OPTIONS_SYNCHRONIZATION],
         options[PLAN_OPTIONS_SAMPLE_TIME], options[PLAN_OPTIONS_DURATION],
-        &real[V_WAYPOINT_POSITION], &real[V_WAYPOINT_VELOCITY], &real[V_WAYPOINT_ACCELERATION],
-        &real[V_WAYPOINT_DWELL], limits, lower
+        &real[V_WAYPOINT_POSITION], velocity, acceleration, &real[V_WAYPOINT_DWELL], limits, lower
     };
     segfmu_trajectory found;
-    gather_limits(&m->base, problem.smoothness, limits);
-    gather_lower(&m->base, lower);
+    for (int64_t i = 0; i < problem.points * AXES; i++) {
+        velocity[i] = pace * real[V_WAYPOINT_VELOCITY + i];
+        acceleration[i] = pace * pace * real[V_WAYPOINT_ACCELERATION + i];
+    }
+    gather_limits(&m->base, problem.smoothness, pace, limits);
+    gather_lower(&m->base, pace, lower);
     int status = segfmu_plan(&problem, m->space, &found);
     if (segfmu_plan_message(status, found.report, message, MESSAGE)
         || !require_rope(&found, &m->base, message)) {
         return false;
     }
     compact(m, &found);
+    return require_space(m, message) && note_contacts(m, message);
+}
+
+bool feedforward_plan(feedforward *m, char message[MESSAGE])
+{
+    double pace[PACE_SIZE], uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE], most;
+    int64_t status;
+    segfmu_begin_pace(vector(pace, PACE_SIZE));
+    do {
+        if (!plan_at(m, pace[PACE_PACE], message)) {
+            return false;
+        }
+        status = note_uses(m, uses, fault);
+        most = 0.0;
+        for (int i = 0; i < DEMAND_SIZE; i++) {
+            most = fmax(most, uses[BOUND_USES_USE + i]);
+        }
+    } while (m->base.integer[V_PLANNER_SLOWS_DOWN] && segfmu_next_pace(most, vector(pace, PACE_SIZE)));
     const segfmu_trajectory plan = feedforward_trajectory(m);
     note_events(m, &plan);
-    return note_contacts(m, message);
+    show_record(&feeds_bound_uses, uses, &m->base);
+    show_record(&feeds_pace, pace, &m->base);
+    return !segfmu_bound_message(status, fault, message, MESSAGE);
 }

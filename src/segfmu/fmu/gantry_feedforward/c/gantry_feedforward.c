@@ -22,7 +22,7 @@ static size_t kept(const feedforward *m)
     if (m->pieces == 0) {
         return 0;
     }
-    return planned_size(m) + (size_t)((m->turns[0] + m->turns[1] + m->turns[2]) * CONTACT_SIZE);
+    return planned_size(m) + (size_t)(AXES_SIZE * m->rows * CONTACT_SIZE);
 }
 
 size_t model_used(const model *base)
@@ -49,8 +49,11 @@ bool model_sound(const model *base, size_t size)
     if (m->pieces == 0) {
         return !base->initialised && size == sizeof(feedforward);
     }
+    if (m->rows < 1 || m->rows > most) {
+        return false;
+    }
     for (int i = 0; i < AXES_SIZE; i++) {
-        if (m->turns[i] < 0 || m->turns[i] > most) {
+        if (m->turns[i] < 0 || m->turns[i] > m->rows) {
             return false;
         }
     }
