@@ -61,6 +61,7 @@ static void widen_range(int64_t row, int64_t axis, double least, double most, ar
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
 static bool is_any_near(array_double_2d boxes, array_double_2d ranges);
 static double touch_distance(array_double_2d ranges);
+static void shrink_box(double touch, int64_t low, int64_t high, array_double_1d box);
 static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
 static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
 static void write_faces(array_double_1d space, array_double_2d boxes);
@@ -2443,25 +2444,24 @@ static double touch_distance(array_double_2d ranges)
     }
     return 1e-09 * largest;
 }
+static void shrink_box(double touch, int64_t low, int64_t high, array_double_1d box)
+{
+    int64_t axis;
+    double edge;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        edge = span_min(touch, 0.25 * ((*cspan_at(&box, high + axis)) - (*cspan_at(&box, low + axis))));
+        (*cspan_at(&box, low + axis)) = (*cspan_at(&box, low + axis)) + edge;
+        (*cspan_at(&box, high + axis)) = (*cspan_at(&box, high + axis)) - edge;
+    }
+}
 void segfmu_shrink_boxes(double touch, array_double_2d boxes)
 {
     int64_t number;
-    int64_t low;
-    int64_t axis;
-    double size;
-    double edge;
     for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
     {
-        for (low = INT64_C(0); low < INT64_C(12); low += INT64_C(6))
-        {
-            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-            {
-                size = (*cspan_at(&boxes, number, low + INT64_C(3) + axis)) - (*cspan_at(&boxes, number, low + axis));
-                edge = span_min(touch, 0.25 * size);
-                (*cspan_at(&boxes, number, low + axis)) = (*cspan_at(&boxes, number, low + axis)) + edge;
-                (*cspan_at(&boxes, number, low + INT64_C(3) + axis)) = (*cspan_at(&boxes, number, low + INT64_C(3) + axis)) - edge;
-            }
-        }
+        shrink_box(touch, INT64_C(0), INT64_C(3), span_row(&boxes, number));
+        shrink_box(touch, INT64_C(6), INT64_C(9), span_row(&boxes, number));
     }
 }
 static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)

@@ -426,7 +426,7 @@ static PyObject *call_first_contact(
         && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
         && take_float(&call, 3, &in_gravity)
-        && (in_boxes = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_boxes = take_array(&call, 4, 2, 'd', false)) != NULL
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
         && (in_ranges = take_array(&call, 7, 2, 'd', true)) != NULL

@@ -100,9 +100,13 @@ def touch_distance(ranges: 'float[:,:]') -> float:
 def shrink_boxes(touch: float, boxes: 'float[:,:]') -> None:
     """Take from boxes what may be touched [m] on each side, of a thin one at most a quarter."""
     for number in range(boxes.shape[0]):
-        for low in range(Box.LOAD_LOW, Box.ROPE, 6):
-            for axis in range(3):
-                size = boxes[number, low + 3 + axis] - boxes[number, low + axis]
-                edge = min(touch, 0.25 * size)
-                boxes[number, low + axis] = boxes[number, low + axis] + edge
-                boxes[number, low + 3 + axis] = boxes[number, low + 3 + axis] - edge
+        shrink_box(touch, Box.LOAD_LOW, Box.LOAD_HIGH, boxes[number, :])
+        shrink_box(touch, Box.ROPE_LOW, Box.ROPE_HIGH, boxes[number, :])
+
+
+def shrink_box(touch: float, low: int, high: int, box: 'float[:]') -> None:
+    """The same for one part of a box, whose ends begin at two places."""
+    for axis in range(3):
+        edge = min(touch, 0.25 * (box[high + axis] - box[low + axis]))
+        box[low + axis] = box[low + axis] + edge
+        box[high + axis] = box[high + axis] - edge
