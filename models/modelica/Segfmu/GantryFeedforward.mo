@@ -105,9 +105,9 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real workspace_y_max(unit = "m") = 1000000000.0 "greatest one in y" annotation(Dialog(tab = "workspace"));
   parameter Real workspace_z_min(unit = "m") = -1000000000.0 "least position of the load in z" annotation(Dialog(tab = "workspace"));
   parameter Real workspace_z_max(unit = "m") = 1000000000.0 "greatest one in z" annotation(Dialog(tab = "workspace"));
-  parameter Real load_size_x(unit = "m", min = 0.0) = 0.0 "edge of the load's box; 0: a point, x" annotation(Dialog(tab = "load"));
-  parameter Real load_size_y(unit = "m", min = 0.0) = 0.0 "edge of the load's box; 0: a point, y" annotation(Dialog(tab = "load"));
-  parameter Real load_size_z(unit = "m", min = 0.0) = 0.0 "edge of the load's box; 0: a point, z" annotation(Dialog(tab = "load"));
+  parameter Real load_size_x(unit = "m", min = 0.0) = 0.0 "edge of the load's box, 0 for a point, x" annotation(Dialog(tab = "load"));
+  parameter Real load_size_y(unit = "m", min = 0.0) = 0.0 "edge of the load's box, 0 for a point, y" annotation(Dialog(tab = "load"));
+  parameter Real load_size_z(unit = "m", min = 0.0) = 0.0 "edge of the load's box, 0 for a point, z" annotation(Dialog(tab = "load"));
   parameter Real load_centre_x(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, x" annotation(Dialog(tab = "load"));
   parameter Real load_centre_y(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, y" annotation(Dialog(tab = "load"));
   parameter Real load_centre_z(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, z" annotation(Dialog(tab = "load"));
@@ -428,7 +428,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{2baef091-57be-d7d2-98b8-924486cccbd6}", 0);
+      "{995fa223-6fcc-9ecd-c1c3-5a2b7d4f68c4}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

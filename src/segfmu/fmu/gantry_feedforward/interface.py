@@ -225,7 +225,7 @@ def _space() -> list[Variable]:
             parameter(f"workspace.{axis}.max", FAR, "m", f"greatest one in {axis}"),
         ]
     rows += triple_parameter(
-        "load.size", 0.0, "m", "edge of the load's box; 0: a point", minimum=0.0
+        "load.size", 0.0, "m", "edge of the load's box, 0 for a point", minimum=0.0
     )
     rows += triple_parameter(
         "load.centre", 0.0, "m", "centre of the load's box from its position, the rope's end"

@@ -1,5 +1,7 @@
 """Records of the crane and its equipment. Triples are bridge, trolley and rope, or x, y and z."""
 
+from typing import Any
+
 from segfmu.kernels.numerics.records import Stages
 from segfmu.kernels.records import Codes, Record, field
 
@@ -10,6 +12,11 @@ AXES = ("bridge", "trolley", "rope")
 def _load(name: str) -> list[str]:
     """Variables of a derivative of the load's position."""
     return [f"reference.load.{name}.{a}" for a in "xyz"]
+
+
+def _of_drives(meaning: str, unit: str, variable: str) -> Any:
+    """A field with an entry for each drive; `{}` in the variable stands for the drive's name."""
+    return field(meaning, unit, size=len(DRIVES), variables=[variable.format(d) for d in DRIVES])
 
 
 class DriveMode(Codes):
@@ -107,9 +114,8 @@ class State(Coordinates):
 class PlantState(State):
     """State of the crane, contacts that rub, slack rope, and works since the start."""
 
-    DEFLECTION = field(
-        "deflections of the contacts, see `friction_force`", "m", size=3,
-        variables=[f"friction.{d}.deflection" for d in DRIVES],
+    DEFLECTION = _of_drives(
+        "deflections of the contacts, see `friction_force`", "m", "friction.{}.deflection"
     )
     DRIVE_WORK = field("work of the drives", "J")
     WIND_WORK = field("work of the wind", "J")
@@ -131,19 +137,11 @@ class Masses(Record):
 class Resistance(Masses):
     """Masses, and the friction of the axes; 0 where an effect is absent."""
 
-    VISCOUS = field(
-        "viscous friction", "N.s/m", size=3, variables=[f"friction.{d}.viscous" for d in DRIVES]
-    )
-    COULOMB = field(
-        "Coulomb friction", "N", size=3, variables=[f"friction.{d}.coulomb" for d in DRIVES]
-    )
-    STATIC = field(
-        "static friction; 0: as Coulomb friction", "N", size=3,
-        variables=[f"friction.{d}.static" for d in DRIVES],
-    )
-    DRAG = field(
-        "friction at 1 m/s that grows with the square of the velocity", "N", size=3,
-        variables=[f"friction.{d}.drag" for d in DRIVES],
+    VISCOUS = _of_drives("viscous friction", "N.s/m", "friction.{}.viscous")
+    COULOMB = _of_drives("Coulomb friction", "N", "friction.{}.coulomb")
+    STATIC = _of_drives("static friction; 0: as Coulomb friction", "N", "friction.{}.static")
+    DRAG = _of_drives(
+        "friction at 1 m/s that grows with the square of the velocity", "N", "friction.{}.drag"
     )
     FRICTION_WIDTH = field(
         "velocity at which static friction has fallen to Coulomb friction but for 1/e", "m/s",
@@ -158,42 +156,26 @@ class Plant(Resistance):
     """Parameters of the crane with its drives; 0 where a bound or an effect is absent."""
 
     MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",), base=1)
-    LAG = field(
-        "time constants of the velocity loops", "s", size=3,
-        variables=[f"drive.{d}.lag" for d in DRIVES],
+    LAG = _of_drives("time constants of the velocity loops", "s", "drive.{}.lag")
+    FORCE_MAX = _of_drives("largest forces of the drives", "N", "drive.{}.force_max")
+    FORCE_MIN = _of_drives(
+        "least forces, below 0; 0: minus the largest ones", "N", "drive.{}.force_min"
     )
-    FORCE_MAX = field(
-        "largest forces of the drives", "N", size=3,
-        variables=[f"drive.{d}.force_max" for d in DRIVES],
+    ACCELERATION_MAX = _of_drives(
+        "largest accelerations by velocity drives", "m/s2", "drive.{}.acceleration_max"
     )
-    FORCE_MIN = field(
-        "least forces, below 0; 0: minus the largest ones", "N", size=3,
-        variables=[f"drive.{d}.force_min" for d in DRIVES],
+    ACCELERATION_MIN = _of_drives(
+        "least accelerations, below 0; 0: minus the largest ones",
+        "m/s2", "drive.{}.acceleration_min"
     )
-    ACCELERATION_MAX = field(
-        "largest accelerations by velocity drives", "m/s2", size=3,
-        variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
+    VELOCITY_MAX = _of_drives("largest velocities of the drives", "m/s", "drive.{}.velocity_max")
+    VELOCITY_MIN = _of_drives(
+        "least velocities, below 0; 0: minus the largest ones", "m/s", "drive.{}.velocity_min"
     )
-    ACCELERATION_MIN = field(
-        "least accelerations, below 0; 0: minus the largest ones", "m/s2", size=3,
-        variables=[f"drive.{d}.acceleration_min" for d in DRIVES],
+    POWER_MAX = _of_drives(
+        "largest powers of the drives, driving or braking", "W", "drive.{}.power_max"
     )
-    VELOCITY_MAX = field(
-        "largest velocities of the drives", "m/s", size=3,
-        variables=[f"drive.{d}.velocity_max" for d in DRIVES],
-    )
-    VELOCITY_MIN = field(
-        "least velocities, below 0; 0: minus the largest ones", "m/s", size=3,
-        variables=[f"drive.{d}.velocity_min" for d in DRIVES],
-    )
-    POWER_MAX = field(
-        "largest powers of the drives, driving or braking", "W", size=3,
-        variables=[f"drive.{d}.power_max" for d in DRIVES],
-    )
-    DEAD_TIME = field(
-        "from the command to the drive", "s", size=3,
-        variables=[f"drive.{d}.dead_time" for d in DRIVES],
-    )
+    DEAD_TIME = _of_drives("from the command to the drive", "s", "drive.{}.dead_time")
     SWAY_DAMPING = field(
         "viscous damping of both sway angles", "N.m.s", variables=("friction.sway.viscous",)
     )
@@ -241,14 +223,8 @@ class Plant(Resistance):
 class Compensation(Record):
     """What feedforward knows of the drives."""
 
-    LAG = field(
-        "time constants of the velocity loops", "s", size=3,
-        variables=[f"drive.{d}.lag" for d in DRIVES],
-    )
-    DEAD_TIME = field(
-        "from setpoint to drive", "s", size=3,
-        variables=[f"drive.{d}.dead_time" for d in DRIVES],
-    )
+    LAG = _of_drives("time constants of the velocity loops", "s", "drive.{}.lag")
+    DEAD_TIME = _of_drives("from setpoint to drive", "s", "drive.{}.dead_time")
 
 
 class FlatInverse(Record):
@@ -291,35 +267,20 @@ class DriveBounds(Record):
     The latter are below 0; 0: minus those of the positive direction.
     """
 
-    FORCE_MAX = field(
-        "largest forces of the drives", "N", size=3,
-        variables=[f"drive.{d}.force_max" for d in DRIVES],
+    FORCE_MAX = _of_drives("largest forces of the drives", "N", "drive.{}.force_max")
+    VELOCITY_MAX = _of_drives("largest velocities of the drives", "m/s", "drive.{}.velocity_max")
+    ACCELERATION_MAX = _of_drives(
+        "largest accelerations of the drives", "m/s2", "drive.{}.acceleration_max"
     )
-    VELOCITY_MAX = field(
-        "largest velocities of the drives", "m/s", size=3,
-        variables=[f"drive.{d}.velocity_max" for d in DRIVES],
-    )
-    ACCELERATION_MAX = field(
-        "largest accelerations of the drives", "m/s2", size=3,
-        variables=[f"drive.{d}.acceleration_max" for d in DRIVES],
-    )
-    POWER_MAX = field(
-        "largest powers of the drives, driving or braking", "W", size=3,
-        variables=[f"drive.{d}.power_max" for d in DRIVES],
+    POWER_MAX = _of_drives(
+        "largest powers of the drives, driving or braking", "W", "drive.{}.power_max"
     )
     SWAY_MAX = field(
         "largest sway angles", "rad", size=2, variables=[f"sway.{a}.angle_max" for a in "xy"]
     )
-    FORCE_MIN = field(
-        "least forces", "N", size=3, variables=[f"drive.{d}.force_min" for d in DRIVES]
-    )
-    VELOCITY_MIN = field(
-        "least velocities", "m/s", size=3, variables=[f"drive.{d}.velocity_min" for d in DRIVES]
-    )
-    ACCELERATION_MIN = field(
-        "least accelerations", "m/s2", size=3,
-        variables=[f"drive.{d}.acceleration_min" for d in DRIVES],
-    )
+    FORCE_MIN = _of_drives("least forces", "N", "drive.{}.force_min")
+    VELOCITY_MIN = _of_drives("least velocities", "m/s", "drive.{}.velocity_min")
+    ACCELERATION_MIN = _of_drives("least accelerations", "m/s2", "drive.{}.acceleration_min")
 
 
 # what is bounded, in the order of `Demand`
