@@ -40,6 +40,7 @@ BEFORE = {
     ),
     "docs/fmus.md": "",
     "docs/howto/csv_path.md": f"from pathlib import Path\nPath('path.csv').write_text({TABLE!r})\n",
+    "docs/operator.md": "",
     "docs/planner.md": MOVE + (
         "t, velocity = 0.7, [0.1, 0.0, 0.0]\ntargets = segfmu.Waypoint([0.4, 0.1, -0.5])\n"
     ),

@@ -26,6 +26,7 @@ POINTS = [segfmu.Waypoint([0.0, 0.0, -1.0]), segfmu.Waypoint([1.0, 1.0, -1.0])]
 LIMITS = segfmu.Limits(1.0, 1.0, 2.0, 20.0)
 PLAN = segfmu.plan(POINTS, LIMITS)
 CRANE = segfmu.Crane(2.0, 1.0, 1.0)
+OPERATOR = segfmu.Operator(CRANE, LIMITS, [0.0, 0.0, -0.5])
 BOUNDS = segfmu.ActuatorBounds(force=[20.0, 20.0, 30.0])
 CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "Waypoint": (segfmu.Waypoint, {"position": [0.0, 0.0, 0.0]}),
@@ -50,6 +51,11 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         segfmu.plan_actuated,
         {"crane": CRANE, "waypoints": POINTS, "limits": LIMITS, "bounds": BOUNDS},
     ),
+    "Operator": (
+        segfmu.Operator, {"crane": CRANE, "limits": LIMITS, "start": [0.0, 0.0, -0.5]}
+    ),
+    "command": (OPERATOR.command, {"mode": "stop"}),
+    "step": (OPERATOR.step, {"duration": 0.01}),
     "simulate": (segfmu.simulate, {"mission": MISSION, "step": 0.05}),
     "build": (segfmu.build, {"mission": MISSION, "output": "fmus"}),
     "load_mission": (segfmu.load_mission, {"source": MISSION}),

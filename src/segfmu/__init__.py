@@ -14,6 +14,7 @@ if TYPE_CHECKING:
         BoundUse,
         Crane,
         FlatInverse,
+        Operator,
         plan_actuated,
     )
     from segfmu.errors import (
@@ -60,6 +61,7 @@ __all__ = [
     "Limits",
     "Mission",
     "Obstacle",
+    "Operator",
     "Run",
     "SegfmuError",
     "SimulationError",
@@ -84,7 +86,8 @@ __all__ = [
 
 _HOMES = {
     "segfmu.crane": (
-        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "plan_actuated",
+        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "Operator",
+        "plan_actuated",
     ),
     "segfmu.errors": (
         "BuildError", "InfeasibleError", "InputError", "SegfmuError", "SimulationError",

@@ -14,6 +14,7 @@ from segfmu.kernels.clearance.records import (
     Collision,
     Part,
     Ranges,
+    Space,
     SpaceFault,
     SpaceLimits,
     Span,
@@ -56,12 +57,22 @@ from segfmu.kernels.crane.records import (
     PlantStatus,
     Report,
     Resistance,
+    RopeBounds,
     RopeFault,
     RopeWork,
     State,
     Work,
 )
 from segfmu.kernels.numerics.records import RangeFault, Sinusoid
+from segfmu.kernels.operation.records import (
+    Command,
+    Known,
+    Operation,
+    OperationMode,
+    OperationRows,
+    OperationWork,
+    Slot,
+)
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -104,7 +115,43 @@ def zeros(*shape: int) -> np.ndarray:
 
 def calls() -> dict[str, Call]:
     """The arguments by the names of the entry points."""
-    return planner_calls() | trajectory_calls() | crane_calls() | control_calls() | rig_calls()
+    return (
+        planner_calls() | trajectory_calls() | crane_calls() | operation_calls() | control_calls()
+        | rig_calls()
+    )
+
+
+def operation_calls() -> dict[str, Call]:
+    """A stop of a plan that is for no command yet."""
+    found = plan([Waypoint([0.0, 0.0, -1.0]), Waypoint([0.5, 0.3, -0.6])], Limits(1.0, 1.0, 5.0))
+    used, width = int(found.offsets[-1]), 2 * SMOOTHNESS
+    known, operation = zeros(Known.SIZE, Known.COLUMNS), zeros(Operation.SIZE, Operation.COLUMNS)
+    known[Known.CRANE, :4] = LAB.masses
+    known[Known.ROPE, RopeBounds.GRAVITY] = known[Known.SPACE, Space.GRAVITY] = 9.81
+    known[Known.BOUNDS, DriveBounds.VELOCITY_MAX] = 2.0
+    known[Known.SPACE, Space.WORKSPACE_MIN : Space.WORKSPACE_MAX] = -2.0
+    known[Known.SPACE, Space.WORKSPACE_MAX : Space.LOAD_SIZE] = 2.0
+    backend.begin_operation(0.0, operation)
+    operation[Operation.COMMAND, [Command.TIME, Command.MODE]] = 0.4, OperationMode.STOP
+    limits = np.stack([found.limits.table(3, SMOOTHNESS)] * 2)
+    timing = zeros(Slot.COUNT, OperationRows.ALL, Timing.SIZE)
+    coefficients = zeros(Slot.COUNT, OperationRows.ALL, width)
+    offsets = np.zeros(Slot.COUNT * Slot.OFFSETS, dtype=np.int64)
+    timing[Slot.PRESENT, :used], coefficients[Slot.PRESENT, :used] = (
+        found.timing, found.coefficients
+    )
+    offsets[: Slot.OFFSETS] = found.offsets
+    work = zeros(OperationWork.SIZE, OperationWork.COLUMNS)
+    return {
+        "begin_operation": (0.0, operation.copy()),
+        "operate": (
+            operation, limits, known, timing, coefficients, offsets,
+            zeros(2, 3, SMOOTHNESS + 1), zeros(3, Cell.SIZE, Cell.COLUMNS),
+            zeros(LeadWork.SIZE, LeadWork.COLUMNS), work.copy(),
+            zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
+        ),
+        "keeps_drives": (found.timing, found.coefficients, found.offsets, known, work),
+    }
 
 
 def planner_calls() -> dict[str, Call]:

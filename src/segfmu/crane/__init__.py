@@ -11,6 +11,7 @@ from segfmu.crane.feedforward import Compensation, Feedforward
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.inverse import FlatInverse
 from segfmu.crane.observer import Observer, Uncertainty, design_observer
+from segfmu.crane.operator import Operator
 from segfmu.crane.parameters import Crane
 from segfmu.crane.plant import Plant
 from segfmu.crane.rig import Rig
@@ -22,7 +23,7 @@ from segfmu.crane.tracking import TrackingController
 
 __all__ = [
     "ActuatedPlan", "ActuatorBounds", "BoundUse", "Compensation", "Controller", "Crane", "Drive",
-    "Feedforward", "FlatInverse", "Friction", "Gust", "Observer", "PayloadChange",
+    "Feedforward", "FlatInverse", "Friction", "Gust", "Observer", "Operator", "PayloadChange",
     "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints", "Shaped", "Shaper", "SwayFeedback",
     "TrackingController", "TravelLimits", "Trapezoid", "Uncertainty", "Weights", "Wind",
     "bound_uses", "design_flat", "design_lqr", "design_observer", "design_schedule",

@@ -557,6 +557,15 @@ def begin_time(
     /,
 ) -> float: ...
 
+def keeps_drives(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    known: Floats,
+    work: Floats,
+    /,
+) -> bool: ...
+
 def ramp_duration(
     change: float,
     axis: Floats,
@@ -565,6 +574,58 @@ def ramp_duration(
 
 def ramp_pieces(
     axis: Floats,
+    /,
+) -> int: ...
+
+def expand_phases(
+    phases: Floats,
+    count: int,
+    axis: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    row: int,
+    work: Floats,
+    /,
+) -> int: ...
+
+def cut_plan(
+    time: float,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    cut_timing: Floats,
+    cut_coefficients: Floats,
+    cut_offsets: Integers,
+    /,
+) -> int: ...
+
+def meet_ends(
+    clock: float,
+    dwell: float,
+    timing: Floats,
+    offsets: Integers,
+    /,
+) -> None: ...
+
+def anchor_plan(
+    ends: Floats,
+    limits: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    /,
+) -> None: ...
+
+def join_plans(
+    lead_timing: Floats,
+    lead_coefficients: Floats,
+    lead_offsets: Integers,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    joined_timing: Floats,
+    joined_coefficients: Floats,
+    joined_offsets: Integers,
     /,
 ) -> int: ...
 
@@ -600,6 +661,56 @@ def shortest_profile(
     /,
 ) -> int: ...
 
+def find_brake(
+    whole: bool,
+    limits: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    /,
+) -> int: ...
+
+def plan_ends(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    /,
+) -> None: ...
+
+def are_at_velocities(
+    targets: Floats,
+    limits: Floats,
+    ends: Floats,
+    /,
+) -> bool: ...
+
+def find_leads(
+    states: Floats,
+    limits: Floats,
+    lower: Floats,
+    plan_offsets: Integers,
+    plan_timing: Floats,
+    plan_coefficients: Floats,
+    ends: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    /,
+) -> int: ...
+
+def find_brakes(
+    start: Floats,
+    limits: Floats,
+    lower: Floats,
+    brakes: Floats,
+    lead: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    /,
+) -> bool: ...
+
 def timed_profile(
     target: float,
     axis: Floats,
@@ -619,6 +730,46 @@ def plan_phases(
     work: Floats,
     /,
 ) -> int: ...
+
+def count_pieces(
+    axes: Floats,
+    cells: Floats,
+    /,
+) -> int: ...
+
+def expand_plan(
+    states: Floats,
+    dwells: Floats,
+    axes: Floats,
+    cells: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    times: Floats,
+    work: Floats,
+    /,
+) -> int: ...
+
+def begin_operation(
+    time: float,
+    operation: Floats,
+    /,
+) -> None: ...
+
+def operate(
+    operation: Floats,
+    limits: Floats,
+    known: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    states: Floats,
+    cells: Floats,
+    lead: Floats,
+    work: Floats,
+    stack: Floats,
+    /,
+) -> bool: ...
 
 def check_problem(
     states: Floats,
@@ -863,127 +1014,6 @@ def is_elsewhere(
     before: Floats,
     reference: Floats,
     step: float,
-    /,
-) -> int: ...
-
-def expand_phases(
-    phases: Floats,
-    count: int,
-    axis: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    row: int,
-    work: Floats,
-    /,
-) -> int: ...
-
-def cut_plan(
-    time: float,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    cut_timing: Floats,
-    cut_coefficients: Floats,
-    cut_offsets: Integers,
-    /,
-) -> int: ...
-
-def meet_ends(
-    clock: float,
-    dwell: float,
-    timing: Floats,
-    offsets: Integers,
-    /,
-) -> None: ...
-
-def anchor_plan(
-    ends: Floats,
-    limits: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    /,
-) -> None: ...
-
-def join_plans(
-    lead_timing: Floats,
-    lead_coefficients: Floats,
-    lead_offsets: Integers,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    joined_timing: Floats,
-    joined_coefficients: Floats,
-    joined_offsets: Integers,
-    /,
-) -> int: ...
-
-def find_brake(
-    whole: bool,
-    limits: Floats,
-    lead: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    /,
-) -> int: ...
-
-def plan_ends(
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    ends: Floats,
-    /,
-) -> None: ...
-
-def are_at_velocities(
-    targets: Floats,
-    limits: Floats,
-    ends: Floats,
-    /,
-) -> bool: ...
-
-def find_leads(
-    states: Floats,
-    limits: Floats,
-    lower: Floats,
-    plan_offsets: Integers,
-    plan_timing: Floats,
-    plan_coefficients: Floats,
-    ends: Floats,
-    lead: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    /,
-) -> int: ...
-
-def find_brakes(
-    start: Floats,
-    limits: Floats,
-    lower: Floats,
-    brakes: Floats,
-    lead: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    /,
-) -> bool: ...
-
-def count_pieces(
-    axes: Floats,
-    cells: Floats,
-    /,
-) -> int: ...
-
-def expand_plan(
-    states: Floats,
-    dwells: Floats,
-    axes: Floats,
-    cells: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    times: Floats,
-    work: Floats,
     /,
 ) -> int: ...
 

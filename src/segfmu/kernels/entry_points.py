@@ -78,6 +78,13 @@ from segfmu.kernels.numerics.records import (
     RangeFault,
     Sinusoid,
 )
+from segfmu.kernels.operation.records import (
+    Known,
+    Operation,
+    OperationRows,
+    OperationWork,
+    Slot,
+)
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -300,6 +307,24 @@ ENTRY_POINTS = (
         obstacles=("obstacles", ObstacleRow.SIZE), boxes=("obstacles + 6", Box.SIZE),
         work=(RopeWork.SIZE, "4 * width - 5"), stack=(Stack.ROWS, Span.SIZE, "2 * width - 3"),
         ranges=(Ranges.SIZE, 3), fault=SpaceFault.SIZE,
+    ),
+    entry(
+        "operation.operate", "begin_operation", operation=(Operation.SIZE, Operation.COLUMNS)
+    ),
+    entry(
+        "operation.operate", "operate", operation=(Operation.SIZE, Operation.COLUMNS),
+        limits=(2, Vector.SIZE, "orders"), known=(Known.SIZE, Known.COLUMNS),
+        timing=(Slot.COUNT, OperationRows.ALL, Timing.SIZE),
+        coefficients=(Slot.COUNT, OperationRows.ALL, "2 * orders - 2"),
+        offsets=Slot.COUNT * Slot.OFFSETS, states=(2, Vector.SIZE, "orders"),
+        cells=(Vector.SIZE, Cell.SIZE, Cell.COLUMNS), lead=(LeadWork.SIZE, LeadWork.COLUMNS),
+        work=(OperationWork.SIZE, OperationWork.COLUMNS),
+        stack=(Stack.ROWS, Span.SIZE, "4 * orders - 7"),
+    ),
+    entry(
+        "operation.drives", "keeps_drives", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=4, known=(Known.SIZE, Known.COLUMNS),
+        work=(OperationWork.SIZE, OperationWork.COLUMNS),
     ),
     entry(
         "crane.failure", "plant_failure", state=State.SIZE, plant=Plant.SIZE,

@@ -47,6 +47,13 @@ class Request(NamedTuple):
         return self.waypoints[0].state(self.problem.options.smoothness)
 
 
+def checked_smoothness(value: int) -> int:
+    """A smoothness; InputError unless it is one."""
+    if not isinstance(value, NUMBERS) or value not in SMOOTHNESS:
+        raise InputError(f"smoothness must be an integer from 2 to 6, got {shown(value)}")
+    return int(value)
+
+
 def checked_request(
     waypoints: Sequence[Waypoint],
     limits: Limits,
@@ -58,8 +65,7 @@ def checked_request(
     axis_names: Sequence[str] | None,
 ) -> Request:
     """Return the request for the arguments of `plan`; raises InputError as documented there."""
-    if not isinstance(smoothness, NUMBERS) or smoothness not in SMOOTHNESS:
-        raise InputError(f"smoothness must be an integer from 2 to 6, got {shown(smoothness)}")
+    checked_smoothness(smoothness)
     points = _checked_waypoints(waypoints, smoothness)
     axes = points[0].axes
     names = _names(axis_names, axes)

@@ -259,6 +259,38 @@ static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
+static double least_scale(void);
+static double push_of(double velocity);
+static double standstill(int64_t slot, int64_t axis, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static double end_rounding_of(double end);
+static double low_end(int64_t axis, array_double_2d known);
+static double high_end(int64_t axis, array_double_2d known);
+static void write_push(double scale, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static double limited_velocity(double velocity, double scale, double limit, double lower);
+static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known);
+static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static int64_t most_attempts(void);
+static int64_t first_stop(void);
+static double pace_of(int64_t attempt);
+static double share_of(int64_t attempt, int64_t axis);
+static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
+static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
+static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known);
+static void set_range(double centre, double radius, array_double_1d found);
+static void add_range(double share, array_double_1d a, array_double_1d found);
+static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
+static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found);
+static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found);
+static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void write_slope(int64_t axis, array_double_2d reach);
+static void write_stretch(array_double_2d reach);
+static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach);
+static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach);
+static void write_forces(array_double_1d crane, array_double_2d reach);
+static void write_sway(array_double_2d reach);
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
+static int64_t judge_reach(array_double_1d bounds, array_double_2d work);
+static bool keeps_between(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
 static double shifted_root(double value, int64_t power, double shift);
 static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis);
@@ -273,6 +305,26 @@ static int64_t rise_pieces(int64_t boxes);
 static int64_t held_level(int64_t* result_0, double* result_1, int64_t piece, int64_t boxes);
 static int64_t held_peak(double* result_0_0001, double* result_1_0001, double* result_2, int64_t level, int64_t first, double rise, double peak, double stretch, array_double_1d axis);
 static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int64_t first, double change, double duration, double basis, array_double_1d axis);
+static void transition_coefficients(int64_t order, array_double_1d coefficients);
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
+static void clear_piece(array_double_2d coefficients, int64_t row);
+static void set_held(int64_t above, double level, array_double_1d state);
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis);
+static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
+static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
+static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
+static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
+static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
+static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets);
+static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array_int64_t_1d offsets);
+static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool has_room(int64_t slot, array_int64_t_1d offsets);
+static void clear_plan(int64_t slot, array_int64_t_1d offsets);
+static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
+static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
 static double side_limit(int64_t order, double sign, array_double_1d axis);
 static double own_side(int64_t order, double sign, array_double_1d axis);
 static void set_lower(array_double_1d lower, array_double_1d axis);
@@ -283,29 +335,6 @@ static bool is_beyond(double low, double high, double share, array_double_1d axi
 static void exchange_sides(int64_t order, array_double_1d axis);
 static void reverse_axis(array_double_1d axis);
 static void mirror_axis(array_double_1d axis);
-static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state);
-static double zero_time(int64_t order, int64_t top, double length, array_double_1d state);
-static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end);
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
-static bool measure_excess(array_double_1d axis, array_double_2d work);
-static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
-static double invert_curved_part(double value, double upper, array_double_1d axis);
-static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis);
-static double taylor(double t, double first, double second, double third, double fourth, double fifth);
-static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
-static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
-static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis);
-static double power_term(double t, double sixth);
-static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth);
-static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
-static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
-static void shift_instants(int64_t place, int64_t by, array_double_1d passing);
-static void place_instant(int64_t peak, int64_t order, double sign, int64_t node, array_double_1d passing);
-static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing);
-static void transition_coefficients(int64_t order, array_double_1d coefficients);
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s);
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks);
 static double usual_share(array_double_1d axis);
 static double steeper_above(void);
 static double moderate_share(void);
@@ -315,6 +344,115 @@ static bool snap_is_last(array_double_1d axis);
 static double saving(array_double_1d axis);
 static bool plateau_parameters(double share, array_double_1d axis);
 static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
+static double shortest_scale(int64_t order, array_double_1d limits);
+static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits);
+static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits);
+static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains);
+static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients);
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
+static bool is_outside(array_double_1d limits, array_double_2d lead);
+static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis);
+static double linear_level(double gain, double a, double b, array_double_1d axis);
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis);
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, double near, array_double_1d axis);
+static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
+static int64_t second_level(double* result_0, double* result_1, double* result_2, double* result_3, double p, array_double_1d family, array_double_1d axis);
+static bool has_member(double p, array_double_1d family, array_double_1d axis);
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
+static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis);
+static double invert_curved_part(double value, double upper, array_double_1d axis);
+static double extreme_gain(double a, double b, double duration, double basis, array_double_1d axis);
+static double taylor(double t, double first, double second, double third, double fourth, double fifth);
+static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
+static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
+static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static double flush_tiny(double value, double scale);
+static double boundary_value(double value, double lower, double upper);
+static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above);
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis);
+static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
+static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
+static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
+static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used);
+static void mirror_phases(array_double_2d phases, int64_t count);
+static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
+static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
+static void reverse_problem(array_double_1d problem);
+static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
+static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis);
+static bool is_resting(array_double_1d problem, array_double_1d axis);
+static double total_duration(array_double_2d phases, int64_t count);
+static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
+static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis);
+static bool has_dip(array_double_2d phases, int64_t count);
+static void stretch_phases(array_double_2d phases, int64_t count, double factor);
+static int64_t fit_duration(array_double_2d phases, int64_t count, double target);
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, double bottom, array_double_1d axis);
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial);
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
+static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis);
+static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
+static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
+static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
+static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis);
+static double rising_member(double f_start, double end, array_double_1d family, array_double_1d axis);
+static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
+static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
+static bool only_farther(array_double_1d family);
+static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
+static void note_near_gain(array_double_1d family, array_double_1d axis);
+static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
+static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
+static double canonical_search(array_double_1d family, array_double_1d axis);
+static double nearby_member(array_double_1d family, array_double_1d axis);
+static double member_search(array_double_1d family, array_double_1d axis);
+static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
+static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
+static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family);
+static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static double distance_within(double change, array_double_1d problem);
+static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool is_enclosed(array_double_2d work);
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
+static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
+static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state);
+static double zero_time(int64_t order, int64_t top, double length, array_double_1d state);
+static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end);
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess);
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work);
+static bool measure_excess(array_double_1d axis, array_double_2d work);
+static double power_term(double t, double sixth);
+static double highest_in_piece(double length, double value, double first, double second, double third, double fourth, double fifth, double sixth);
+static double highest_at_node(int64_t order, double sign, int64_t i, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes);
+static void shift_instants(int64_t place, int64_t by, array_double_1d passing);
+static void place_instant(int64_t peak, int64_t order, double sign, int64_t node, array_double_1d passing);
+static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing);
 static double power_of(double base, int64_t exponent);
 static void set_level(array_double_1d node, array_double_1d passing, array_double_1d axis);
 static void advance(double time, double level, double change, double variance, double fourth, int64_t above, array_double_1d state);
@@ -331,6 +469,31 @@ static double sequence_duration(array_double_1d passing, array_double_2d nodes);
 static void run_sequence(array_double_1d problem, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual);
 static void follow_change(int64_t first, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d change, array_double_1d slopes);
 static bool is_square(array_double_1d passing, array_double_2d nodes);
+static void begin_dip(int64_t above, double v, double a, array_double_2d work);
+static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work);
+static double last_jerk(double second, array_double_1d axis, array_double_2d work);
+static void balance_jerk(array_double_1d axis, array_double_2d work);
+static double last_excess(double time, double end, array_double_1d axis, array_double_2d work);
+static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work);
+static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work);
+static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work);
+static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
+static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work);
+static int64_t write_levels(array_double_2d phases, array_double_2d work);
+static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
+static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool nearly_brakes(double v, double a, array_double_1d axis);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void note_known(array_double_2d work);
+static void clear_nearest(array_double_2d work);
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static bool has_pace(array_double_1d passing);
 static double residual_norm(int64_t count, array_double_1d residual);
 static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -372,112 +535,6 @@ static int64_t vanishing_level(int64_t step, array_double_2d work);
 static bool release_plateau(array_double_2d work);
 static bool flip_level(array_double_2d work);
 static bool follow(double target, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis);
-static double linear_level(double gain, double a, double b, array_double_1d axis);
-static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis);
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, double near, array_double_1d axis);
-static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis);
-static int64_t second_level(double* result_0, double* result_1, double* result_2, double* result_3, double p, array_double_1d family, array_double_1d axis);
-static bool has_member(double p, array_double_1d family, array_double_1d axis);
-static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis);
-static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
-static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis);
-static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
-static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
-static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
-static double flush_tiny(double value, double scale);
-static double boundary_value(double value, double lower, double upper);
-static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above);
-static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis);
-static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis);
-static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration);
-static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration);
-static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
-static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used);
-static void mirror_phases(array_double_2d phases, int64_t count);
-static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
-static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
-static void reverse_problem(array_double_1d problem);
-static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
-static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis);
-static bool is_resting(array_double_1d problem, array_double_1d axis);
-static double total_duration(array_double_2d phases, int64_t count);
-static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis);
-static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis);
-static bool has_dip(array_double_2d phases, int64_t count);
-static void stretch_phases(array_double_2d phases, int64_t count, double factor);
-static int64_t fit_duration(array_double_2d phases, int64_t count, double target);
-static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
-static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis);
-static double rising_member(double f_start, double end, array_double_1d family, array_double_1d axis);
-static void note_near(double y, double duration, array_double_1d family, array_double_1d axis);
-static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
-static bool only_farther(array_double_1d family);
-static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
-static void note_near_gain(array_double_1d family, array_double_1d axis);
-static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
-static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
-static double canonical_search(array_double_1d family, array_double_1d axis);
-static double nearby_member(array_double_1d family, array_double_1d axis);
-static double member_search(array_double_1d family, array_double_1d axis);
-static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
-static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
-static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family);
-static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis);
-static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis);
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
-static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
-static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
-static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, double bottom, array_double_1d axis);
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial);
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static double distance_within(double change, array_double_1d problem);
-static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
-static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static bool is_enclosed(array_double_2d work);
-static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
-static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
-static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
-static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void begin_dip(int64_t above, double v, double a, array_double_2d work);
-static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work);
-static double last_jerk(double second, array_double_1d axis, array_double_2d work);
-static void balance_jerk(array_double_1d axis, array_double_2d work);
-static double last_excess(double time, double end, array_double_1d axis, array_double_2d work);
-static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work);
-static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work);
-static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work);
-static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
-static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work);
-static int64_t write_levels(array_double_2d phases, array_double_2d work);
-static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
-static double peak_past_zero(double v, double a, double level, array_double_1d axis);
-static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
-static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static bool nearly_brakes(double v, double a, array_double_1d axis);
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void note_known(array_double_2d work);
-static void clear_nearest(array_double_2d work);
-static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
@@ -524,32 +581,6 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
 static void surround_with_dips(int64_t column, double depth, array_double_2d phases, array_double_1d axis, array_double_2d work);
 static double timed_between_dips(array_double_1d rest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_dipped(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
-static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double cruise_sample(int64_t sample, double fastest, double backwards);
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
-static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
-static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
-static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static double usual_speed(array_double_1d problem, array_double_1d axis);
-static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static bool gentle_step(array_double_1d gentle);
-static void spread_levels(int64_t attempt, array_double_1d gentle);
-static void take_levels(double share, array_double_1d gentle);
-static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static double sign_of(double value);
 static bool may_touch(double v, double a, array_double_1d axis);
 static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work);
@@ -566,6 +597,119 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain);
+static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
+static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
+static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void drop_rounding(int64_t order, array_double_2d lead);
+static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double outside_by(double value, int64_t order, array_double_2d lead);
+static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients);
+static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients);
+static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double level_limit(int64_t order, double side, array_double_2d lead);
+static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void clip_reached(array_double_2d lead);
+static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double end_rounding(void);
+static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end);
+static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end);
+static int64_t level_order(int64_t order, array_double_2d lead);
+static double lead_end(int64_t order, array_double_2d lead);
+static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void set_limits(double steep, array_double_2d lead);
+static bool is_settled(array_double_2d lead);
+static void soonest_ends(int64_t order, array_double_2d lead);
+static double profile_time(array_double_2d lead);
+static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool begins_now(array_double_2d lead, array_double_2d coefficients);
+static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t first_free_stage(int64_t order);
+static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double near_zero(double i);
+static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool permits_levels(int64_t order, array_double_2d lead);
+static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
+static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead);
+static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead);
+static int64_t latest_axis(array_double_2d ends);
+static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
+static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
+static void clear_lead(array_double_2d lead);
+static void set_lead(int64_t order, int64_t shape, double meeting, array_double_2d lead);
+static bool lead_between(int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static void set_motion(array_double_2d operation, array_double_3d states);
+static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static bool reach_and_stop(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static double way_left(int64_t axis, double velocity, double rest, array_double_2d known);
+static double room_left(int64_t axis, array_double_2d operation, array_double_2d known);
+static bool narrow_shares(array_double_2d operation, array_double_2d known, bool first);
+static void hold_shares(array_double_2d operation, array_double_2d known);
+static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients);
+static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static bool holds_long_enough(double elapsed, array_double_2d operation);
+static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
+static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
+static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
+static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
+static double cruise_sample(int64_t sample, double fastest, double backwards);
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
+static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
+static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
+static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static double usual_speed(array_double_1d problem, array_double_1d axis);
+static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static bool gentle_step(array_double_1d gentle);
+static void spread_levels(int64_t attempt, array_double_1d gentle);
+static void take_levels(double share, array_double_1d gentle);
+static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -601,6 +745,26 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
 static void set_problems(array_double_3d states, array_double_3d cells);
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
+static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
+static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static void set_place(array_double_2d operation, array_double_3d states);
+static void set_ends(array_double_2d operation, array_double_3d states);
+static void set_options(array_double_2d known, array_double_2d work);
+static bool is_too_fast(array_double_2d operation, array_double_2d limits);
+static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
+static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static bool is_taken(array_double_2d operation);
+static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool is_stop(array_double_1d aim);
+static void note_taken(int64_t attempt, array_double_2d operation);
+static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool keeps_stopping(int64_t attempt, array_double_2d operation);
+static int64_t rank(int64_t attempt, array_double_1d aim);
+static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
@@ -673,100 +837,6 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
 static bool driven_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static void power_partials(array_double_1d plant, array_double_1d state, array_double_2d rig, array_double_2d work, array_double_2d partials);
 static void drag_partials(array_double_1d plant, array_double_1d air, array_double_2d work, array_double_2d partials);
-static double shortest_scale(int64_t order, array_double_1d limits);
-static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits);
-static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits);
-static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains);
-static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients);
-static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state);
-static void clear_piece(array_double_2d coefficients, int64_t row);
-static void set_held(int64_t above, double level, array_double_1d state);
-static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
-static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis);
-static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain);
-static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
-static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
-static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void drop_rounding(int64_t order, array_double_2d lead);
-static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double outside_by(double value, int64_t order, array_double_2d lead);
-static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients);
-static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients);
-static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
-static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
-static bool is_outside(array_double_1d limits, array_double_2d lead);
-static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients);
-static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
-static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
-static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
-static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
-static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double level_limit(int64_t order, double side, array_double_2d lead);
-static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void clip_reached(array_double_2d lead);
-static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double end_rounding(void);
-static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end);
-static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end);
-static int64_t level_order(int64_t order, array_double_2d lead);
-static double lead_end(int64_t order, array_double_2d lead);
-static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void set_limits(double steep, array_double_2d lead);
-static bool is_settled(array_double_2d lead);
-static void soonest_ends(int64_t order, array_double_2d lead);
-static double profile_time(array_double_2d lead);
-static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool begins_now(array_double_2d lead, array_double_2d coefficients);
-static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t first_free_stage(int64_t order);
-static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double near_zero(double i);
-static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool permits_levels(int64_t order, array_double_2d lead);
-static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
-static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead);
-static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead);
-static int64_t latest_axis(array_double_2d ends);
-static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
-static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
-static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
-static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
-static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
-static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 
 
 static int64_t row_range(double* result_0, double* result_1, array_double_2d span, int64_t row)
@@ -9334,6 +9404,644 @@ double segfmu_begin_time(double given, double start)
     }
     return given;
 }
+static double least_scale(void)
+{
+    return 0.001;
+}
+static double push_of(double velocity)
+{
+    if (velocity > 0.0)
+    {
+        return 1.0;
+    }
+    if (velocity < 0.0)
+    {
+        return -1.0;
+    }
+    return 0.0;
+}
+static double standstill(int64_t slot, int64_t axis, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t last;
+    double result;
+    last = (*cspan_at(&offsets, slot * INT64_C(4) + axis + INT64_C(1))) - INT64_C(1);
+    result = evaluate_piece(span_matrix(&coefficients, slot), last, coefficients.shape[INT64_C(2)], (*cspan_at(&timing, slot, last, INT64_C(1))), INT64_C(0));
+    return result;
+}
+static double end_rounding_of(double end)
+{
+    return 1e-10 * fabs(end);
+}
+static double low_end(int64_t axis, array_double_2d known)
+{
+    double end;
+    double longest;
+    end = (*cspan_at(&known, INT64_C(3), INT64_C(1) + axis));
+    longest = (*cspan_at(&known, INT64_C(1), INT64_C(2)));
+    if ((axis == INT64_C(2)) && (longest > 0.0))
+    {
+        end = span_max(end, -longest);
+    }
+    return end + end_rounding_of(end);
+}
+static double high_end(int64_t axis, array_double_2d known)
+{
+    double end;
+    end = (*cspan_at(&known, INT64_C(3), INT64_C(4) + axis));
+    if (axis == INT64_C(2))
+    {
+        end = span_min(end, -(*cspan_at(&known, INT64_C(1), INT64_C(1))));
+    }
+    return end - end_rounding_of(end);
+}
+static void write_push(double scale, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    array_double_1d aim;
+    array_double_1d command;
+    int64_t axis;
+    double push;
+    double distance;
+    int64_t i;
+    double wished;
+    aim = span_row(&operation, INT64_C(1));
+    command = span_row(&operation, INT64_C(0));
+    if ((*cspan_at(&operation, INT64_C(3), INT64_C(5))) != INT64_C(4))
+    {
+        (*cspan_at(&aim, INT64_C(0))) = 0.0;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&aim, INT64_C(1) + axis)) = 0.0;
+            (*cspan_at(&operation, INT64_C(4), axis)) = push_of((*cspan_at(&command, INT64_C(3) + axis)));
+        }
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        push = push_of((*cspan_at(&command, INT64_C(3) + axis)));
+        if (push == (*cspan_at(&operation, INT64_C(4), axis)))
+        {
+            continue;
+        }
+        (*cspan_at(&operation, INT64_C(4), axis)) = push;
+        distance = (*cspan_at(&command, INT64_C(11) + axis));
+        if ((fabs(push) > 0.0) && (0.0 < distance) && (distance < 1e+300))
+        {
+            if ((*cspan_at(&aim, INT64_C(0))) < 0.5)
+            {
+                (*cspan_at(&aim, INT64_C(0))) = 1.0;
+                for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+                {
+                    (*cspan_at(&aim, INT64_C(1) + i)) = standstill(INT64_C(0), i, timing, coefficients, offsets);
+                }
+            }
+            wished = (*cspan_at(&aim, INT64_C(1) + axis)) + push * distance;
+            (*cspan_at(&aim, INT64_C(1) + axis)) = span_min(span_max(wished, low_end(axis, known)), high_end(axis, known));
+        }
+    }
+    (*cspan_at(&aim, INT64_C(4))) = scale * (*cspan_at(&aim, INT64_C(0)));
+}
+static double limited_velocity(double velocity, double scale, double limit, double lower)
+{
+    double least;
+    least = limit;
+    if (lower > 0.0)
+    {
+        least = lower;
+    }
+    if (velocity > 0.0)
+    {
+        return span_min(velocity, scale * limit);
+    }
+    if (velocity < 0.0)
+    {
+        return span_max(velocity, (-scale) * least);
+    }
+    return 0.0;
+}
+static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known)
+{
+    int64_t axis;
+    double lower;
+    (*cspan_at(&aim, INT64_C(0))) = 0.0;
+    (*cspan_at(&aim, INT64_C(4))) = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&aim, INT64_C(1) + axis)) = 0.0;
+    }
+    if (mode == INT64_C(2))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            lower = (*cspan_at(&known, INT64_C(5) + axis, INT64_C(0)));
+            (*cspan_at(&aim, INT64_C(1) + axis)) = limited_velocity((*cspan_at(&command, INT64_C(3) + axis)), scale, (*cspan_at(&limits, axis, INT64_C(0))), lower);
+        }
+    }
+    else if ((mode == INT64_C(1)) && ((*cspan_at(&command, INT64_C(9))) > 0.5) && (scale > 0.0))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            if (!(fabs((*cspan_at(&command, INT64_C(6) + axis))) < 1e+300))
+            {
+                return;
+            }
+        }
+        (*cspan_at(&aim, INT64_C(0))) = 1.0;
+        (*cspan_at(&aim, INT64_C(4))) = scale;
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&aim, INT64_C(1) + axis)) = (*cspan_at(&command, INT64_C(6) + axis));
+        }
+    }
+}
+static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    array_double_1d command;
+    int64_t mode;
+    double scale;
+    int64_t axis;
+    command = span_row(&operation, INT64_C(0));
+    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    scale = (*cspan_at(&command, INT64_C(10)));
+    if (!(scale >= least_scale()))
+    {
+        scale = 0.0;
+    }
+    scale = span_min(scale, 1.0);
+    if ((mode == INT64_C(4)) && (scale > 0.0))
+    {
+        write_push(scale, operation, known, timing, coefficients, offsets);
+    }
+    else
+    {
+        write_wish(mode, scale, span_row(&operation, INT64_C(1)), command, limits, known);
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(4), axis)) = 0.0;
+        }
+    }
+    (*cspan_at(&operation, INT64_C(3), INT64_C(5))) = mode;
+}
+static int64_t most_attempts(void)
+{
+    return INT64_C(9);
+}
+static int64_t first_stop(void)
+{
+    return INT64_C(6);
+}
+static double pace_of(int64_t attempt)
+{
+    if ((attempt == INT64_C(1)) || (attempt == INT64_C(7)))
+    {
+        return sqrt(0.5);
+    }
+    if ((attempt == INT64_C(2)) || (attempt == INT64_C(8)))
+    {
+        return 0.5;
+    }
+    return 1.0;
+}
+static double share_of(int64_t attempt, int64_t axis)
+{
+    if (attempt >= first_stop())
+    {
+        return 0.0;
+    }
+    if (attempt == INT64_C(3))
+    {
+        return 0.25;
+    }
+    if ((attempt == INT64_C(4)) && (axis == INT64_C(2)))
+    {
+        return 0.0;
+    }
+    if ((attempt == INT64_C(5)) && (axis < INT64_C(2)))
+    {
+        return 0.0;
+    }
+    return 1.0;
+}
+static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim)
+{
+    bool slows;
+    bool blocked;
+    double horizontal;
+    double vertical;
+    slows = (attempt == INT64_C(1)) || (attempt == INT64_C(2)) || (attempt == INT64_C(7)) || (attempt == INT64_C(8));
+    blocked = (failed == INT64_C(4)) || (failed == INT64_C(5));
+    if (slows && blocked)
+    {
+        return 0;
+    }
+    if (attempt >= first_stop())
+    {
+        return 1;
+    }
+    if ((*cspan_at(&aim, INT64_C(0))) > 0.5)
+    {
+        return attempt <= INT64_C(2);
+    }
+    horizontal = fabs((*cspan_at(&aim, INT64_C(1)))) + fabs((*cspan_at(&aim, INT64_C(1) + INT64_C(1))));
+    vertical = fabs((*cspan_at(&aim, INT64_C(1) + INT64_C(2))));
+    if ((attempt == INT64_C(4)) || (attempt == INT64_C(5)))
+    {
+        return (horizontal > 0.0) && (vertical > 0.0);
+    }
+    return horizontal + vertical > 0.0;
+}
+static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known)
+{
+    int64_t axis;
+    int64_t i;
+    double share;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            share = (*cspan_at(&limits, place, axis, i)) / (*cspan_at(&limits, INT64_C(0), axis, i));
+            (*cspan_at(&operation, INT64_C(18) + axis, i)) = share * (*cspan_at(&known, INT64_C(5) + axis, i));
+        }
+    }
+}
+static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known)
+{
+    double pace;
+    double scale;
+    int64_t axis;
+    double power;
+    int64_t i;
+    pace = pace_of(attempt);
+    scale = 1.0;
+    if (((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5) && (attempt < first_stop()))
+    {
+        scale = (*cspan_at(&operation, INT64_C(1), INT64_C(4)));
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        power = pace;
+        (*cspan_at(&limits, INT64_C(1), axis, INT64_C(0))) = scale * (*cspan_at(&limits, INT64_C(0), axis, INT64_C(0)));
+        for (i = INT64_C(1); i < limits.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            power = power * pace;
+            (*cspan_at(&limits, INT64_C(1), axis, i)) = power * (*cspan_at(&limits, INT64_C(0), axis, i));
+        }
+    }
+    set_lower_of(INT64_C(1), operation, limits, known);
+}
+static void set_range(double centre, double radius, array_double_1d found)
+{
+    (*cspan_at(&found, INT64_C(0))) = centre;
+    (*cspan_at(&found, INT64_C(1))) = radius;
+}
+static void add_range(double share, array_double_1d a, array_double_1d found)
+{
+    (*cspan_at(&found, INT64_C(0))) = (*cspan_at(&found, INT64_C(0))) + share * (*cspan_at(&a, INT64_C(0)));
+    (*cspan_at(&found, INT64_C(1))) = (*cspan_at(&found, INT64_C(1))) + fabs(share) * (*cspan_at(&a, INT64_C(1)));
+}
+static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found)
+{
+    double radius;
+    radius = fabs((*cspan_at(&a, INT64_C(0)))) * (*cspan_at(&b, INT64_C(1)));
+    radius = radius + (*cspan_at(&a, INT64_C(1))) * (fabs((*cspan_at(&b, INT64_C(0)))) + (*cspan_at(&b, INT64_C(1))));
+    (*cspan_at(&found, INT64_C(0))) = (*cspan_at(&found, INT64_C(0))) + share * (*cspan_at(&a, INT64_C(0))) * (*cspan_at(&b, INT64_C(0)));
+    (*cspan_at(&found, INT64_C(1))) = (*cspan_at(&found, INT64_C(1))) + fabs(share) * radius;
+}
+static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found)
+{
+    double quotient;
+    double least;
+    quotient = (*cspan_at(&a, INT64_C(0))) / (*cspan_at(&b, INT64_C(0)));
+    least = (*cspan_at(&b, INT64_C(0))) - (*cspan_at(&b, INT64_C(1)));
+    (*cspan_at(&found, INT64_C(1))) = ((*cspan_at(&a, INT64_C(1))) + fabs(quotient) * (*cspan_at(&b, INT64_C(1)))) / least;
+    (*cspan_at(&found, INT64_C(0))) = quotient;
+}
+static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found)
+{
+    double total;
+    double value;
+    int64_t j;
+    int64_t i;
+    int64_t k;
+    total = 0.0;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - order; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        value = (*cspan_at(&piece, i));
+        for (k = INT64_C(0); k < order; k += INT64_C(1))
+        {
+            value = value * (i - k);
+        }
+        if (i > order)
+        {
+            total = (total + fabs(value)) * radius;
+        }
+    }
+    set_range(value, total, found);
+}
+static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    int64_t width;
+    double middle;
+    double radius;
+    array_double_1d piece;
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double local;
+    int64_t order;
+    int64_t place;
+    width = coefficients.shape[INT64_C(1)];
+    middle = 0.5 * (begin + end);
+    radius = 0.5 * (end - begin);
+    piece = span_row(&work, INT64_C(89));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&piece, i)) = (*cspan_at(&coefficients, row, i));
+        }
+        local = middle - (*cspan_at(&timing, row, INT64_C(0)));
+        if (local > (*cspan_at(&timing, row, INT64_C(1))))
+        {
+            (*cspan_at(&piece, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            {
+                (*cspan_at(&piece, i)) = 0.0;
+            }
+        }
+        else
+        {
+            polynomial_shift(piece, local, width);
+        }
+        for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
+        {
+            place = INT64_C(90) + INT64_C(0) + INT64_C(3) * order + axis;
+            write_derivative(order, width, radius, piece, span_row(&work, place));
+        }
+    }
+}
+static void write_slope(int64_t axis, array_double_2d reach)
+{
+    array_double_1d slope;
+    array_double_1d rate;
+    array_double_1d pull;
+    array_double_1d pull_rate;
+    array_double_1d total;
+    slope = span_row(&reach, INT64_C(16) + axis);
+    rate = span_row(&reach, INT64_C(18) + axis);
+    pull = span_row(&reach, INT64_C(15));
+    pull_rate = span_row(&reach, INT64_C(9) + INT64_C(2));
+    total = span_row(&reach, INT64_C(26));
+    divide_range(span_row(&reach, INT64_C(6) + axis), pull, slope);
+    set_range(0.0, 0.0, total);
+    add_range(1.0, span_row(&reach, INT64_C(9) + axis), total);
+    add_range_product(-1.0, slope, pull_rate, total);
+    divide_range(total, pull, rate);
+    set_range(0.0, 0.0, total);
+    add_range(1.0, span_row(&reach, INT64_C(12) + axis), total);
+    add_range_product(-2.0, rate, pull_rate, total);
+    add_range_product(-1.0, slope, span_row(&reach, INT64_C(12) + INT64_C(2)), total);
+    divide_range(total, pull, span_row(&reach, INT64_C(20) + axis));
+}
+static void write_stretch(array_double_2d reach)
+{
+    array_double_1d total;
+    array_double_1d stretch;
+    array_double_1d rate;
+    int64_t axis;
+    double root;
+    array_double_1d slope_rate;
+    total = span_row(&reach, INT64_C(26));
+    stretch = span_row(&reach, INT64_C(22));
+    rate = span_row(&reach, INT64_C(23));
+    set_range(1.0, 0.0, total);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(16) + axis), total);
+    }
+    root = sqrt((*cspan_at(&total, INT64_C(0))));
+    set_range(root, (*cspan_at(&total, INT64_C(1))) / (1.0 + root), stretch);
+    set_range(0.0, 0.0, total);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        slope_rate = span_row(&reach, INT64_C(18) + axis);
+        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), slope_rate, total);
+    }
+    divide_range(total, stretch, rate);
+    set_range(0.0, 0.0, total);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        slope_rate = span_row(&reach, INT64_C(18) + axis);
+        add_range_product(1.0, slope_rate, slope_rate, total);
+        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(20) + axis), total);
+    }
+    add_range_product(-1.0, rate, rate, total);
+    divide_range(total, stretch, span_row(&reach, INT64_C(24)));
+}
+static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach)
+{
+    array_double_1d velocity;
+    array_double_1d acceleration;
+    velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
+    acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
+    set_range(0.0, 0.0, velocity);
+    add_range(ahead, span_row(&reach, INT64_C(3) + drive), velocity);
+    add_range_product(-1.0, span_row(&reach, INT64_C(3) + INT64_C(2)), factor, velocity);
+    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), rate, velocity);
+    set_range(0.0, 0.0, acceleration);
+    add_range(ahead, span_row(&reach, INT64_C(6) + drive), acceleration);
+    add_range_product(-1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), factor, acceleration);
+    add_range_product(-2.0, span_row(&reach, INT64_C(3) + INT64_C(2)), rate, acceleration);
+    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), change, acceleration);
+}
+static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach)
+{
+    array_double_1d velocity;
+    double most;
+    double dry;
+    double smooth;
+    velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
+    most = fabs((*cspan_at(&velocity, INT64_C(0)))) + (*cspan_at(&velocity, INT64_C(1)));
+    dry = span_max((*cspan_at(&crane, INT64_C(10) + drive)), (*cspan_at(&crane, INT64_C(7) + drive)));
+    smooth = (*cspan_at(&crane, INT64_C(4) + drive)) + (*cspan_at(&crane, INT64_C(13) + drive)) * most;
+    set_range(0.0, dry + smooth * most, span_row(&reach, INT64_C(25)));
+    add_range(1.0, span_row(&reach, INT64_C(25)), span_row(&reach, INT64_C(27) + INT64_C(0) + drive));
+}
+static void write_forces(array_double_1d crane, array_double_2d reach)
+{
+    double payload;
+    int64_t drive;
+    array_double_1d force;
+    array_double_1d acceleration;
+    array_double_1d power;
+    payload = (*cspan_at(&crane, INT64_C(2)));
+    for (drive = INT64_C(0); drive < INT64_C(2); drive += INT64_C(1))
+    {
+        force = span_row(&reach, INT64_C(27) + INT64_C(0) + drive);
+        set_range(0.0, 0.0, force);
+        acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
+        add_range(carriage_mass(crane, drive), acceleration, force);
+        add_range(payload, span_row(&reach, INT64_C(6) + drive), force);
+    }
+    force = span_row(&reach, INT64_C(27) + INT64_C(0) + INT64_C(2));
+    set_range(0.0, 0.0, force);
+    add_range_product(-payload, span_row(&reach, INT64_C(15)), span_row(&reach, INT64_C(22)), force);
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        add_resistance(drive, crane, reach);
+        power = span_row(&reach, INT64_C(27) + INT64_C(9) + drive);
+        set_range(0.0, 0.0, power);
+        add_range_product(1.0, span_row(&reach, INT64_C(27) + INT64_C(0) + drive), span_row(&reach, INT64_C(27) + INT64_C(3) + drive), power);
+    }
+}
+static void write_sway(array_double_2d reach)
+{
+    array_double_1d q_x;
+    array_double_1d q_y;
+    double across;
+    double most;
+    q_x = span_row(&reach, INT64_C(16));
+    q_y = span_row(&reach, INT64_C(16) + INT64_C(1));
+    across = (*cspan_at(&q_x, INT64_C(0))) / sqrt(1.0 + (*cspan_at(&q_y, INT64_C(0))) * (*cspan_at(&q_y, INT64_C(0))));
+    most = fabs((*cspan_at(&q_x, INT64_C(0)))) + (*cspan_at(&q_x, INT64_C(1)));
+    set_range(-atan(across), (*cspan_at(&q_x, INT64_C(1))) + most * (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12)));
+    set_range(atan((*cspan_at(&q_y, INT64_C(0)))), (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12) + INT64_C(1)));
+}
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work)
+{
+    array_double_2d reach;
+    array_double_1d pull;
+    int64_t axis;
+    write_load(begin, end, timing, coefficients, offsets, work);
+    reach = span_rows(&work, INT64_C(90), INT64_C(131));
+    pull = span_row(&reach, INT64_C(15));
+    set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
+    add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
+    if (!((*cspan_at(&pull, INT64_C(0))) > (*cspan_at(&pull, INT64_C(1)))))
+    {
+        return 0;
+    }
+    write_slope(INT64_C(0), reach);
+    write_slope(INT64_C(1), reach);
+    write_stretch(reach);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        write_drive(axis, 1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(18) + axis), span_row(&reach, INT64_C(20) + axis), reach);
+    }
+    write_drive(INT64_C(2), 0.0, span_row(&reach, INT64_C(22)), span_row(&reach, INT64_C(23)), span_row(&reach, INT64_C(24)), reach);
+    write_forces(crane, reach);
+    write_sway(reach);
+    return 1;
+}
+static int64_t judge_reach(array_double_1d bounds, array_double_2d work)
+{
+    double rounding;
+    int64_t i;
+    array_double_1d demand;
+    int64_t side;
+    double bound;
+    double value;
+    int64_t proved;
+    proved = INT64_C(1);
+    rounding = 1.0 + 1e-09;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        demand = span_row(&work, INT64_C(90) + INT64_C(27) + i);
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            bound = bound_magnitude(i, side, bounds) * rounding;
+            if (bound != 0.0)
+            {
+                value = (1.0 - 2.0 * side) * (*cspan_at(&demand, INT64_C(0)));
+                if (!(value <= bound))
+                {
+                    return -INT64_C(1);
+                }
+                if (!(value + (*cspan_at(&demand, INT64_C(1))) <= bound))
+                {
+                    proved = INT64_C(0);
+                }
+            }
+        }
+    }
+    return proved;
+}
+static bool keeps_between(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+    int64_t depth;
+    int64_t place;
+    double length;
+    double start;
+    int64_t found;
+    depth = INT64_C(0);
+    place = INT64_C(0);
+    while((depth > INT64_C(0)) || (place == INT64_C(0)))
+    {
+        length = (end - begin) * pow(0.5, (double)(depth));
+        start = begin + place * length;
+        found = INT64_C(0);
+        if (write_reach(start, start + length, timing, coefficients, offsets, span_row(&known, INT64_C(0)), work))
+        {
+            found = judge_reach(span_row(&known, INT64_C(2)), work);
+        }
+        if ((found < INT64_C(0)) || ((found == INT64_C(0)) && (depth == INT64_C(10))))
+        {
+            return 0;
+        }
+        if (found == INT64_C(0))
+        {
+            place = INT64_C(2) * place;
+            depth = depth + INT64_C(1);
+        }
+        else
+        {
+            place = place + INT64_C(1);
+            while((depth > INT64_C(0)) && (span_floor_mod(place, INT64_C(2)) == INT64_C(0)))
+            {
+                place = span_floor_div(place, INT64_C(2));
+                depth = depth - INT64_C(1);
+            }
+        }
+    }
+    return 1;
+}
+bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+    bool bounded;
+    int64_t i;
+    double time;
+    double until;
+    int64_t intervals;
+    bounded = 0;
+    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+    {
+        if ((*cspan_at(&known, INT64_C(2), i)) != 0.0)
+        {
+            bounded = 1;
+        }
+    }
+    if (!bounded)
+    {
+        return 1;
+    }
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    intervals = INT64_C(0);
+    while((until > time) || (intervals == INT64_C(0)))
+    {
+        intervals = intervals + INT64_C(1);
+        if (!keeps_between(time, until, timing, coefficients, offsets, known, work))
+        {
+            return 0;
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return 1;
+}
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
     double result;
@@ -9764,6 +10472,685 @@ static int64_t piece_peak(double* result_0, double* result_1, int64_t level, int
     (*result_1) = peak;
     return 0;
 }
+static void transition_coefficients(int64_t order, array_double_1d coefficients)
+{
+    int64_t i;
+    double scale;
+    double binomial;
+    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, i)) = 0.0;
+    }
+    scale = 1.0;
+    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        scale = scale * (order + INT64_C(1) + i) / i;
+    }
+    scale = scale * (order + INT64_C(1));
+    binomial = 1.0;
+    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
+        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
+    }
+}
+static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
+{
+    int64_t j;
+    int64_t i;
+    double factor;
+    int64_t m;
+    double value;
+    value = 0.0;
+    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        factor = 1.0;
+        for (m = INT64_C(0); m < times; m += INT64_C(1))
+        {
+            factor = factor * (i - m);
+        }
+        value = value * s + factor * (*cspan_at(&coefficients, i));
+    }
+    return value;
+}
+static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
+{
+    int64_t count;
+    int64_t samples;
+    int64_t j;
+    double best;
+    int64_t at;
+    int64_t i;
+    double value;
+    double lower;
+    double upper;
+    double left;
+    double middle;
+    double slope;
+    count = INT64_C(2) * order + INT64_C(2);
+    transition_coefficients(order, coefficients);
+    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
+    samples = INT64_C(64) * (order + INT64_C(1));
+    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
+    {
+        best = 0.0;
+        at = INT64_C(0);
+        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+        {
+            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
+            if (value > best)
+            {
+                best = value;
+                at = i;
+            }
+        }
+        lower = (at - INT64_C(1)) / (2.0 * samples);
+        upper = (at + INT64_C(1)) / (2.0 * samples);
+        if (at == INT64_C(0))
+        {
+            lower = 0.0;
+        }
+        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            middle = 0.5 * (lower + upper);
+            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
+            if (slope * left > 0.0)
+            {
+                lower = middle;
+            }
+            else
+            {
+                upper = middle;
+            }
+        }
+        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
+        if (value > best)
+        {
+            best = value;
+        }
+        (*cspan_at(&peaks, j)) = best;
+    }
+}
+static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
+{
+    int64_t width;
+    int64_t order;
+    double factorial;
+    int64_t i;
+    int64_t used;
+    double y;
+    double v;
+    double a;
+    double jerk;
+    int64_t j;
+    width = coefficients.shape[INT64_C(1)];
+    order = span_floor_div(width, INT64_C(2)) + INT64_C(1);
+    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&coefficients, row, INT64_C(0))) + (*cspan_at(&state, INT64_C(0)));
+    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&coefficients, row, INT64_C(1))) + (*cspan_at(&state, INT64_C(1)));
+    factorial = 1.0;
+    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        factorial = factorial * i;
+        if ((*cspan_at(&state, i)) != 0.0)
+        {
+            (*cspan_at(&coefficients, row, i)) = (*cspan_at(&coefficients, row, i)) + (*cspan_at(&state, i)) / factorial;
+        }
+    }
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
+    (*cspan_at(&timing, row, INT64_C(1))) = duration;
+    used = width;
+    while((used > INT64_C(1)) && ((*cspan_at(&coefficients, row, used - INT64_C(1))) == 0.0))
+    {
+        used = used - INT64_C(1);
+    }
+    y = 0.0;
+    v = 0.0;
+    a = 0.0;
+    jerk = 0.0;
+    for (j = INT64_C(0); j < used; j += INT64_C(1))
+    {
+        i = used - INT64_C(1) - j;
+        y = y * duration + (*cspan_at(&coefficients, row, i));
+        if (i > INT64_C(0))
+        {
+            v = v * duration + i * (*cspan_at(&coefficients, row, i));
+        }
+        if (i > INT64_C(1))
+        {
+            a = a * duration + i * (i - INT64_C(1)) * (*cspan_at(&coefficients, row, i));
+        }
+        if (i > INT64_C(2))
+        {
+            jerk = jerk * duration + i * (i - INT64_C(1)) * (i - INT64_C(2)) * (*cspan_at(&coefficients, row, i));
+        }
+    }
+    (*cspan_at(&state, INT64_C(0))) = y;
+    (*cspan_at(&state, INT64_C(1))) = v;
+    (*cspan_at(&state, INT64_C(2))) = a;
+    (*cspan_at(&state, INT64_C(3))) = jerk;
+    for (i = INT64_C(4); i < order; i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, used, duration, i);
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + duration;
+    return row + INT64_C(1);
+}
+static void clear_piece(array_double_2d coefficients, int64_t row)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, row, i)) = 0.0;
+    }
+}
+static void set_held(int64_t above, double level, array_double_1d state)
+{
+    int64_t i;
+    (*cspan_at(&state, INT64_C(2) + above)) = level;
+    for (i = INT64_C(3) + above; i < INT64_C(8); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+}
+static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    array_double_1d state;
+    array_double_1d lengths;
+    array_double_1d peaks;
+    double duration;
+    double basis;
+    double peak;
+    int64_t first;
+    int64_t boxes;
+    double rise;
+    int64_t level;
+    double length;
+    int64_t count;
+    int64_t piece;
+    double sign;
+    int64_t held;
+    int64_t i;
+    state = span_row(&work, INT64_C(1));
+    lengths = span_row(&work, INT64_C(2));
+    peaks = span_row(&work, INT64_C(3));
+    duration = (*cspan_at(&phase, INT64_C(0)));
+    basis = (*cspan_at(&phase, INT64_C(1)));
+    peak = (*cspan_at(&phase, INT64_C(3)));
+    first = (int64_t)((*cspan_at(&phase, INT64_C(4))));
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
+    rise = basis;
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        held_peak(&length, &peak, &rise, level, first, rise, peak, duration / basis, axis);
+        (*cspan_at(&lengths, level)) = length;
+        (*cspan_at(&peaks, level)) = peak;
+    }
+    count = rise_pieces(boxes);
+    for (piece = INT64_C(1); piece < count + INT64_C(1); piece += INT64_C(1))
+    {
+        held_level(&level, &sign, piece, boxes);
+        held = INT64_C(3) + first + level;
+        for (i = held; i < INT64_C(8); i += INT64_C(1))
+        {
+            (*cspan_at(&state, i)) = 0.0;
+        }
+        (*cspan_at(&state, held)) = sign * (*cspan_at(&peaks, level));
+        if ((*cspan_at(&lengths, level)) > 0.0)
+        {
+            clear_piece(coefficients, row);
+            row = append_piece((*cspan_at(&lengths, level)), timing, coefficients, row, state);
+        }
+    }
+    return row;
+}
+static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis)
+{
+    bool result;
+    if (((*cspan_at(&phase, INT64_C(4))) > 0.5) || ((*cspan_at(&phase, INT64_C(0))) > 1e-06 * time))
+    {
+        return 0;
+    }
+    result = fabs((*cspan_at(&phase, INT64_C(3)))) <= 1e-13 * (*cspan_at(&axis, INT64_C(3)));
+    return result;
+}
+int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    array_double_1d psi;
+    array_double_1d state;
+    int64_t order;
+    bool plateau;
+    int64_t i;
+    double a;
+    double change;
+    int64_t above;
+    bool ramp;
+    double duration;
+    int64_t j;
+    double scale;
+    psi = span_row(&work, INT64_C(0));
+    state = span_row(&work, INT64_C(1));
+    order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    plateau = (*cspan_at(&axis, INT64_C(14))) > 0.5;
+    if (!plateau)
+    {
+        transition_coefficients(order, psi);
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        change = (*cspan_at(&phases, i, INT64_C(3)));
+        above = (int64_t)((*cspan_at(&phases, i, INT64_C(4))));
+        set_held(above, a, state);
+        ramp = (change != 0.0) && (!is_unnoticed(span_row(&phases, i), (*cspan_at(&state, INT64_C(8))), axis));
+        if (plateau && ramp)
+        {
+            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, work);
+        }
+        else
+        {
+            duration = (*cspan_at(&phases, i, INT64_C(0)));
+            clear_piece(coefficients, row);
+            if (ramp)
+            {
+                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
+                {
+                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
+                    (*cspan_at(&coefficients, row, INT64_C(2) + j)) = scale / pow(duration, (double)(j));
+                }
+            }
+            row = append_piece(duration, timing, coefficients, row, state);
+        }
+        set_held(above, a + change, state);
+    }
+    return row;
+}
+static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t width;
+    double length;
+    double largest;
+    double power;
+    int64_t i;
+    double start;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    if ((row + INT64_C(1) < last) && (order <= span_floor_div(width, INT64_C(2))))
+    {
+        value = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
+        return value;
+    }
+    value = evaluate_piece(coefficients, row, width, length, order);
+    largest = 0.0;
+    power = 1.0;
+    for (i = order; i < width; i += INT64_C(1))
+    {
+        start = evaluate_piece(coefficients, row, width, 0.0, i);
+        largest = span_max(largest, fabs(start) * power);
+        power = power * length / (i - order + INT64_C(1));
+    }
+    if ((order > INT64_C(0)) && (fabs(value) <= 1e-13 * largest))
+    {
+        return 0.0;
+    }
+    return value;
+}
+static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
+{
+    int64_t width;
+    double rest;
+    double factorial;
+    int64_t i;
+    double value;
+    int64_t j;
+    int64_t order;
+    double end;
+    width = coefficients.shape[INT64_C(1)];
+    rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = 0.0;
+        if (rest > local)
+        {
+            value = evaluate_piece(coefficients, row, width, local, i);
+        }
+        else
+        {
+            for (j = INT64_C(0); j < width - i; j += INT64_C(1))
+            {
+                order = width - INT64_C(1) - j;
+                end = end_derivative(row, last, order, timing, coefficients);
+                value = end - value * rest / (order - i + INT64_C(1));
+            }
+        }
+        (*cspan_at(&cut_coefficients, target, i)) = value / factorial;
+    }
+}
+static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
+{
+    double position;
+    double velocity;
+    double acceleration;
+    double fastest;
+    double steepest;
+    int64_t row;
+    position = (*cspan_at(&cut_coefficients, target, INT64_C(0)));
+    velocity = (*cspan_at(&cut_coefficients, target, INT64_C(1)));
+    acceleration = (*cspan_at(&cut_coefficients, target, INT64_C(2)));
+    fastest = 0.0;
+    steepest = 0.0;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        fastest = span_max(fastest, fabs((*cspan_at(&coefficients, row, INT64_C(1)))));
+        steepest = span_max(steepest, fabs((*cspan_at(&coefficients, row, INT64_C(2)))));
+    }
+    clear_piece(cut_coefficients, target);
+    (*cspan_at(&cut_coefficients, target, INT64_C(0))) = position;
+    if (moves && (fabs(velocity) > 1e-09 * fastest))
+    {
+        (*cspan_at(&cut_coefficients, target, INT64_C(1))) = velocity;
+    }
+    if (moves && (fabs(acceleration) > 1e-09 * steepest))
+    {
+        (*cspan_at(&cut_coefficients, target, INT64_C(2))) = acceleration;
+    }
+}
+static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&target_timing, target, i)) = (*cspan_at(&timing, row, i));
+    }
+    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&target_coefficients, target, i)) = (*cspan_at(&coefficients, row, i));
+    }
+}
+int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d cut_timing, array_double_2d cut_coefficients, array_int64_t_1d cut_offsets)
+{
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    double local;
+    double start;
+    double rest;
+    double end;
+    bool moves;
+    int64_t target;
+    target = INT64_C(0);
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        (*cspan_at(&cut_offsets, axis)) = target;
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
+        local = span_max(local_time(time, timing, row), 0.0);
+        start = 0.0;
+        rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
+        cut_piece(row, last, local, timing, coefficients, cut_coefficients, target);
+        if ((row == last - INT64_C(1)) && (rest <= 1e-15 * time))
+        {
+            end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
+            moves = time - end <= 1e-15 * time;
+            settle_end(moves, (*cspan_at(&offsets, axis)), last, coefficients, cut_coefficients, target);
+            rest = 0.0;
+        }
+        while(row < last)
+        {
+            (*cspan_at(&cut_timing, target, INT64_C(0))) = start;
+            (*cspan_at(&cut_timing, target, INT64_C(1))) = rest;
+            start = start + rest;
+            target = target + INT64_C(1);
+            row = row + INT64_C(1);
+            if (row < last)
+            {
+                rest = (*cspan_at(&timing, row, INT64_C(1)));
+                copy_piece(timing, coefficients, row, cut_timing, cut_coefficients, target);
+            }
+        }
+    }
+    (*cspan_at(&cut_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
+    return target;
+}
+void segfmu_meet_ends(double clock, double dwell, array_double_2d timing, array_int64_t_1d offsets)
+{
+    double latest;
+    int64_t axis;
+    int64_t row;
+    double late;
+    int64_t longest;
+    int64_t i;
+    latest = 0.0;
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        row = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
+        latest = span_max(latest, (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))));
+    }
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        row = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
+        late = latest - ((*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))));
+        if (late > 1e-12 * clock)
+        {
+            continue;
+        }
+        longest = row;
+        if ((dwell > 0.0) && (row > (*cspan_at(&offsets, axis))))
+        {
+            longest = row - INT64_C(1);
+        }
+        for (i = (*cspan_at(&offsets, axis)); i < longest; i += INT64_C(1))
+        {
+            if ((*cspan_at(&timing, i, INT64_C(1))) > (*cspan_at(&timing, longest, INT64_C(1))))
+            {
+                longest = i;
+            }
+        }
+        (*cspan_at(&timing, longest, INT64_C(1))) = (*cspan_at(&timing, longest, INT64_C(1))) + late;
+        for (i = longest + INT64_C(1); i < row + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, i, INT64_C(0))) = (*cspan_at(&timing, i, INT64_C(0))) + late;
+        }
+    }
+}
+static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row)
+{
+    int64_t power;
+    double term;
+    int64_t i;
+    for (power = INT64_C(0); power < order + INT64_C(1); power += INT64_C(1))
+    {
+        term = value;
+        for (i = INT64_C(1); i < order - power + INT64_C(1); i += INT64_C(1))
+        {
+            term = (-term) * before / i;
+        }
+        for (i = INT64_C(1); i < power + INT64_C(1); i += INT64_C(1))
+        {
+            term = term / i;
+        }
+        (*cspan_at(&coefficients, row, power)) = (*cspan_at(&coefficients, row, power)) + term;
+    }
+}
+void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t width;
+    int64_t axis;
+    int64_t last;
+    int64_t i;
+    int64_t row;
+    double length;
+    int64_t j;
+    int64_t order;
+    double wanted;
+    double rounding;
+    int64_t repeat;
+    double missed;
+    width = coefficients.shape[INT64_C(1)];
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
+        for (i = INT64_C(0); i < (*cspan_at(&offsets, axis + INT64_C(1))) - (*cspan_at(&offsets, axis)); i += INT64_C(1))
+        {
+            row = last - i;
+            length = (*cspan_at(&timing, row, INT64_C(1)));
+            for (j = INT64_C(0); j < span_floor_div(width, INT64_C(2)) + INT64_C(1); j += INT64_C(1))
+            {
+                order = span_floor_div(width, INT64_C(2)) - j;
+                wanted = 0.0;
+                rounding = 0.0;
+                if ((order > INT64_C(0)) && (order <= limits.shape[INT64_C(1)]))
+                {
+                    rounding = rounding_error(order, span_row(&limits, axis));
+                }
+                if (i > INT64_C(0))
+                {
+                    wanted = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
+                }
+                else if (order < ends.shape[INT64_C(1)])
+                {
+                    wanted = (*cspan_at(&ends, axis, order));
+                }
+                for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
+                {
+                    missed = wanted - evaluate_piece(coefficients, row, width, length, order);
+                    if (fabs(missed) > rounding)
+                    {
+                        add_power(missed, order, length, coefficients, row);
+                    }
+                }
+            }
+        }
+    }
+}
+int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets)
+{
+    int64_t axis;
+    int64_t row;
+    int64_t target;
+    target = INT64_C(0);
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        (*cspan_at(&joined_offsets, axis)) = target;
+        for (row = (*cspan_at(&lead_offsets, axis)); row < (*cspan_at(&lead_offsets, axis + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(lead_timing, lead_coefficients, row, joined_timing, joined_coefficients, target);
+            target = target + INT64_C(1);
+        }
+        for (row = (*cspan_at(&offsets, axis)); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(timing, coefficients, row, joined_timing, joined_coefficients, target);
+            target = target + INT64_C(1);
+        }
+    }
+    (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
+    return target;
+}
+static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets)
+{
+    int64_t result;
+    result = (*cspan_at(&offsets, slot * INT64_C(4) + INT64_C(3))) - (*cspan_at(&offsets, slot * INT64_C(4)));
+    return result;
+}
+static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array_int64_t_1d offsets)
+{
+    int64_t last;
+    double result;
+    last = (*cspan_at(&offsets, slot * INT64_C(4) + axis + INT64_C(1))) - INT64_C(1);
+    result = (*cspan_at(&timing, slot, last, INT64_C(0))) + (*cspan_at(&timing, slot, last, INT64_C(1)));
+    return result;
+}
+static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t i;
+    int64_t row;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&offsets, target * INT64_C(4) + i)) = (*cspan_at(&offsets, source * INT64_C(4) + i));
+    }
+    for (row = INT64_C(0); row < plan_pieces(source, offsets); row += INT64_C(1))
+    {
+        copy_piece(span_matrix(&timing, source), span_matrix(&coefficients, source), row, span_matrix(&timing, target), span_matrix(&coefficients, target), row);
+    }
+}
+static bool has_room(int64_t slot, array_int64_t_1d offsets)
+{
+    bool result;
+    result = plan_pieces(slot, offsets) <= INT64_C(1200);
+    return result;
+}
+static void clear_plan(int64_t slot, array_int64_t_1d offsets)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&offsets, slot * INT64_C(4) + i)) = INT64_C(0);
+    }
+}
+static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
+{
+    int64_t first;
+    array_double_2d times;
+    int64_t axis;
+    int64_t i;
+    int64_t j;
+    bool result;
+    first = INT64_C(4) * INT64_C(4);
+    times = span_rows(&work, INT64_C(81), INT64_C(84));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(14) + axis, i));
+            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
+        }
+        (*cspan_at(&states, INT64_C(1), axis, INT64_C(0))) = standstill(INT64_C(4), axis, timing, coefficients, offsets);
+        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
+        for (j = INT64_C(1); j < states.shape[INT64_C(0)] + INT64_C(1); j += INT64_C(1))
+        {
+            (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
+        }
+    }
+    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(5), INT64_C(8)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(305), INT64_C(353))) == INT64_C(0);
+    return result;
+}
+static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack)
+{
+    int64_t first;
+    array_int64_t_1d pieces;
+    int64_t contact;
+    first = INT64_C(4) * INT64_C(4);
+    pieces = span_part(&offsets, first, first + INT64_C(4));
+    if (!keeps_limits(operation, limits, known, timing, coefficients, offsets, states, lead, work))
+    {
+        return INT64_C(2);
+    }
+    if (segfmu_check_rope(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(1)), span_rows(&work, INT64_C(0), INT64_C(52)), span_row(&work, INT64_C(80))) != INT64_C(0))
+    {
+        return INT64_C(3);
+    }
+    contact = segfmu_space_contact(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(3)), span_rows(&known, INT64_C(8), INT64_C(24)), span_rows(&work, INT64_C(52), INT64_C(74)), span_rows(&work, INT64_C(0), INT64_C(52)), stack, span_rows(&work, INT64_C(74), INT64_C(80)), span_row(&work, INT64_C(80)));
+    if (contact == INT64_C(3))
+    {
+        return INT64_C(4);
+    }
+    if (contact != INT64_C(0))
+    {
+        return INT64_C(5);
+    }
+    if (!segfmu_keeps_drives(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, known, work))
+    {
+        return INT64_C(6);
+    }
+    return INT64_C(0);
+}
 static double side_limit(int64_t order, double sign, array_double_1d axis)
 {
     double result;
@@ -9834,233 +11221,755 @@ static void mirror_axis(array_double_1d axis)
     exchange_sides(INT64_C(1), axis);
     exchange_sides(INT64_C(2), axis);
 }
-static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state)
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
 {
-    double power;
     int64_t i;
-    double value;
-    value = (*cspan_at(&state, order));
-    power = 1.0;
-    for (i = order + INT64_C(1); i < top + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
     {
-        power = power * (t / (i - order));
-        value = value + power * (*cspan_at(&state, i));
+        (*cspan_at(&axis, i)) = 0.0;
     }
-    return value;
-}
-static double zero_time(int64_t order, int64_t top, double length, array_double_1d state)
-{
-    double lower;
-    double upper;
-    int64_t i;
-    double value;
-    double step;
-    double slope;
-    double newton;
-    double t;
-    lower = 0.0;
-    upper = length;
-    t = 0.5 * length;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    (*cspan_at(&axis, INT64_C(0))) = smoothness;
+    (*cspan_at(&axis, INT64_C(1))) = shape;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        value = taylor_value(order, top, t, state);
-        if (value * (*cspan_at(&state, order)) > 0.0)
+        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(9) + i)) = (*cspan_at(&limits, i));
+    }
+}
+static double usual_share(array_double_1d axis)
+{
+    int64_t raised;
+    raised = (int64_t)((*cspan_at(&axis, INT64_C(11))));
+    if (((*cspan_at(&axis, INT64_C(0))) + raised == 4.0) && (raised < INT64_C(2)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1) - raised)) > 0.0))
+    {
+        return 0.05;
+    }
+    return 0.1;
+}
+static double steeper_above(void)
+{
+    return 0.2;
+}
+static double moderate_share(void)
+{
+    return 0.02;
+}
+static double steepest_share(void)
+{
+    return 0.004;
+}
+static bool ramps_suffice(array_double_1d axis)
+{
+    bool result;
+    result = (*cspan_at(&axis, INT64_C(21) + INT64_C(1))) == 0.0;
+    return result;
+}
+static bool snap_is_last(array_double_1d axis)
+{
+    bool result;
+    result = ((*cspan_at(&axis, INT64_C(26))) == 0.0) && ramps_suffice(axis);
+    return result;
+}
+static double saving(array_double_1d axis)
+{
+    double result;
+    result = 0.6 * (*cspan_at(&axis, INT64_C(26) + INT64_C(1)));
+    return result;
+}
+static bool plateau_parameters(double share, array_double_1d axis)
+{
+    int64_t boxes;
+    int64_t last;
+    int64_t level;
+    int64_t i;
+    double limit;
+    double rise;
+    double slope;
+    double time;
+    double variance;
+    double fourth;
+    double jerk;
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
+    (*cspan_at(&axis, INT64_C(14))) = 1.0;
+    last = -INT64_C(1);
+    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
         {
-            lower = t;
+            last = level;
         }
-        else
+    }
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    (*cspan_at(&axis, INT64_C(38))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
+    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
+    {
+        if ((level > INT64_C(0)) || (last == INT64_C(0)))
         {
-            upper = t;
-        }
-        step = 0.5 * (lower + upper) - t;
-        slope = taylor_value(order + INT64_C(1), top, t, state);
-        if (slope != 0.0)
-        {
-            newton = (-value) / slope;
-            if ((t + newton > lower) && (t + newton < upper))
+            (*cspan_at(&axis, INT64_C(26) + level)) = share;
+            if (level > last)
             {
-                step = newton;
+                (*cspan_at(&axis, INT64_C(26) + level)) = span_max(share, usual_share(axis));
+            }
+            if ((level + (*cspan_at(&axis, INT64_C(11))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(11))) > 1.5))
+            {
+                (*cspan_at(&axis, INT64_C(26) + level)) = steeper_above() * share;
             }
         }
-        t = t + step;
-        if (fabs(step) <= 1e-07 * length)
-        {
-            break;
-        }
     }
-    return t;
-}
-static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end)
-{
-    int64_t order;
-    double power;
-    int64_t j;
-    for (order = INT64_C(0); order < top + INT64_C(1); order += INT64_C(1))
+    for (i = INT64_C(0); i < last; i += INT64_C(1))
     {
-        (*cspan_at(&end, order)) = (*cspan_at(&state, order));
-    }
-    power = 1.0;
-    for (j = INT64_C(1); j < top + INT64_C(1); j += INT64_C(1))
-    {
-        power = power * (length / j);
-        for (order = INT64_C(0); order < top + INT64_C(1) - j; order += INT64_C(1))
-        {
-            (*cspan_at(&end, order)) = (*cspan_at(&end, order)) + power * (*cspan_at(&state, order + j));
-        }
-    }
-}
-static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
-{
-    int64_t order;
-    double limit;
-    double share;
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
-    {
-        limit = side_limit(order, (*cspan_at(&end, order)), axis);
+        level = last - INT64_C(1) - i;
+        limit = (*cspan_at(&axis, INT64_C(4) + level));
+        rise = 1e+60;
         if (limit > 0.0)
         {
-            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
-            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
-            {
-                (*cspan_at(&excess, order, INT64_C(0))) = share;
-                (*cspan_at(&excess, order, INT64_C(1))) = node;
-                (*cspan_at(&excess, order, INT64_C(2))) = holding;
-                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
-                if ((*cspan_at(&end, order)) < 0.0)
-                {
-                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
-                }
-            }
+            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
+        }
+        (*cspan_at(&axis, INT64_C(21) + level)) = rise;
+    }
+    if (last == INT64_C(1))
+    {
+        (*cspan_at(&axis, INT64_C(20))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(26) + INT64_C(1))));
+        (*cspan_at(&axis, INT64_C(19))) = 1.0 / (*cspan_at(&axis, INT64_C(20)));
+    }
+    if (last <= INT64_C(1))
+    {
+        time = 1.0;
+        if (last == INT64_C(1))
+        {
+            time = (*cspan_at(&axis, INT64_C(21)));
+        }
+        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
+        (*cspan_at(&axis, INT64_C(36))) = variance / (time * time);
+    }
+    jerk = (*cspan_at(&axis, INT64_C(4)));
+    if (jerk > 0.0)
+    {
+        rise = (*cspan_at(&axis, INT64_C(21)));
+        (*cspan_at(&axis, INT64_C(15))) = jerk * rise;
+        (*cspan_at(&axis, INT64_C(17))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(26))));
+        (*cspan_at(&axis, INT64_C(16))) = 1.0 / (*cspan_at(&axis, INT64_C(17)));
+        (*cspan_at(&axis, INT64_C(18))) = rise;
+        if (rise > 0.0)
+        {
+            rise_moments(cspan_at(&axis, INT64_C(37)), &fourth, rise, INT64_C(1), axis);
         }
     }
+    return 1;
 }
-static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
 {
-    array_double_1d state;
-    array_double_1d end;
-    array_double_2d excess;
-    int64_t q;
-    int64_t top;
-    double rest;
-    int64_t i;
-    double step;
+    int64_t k;
     int64_t j;
-    int64_t order;
-    state = span_row(&work, INT64_C(203));
-    end = span_row(&work, INT64_C(203) + INT64_C(1));
-    excess = span_rows(&work, INT64_C(196), INT64_C(202));
-    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
-    top = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
-    rest = length;
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    double limit;
+    double slope;
+    int64_t e;
+    double change;
+    bool bounded;
+    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
+    bounded = 0;
+    transition_peaks(k, psi, peaks);
+    (*cspan_at(&axis, INT64_C(39))) = 2.0 * k + 2.0;
+    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
     {
-        step = rest;
-        advance_piece(top, step, state, end);
-        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+        (*cspan_at(&axis, INT64_C(40) + j)) = (*cspan_at(&psi, j));
+    }
+    (*cspan_at(&axis, INT64_C(36))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
+    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
+    {
+        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
+        if (limit > 0.0)
         {
-            order = q - j;
-            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
+            (*cspan_at(&axis, INT64_C(31) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
+            bounded = 1;
+        }
+    }
+    slope = (*cspan_at(&axis, INT64_C(31)));
+    if (slope > 0.0)
+    {
+        (*cspan_at(&axis, INT64_C(15))) = 0.0;
+        (*cspan_at(&axis, INT64_C(16))) = slope;
+        (*cspan_at(&axis, INT64_C(17))) = 1.0 / slope;
+        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
+        {
+            change = pow(((*cspan_at(&axis, INT64_C(31) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
+            (*cspan_at(&axis, INT64_C(15))) = span_max((*cspan_at(&axis, INT64_C(15))), change);
+        }
+    }
+    return bounded;
+}
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+{
+    int64_t i;
+    double duration;
+    double slope;
+    bool bounded;
+    for (i = INT64_C(13); i < INT64_C(50); i += INT64_C(1))
+    {
+        (*cspan_at(&axis, i)) = 0.0;
+    }
+    (*cspan_at(&axis, INT64_C(15))) = 1e+300;
+    bounded = 0;
+    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
+    {
+        bounded = plateau_parameters(share, axis);
+    }
+    else
+    {
+        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
+    }
+    if (bounded)
+    {
+        segfmu_ramp_duration(&duration, &slope, top_acceleration(axis), axis);
+        (*cspan_at(&axis, INT64_C(13))) = duration;
+    }
+    return bounded;
+}
+static double shortest_scale(int64_t order, array_double_1d limits)
+{
+    int64_t below;
+    double scale;
+    scale = (*cspan_at(&limits, order - INT64_C(1))) / (*cspan_at(&limits, order));
+    for (below = INT64_C(1); below < order - INT64_C(1); below += INT64_C(1))
+    {
+        scale = span_min(scale, pow(((*cspan_at(&limits, below)) / (*cspan_at(&limits, order))), (1.0 / (order - below))));
+    }
+    return scale;
+}
+static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits)
+{
+    double below;
+    int64_t highest;
+    int64_t top;
+    int64_t above;
+    double bound;
+    int64_t given;
+    double growth;
+    double result;
+    below = (*cspan_at(&limits, order - INT64_C(1)));
+    highest = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
+    top = INT64_C(2);
+    for (above = order + INT64_C(1); above < highest + INT64_C(1); above += INT64_C(1))
+    {
+        bound = (*cspan_at(&axis, INT64_C(2) + above - INT64_C(1)));
+        if (bound > 0.0)
+        {
+            return 2.0 * below * pow((bound / below), (1.0 / (above - order + INT64_C(1))));
+        }
+    }
+    for (given = INT64_C(3); given < order; given += INT64_C(1))
+    {
+        if ((*cspan_at(&axis, INT64_C(2) + given - INT64_C(1))) > 0.0)
+        {
+            top = given;
+        }
+    }
+    growth = pow(steep, (1.0 / (highest - top))) / usual_share(axis);
+    result = growth * below / shortest_scale(order - INT64_C(1), limits);
+    return result;
+}
+static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits)
+{
+    int64_t smoothness;
+    int64_t order;
+    double bound;
+    double room;
+    double needed;
+    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
+    for (order = INT64_C(1); order < smoothness + INT64_C(2); order += INT64_C(1))
+    {
+        (*cspan_at(&limits, order)) = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
+        if ((*cspan_at(&limits, order)) <= 0.0)
+        {
+            bound = natural_limit(order, steep, axis, limits);
+            if (order <= smoothness)
             {
-                step = zero_time(order, top, step, state);
-                advance_piece(top, step, state, end);
-                (*cspan_at(&end, order)) = 0.0;
+                bound = span_max(bound, 2.0 * fabs((*cspan_at(&state, order))));
             }
-        }
-        note_excess(q, node, holding, axis, end, excess);
-        for (order = INT64_C(0); order < top + INT64_C(1); order += INT64_C(1))
-        {
-            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
-        }
-        rest = rest - step;
-        if (rest <= 0.0)
-        {
-            break;
+            room = (*cspan_at(&limits, order - INT64_C(2))) - fabs((*cspan_at(&state, order - INT64_C(2))));
+            needed = (*cspan_at(&state, order - INT64_C(1))) * (*cspan_at(&state, order - INT64_C(1)));
+            if (needed > room * bound)
+            {
+                bound = span_max(bound, span_min(needed / span_max(room, 1e-300), 10000.0 * bound));
+            }
+            (*cspan_at(&limits, order)) = bound;
         }
     }
 }
-static bool measure_excess(array_double_1d axis, array_double_2d work)
+static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains)
 {
-    array_double_1d passing;
-    array_double_2d excess;
-    array_double_1d state;
-    int64_t above;
-    int64_t q;
-    int64_t boxes;
-    double level;
-    int64_t pieces;
+    int64_t smoothness;
     int64_t order;
+    array_double_1d chain;
     int64_t i;
+    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
+    for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
+    {
+        chain = span_row(&chains, order);
+        for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
+        {
+            (*cspan_at(&chain, i)) = 0.0;
+        }
+        (*cspan_at(&chain, INT64_C(0))) = smoothness - order;
+        (*cspan_at(&chain, INT64_C(1))) = INT64_C(1);
+        (*cspan_at(&chain, INT64_C(11))) = order;
+        for (i = INT64_C(0); i < smoothness - order + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&axis, INT64_C(2) + order + i));
+            if (i <= INT64_C(2))
+            {
+                (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&limits, order + INT64_C(1) + i));
+            }
+        }
+        (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&chain, INT64_C(2)));
+        (*cspan_at(&chain, INT64_C(9) + INT64_C(1))) = (*cspan_at(&chain, INT64_C(3)));
+        if (order == INT64_C(0))
+        {
+            (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&axis, INT64_C(9)));
+            (*cspan_at(&chain, INT64_C(9) + INT64_C(1))) = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+        }
+        else if (order == INT64_C(1))
+        {
+            (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+        }
+        segfmu_ramp_parameters(usual_share(chain) / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
+    }
+}
+static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t width;
     int64_t row;
-    double ramp;
-    double change;
-    int64_t piece;
-    int64_t held;
-    double sign;
-    double basis;
+    int64_t j;
+    int64_t i;
+    double value;
+    int64_t m;
+    double factorial;
     double length;
-    double peak;
-    passing = span_row(&work, INT64_C(101));
-    excess = span_rows(&work, INT64_C(196), INT64_C(202));
-    state = span_row(&work, INT64_C(203));
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    q = above + INT64_C(2);
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    level = (*cspan_at(&passing, INT64_C(8)));
-    pieces = rise_pieces(boxes);
-    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
+    width = coefficients.shape[INT64_C(1)];
+    for (row = first; row < last; row += INT64_C(1))
     {
-        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
-    }
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        row = INT64_C(102) + i;
-        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        for (j = INT64_C(0); j < width - order; j += INT64_C(1))
         {
-            (*cspan_at(&state, order)) = 0.0;
-            if (order < q)
+            i = width - INT64_C(1) - j;
+            value = (*cspan_at(&coefficients, row, i - order));
+            for (m = INT64_C(0); m < order; m += INT64_C(1))
             {
-                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
+                value = value / (i - m);
             }
+            (*cspan_at(&coefficients, row, i)) = value;
         }
-        (*cspan_at(&state, q)) = level;
-        ramp = (*cspan_at(&work, row, INT64_C(11)));
-        change = (*cspan_at(&work, row, INT64_C(9))) - level;
-        if (ramp > 0.0)
+        factorial = 1.0;
+        for (i = INT64_C(0); i < order; i += INT64_C(1))
         {
-            for (piece = INT64_C(1); piece < pieces + INT64_C(1); piece += INT64_C(1))
+            if (i > INT64_C(0))
             {
-                held_level(&held, &sign, piece, boxes);
-                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
-                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
-                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
-                {
-                    (*cspan_at(&state, order)) = 0.0;
-                }
-                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
-                if (length > 0.0)
-                {
-                    piece_excess(length, i, 0, axis, work);
-                }
+                factorial = factorial * i;
             }
+            (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
         }
-        level = (*cspan_at(&work, row, INT64_C(9)));
-        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        for (i = INT64_C(0); i < order; i += INT64_C(1))
         {
-            for (order = q; order < INT64_C(8); order += INT64_C(1))
-            {
-                (*cspan_at(&state, order)) = 0.0;
-            }
-            (*cspan_at(&state, q)) = level;
-            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
+            length = (*cspan_at(&timing, row, INT64_C(1)));
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
         }
     }
-    for (order = INT64_C(1); order < q; order += INT64_C(1))
+}
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
+{
+    int64_t smoothness;
+    array_double_1d axis;
+    array_double_1d state;
+    int64_t i;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    axis = span_row(&lead, INT64_C(52));
+    state = span_row(&lead, INT64_C(8));
+    segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
+    set_lower(span_row(&lead, INT64_C(53)), axis);
+    for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
+        if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
+        {
+            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
+        }
+    }
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(54), INT64_C(61))))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+        if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
+        {
+            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
+        }
+    }
+    chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
+    for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
+        if (i <= INT64_C(2))
+        {
+            (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
+        }
+        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(11), i));
+    }
+    return 1;
+}
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
+{
+    double result;
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(53), order - INT64_C(1))) > 0.0))
+    {
+        result = (*cspan_at(&lead, INT64_C(53), order - INT64_C(1)));
+        return result;
+    }
+    result = (*cspan_at(&limits, order - INT64_C(1)));
+    return result;
+}
+static bool is_outside(array_double_1d limits, array_double_2d lead)
+{
+    int64_t i;
+    double value;
+    double bound;
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        value = (*cspan_at(&lead, INT64_C(0), i));
+        bound = (*cspan_at(&limits, i - INT64_C(1)));
+        if (value < 0.0)
+        {
+            bound = lower_limit(i, limits, lead);
+        }
+        if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
         {
             return 1;
         }
     }
+    return 0;
+}
+static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis)
+{
+    double first;
+    double slope;
+    double last;
+    segfmu_ramp_duration(&first, &slope, level - a, axis);
+    segfmu_ramp_duration(&last, &slope, level - b, axis);
+    (*result_0) = first;
+    (*result_1_0001) = 0.5 * (a + level) * first + 0.5 * (level + b) * last;
+    return 0;
+}
+static double linear_level(double gain, double a, double b, array_double_1d axis)
+{
+    double slope;
+    double half;
+    double rest;
+    double square;
+    slope = (*cspan_at(&axis, INT64_C(16)));
+    half = 0.5 * (*cspan_at(&axis, INT64_C(18)));
+    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
+    square = half * half + slope * rest;
+    if (square <= 0.0)
+    {
+        return -1.0;
+    }
+    return rest / (half + sqrt(square));
+}
+static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis)
+{
+    double t;
+    double level;
+    double t_before;
+    double rate_before;
+    int64_t i;
+    double change;
+    double growth;
+    double t_end;
+    double slope;
+    double first;
+    double second;
+    double error;
+    double rate;
+    double following;
+    double newton;
+    double near;
+    double bend;
+    double reached;
+    bool far;
+    t = start;
+    level = a;
+    t_before = start;
+    rate_before = 0.0;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        ramp_change(&change, &growth, t, axis);
+        level = a + change;
+        segfmu_ramp_duration(&t_end, &slope, level - b, axis);
+        first = 0.5 * (a + level) * t;
+        second = 0.5 * (level + b) * t_end;
+        error = first + second - gain;
+        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
+        {
+            (*result_0_0001) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        if (error > 0.0)
+        {
+            upper = t;
+        }
+        else
+        {
+            lower = t;
+        }
+        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
+        following = 0.5 * (lower + upper);
+        if (rate > 0.0)
+        {
+            newton = t - error / rate;
+            near = 1e-09 * t;
+            bend = 0.0;
+            if (i > INT64_C(0))
+            {
+                bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before);
+            }
+            if ((bend != 0.0) && (fabs(bend) < 0.5 * rate))
+            {
+                newton = t - error / (rate - bend);
+                near = 1e-07 * t;
+            }
+            if (fabs(newton - t) <= near)
+            {
+                ramp_change(&change, &growth, newton, axis);
+                (*result_0_0001) = newton;
+                (*result_1) = a + change;
+                return 0;
+            }
+            reached = first + second;
+            far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
+            if (far && (reached < 60.0 * t * rate))
+            {
+                newton = t * pow((gain / reached), (reached / (t * rate)));
+                if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
+                {
+                    newton = sqrt(span_max(lower, 0.001 * upper) * upper);
+                }
+            }
+            if ((newton > lower) && (newton < upper))
+            {
+                following = newton;
+            }
+        }
+        if (fabs(following - t) <= 4e-16 * t)
+        {
+            (*result_0_0001) = t;
+            (*result_1) = level;
+            return 0;
+        }
+        t_before = t;
+        rate_before = rate;
+        t = following;
+    }
+    ramp_change(&change, &growth, t, axis);
+    (*result_0_0001) = t;
+    (*result_1) = a + change;
+    return 0;
+}
+static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, double near, array_double_1d axis)
+{
+    double linear_from;
+    double level;
+    double t;
+    double t_high;
+    double most;
+    double t_low;
+    double least;
+    double start;
+    linear_from = (*cspan_at(&axis, INT64_C(15)));
+    if (span_max(a, b) + linear_from <= high)
+    {
+        level = linear_level(gain, a, b, axis);
+        if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
+        {
+            t = (level - a) * (*cspan_at(&axis, INT64_C(16))) + (*cspan_at(&axis, INT64_C(18)));
+            (*result_0_0001) = t;
+            (*result_1_0001) = 0.0;
+            (*result_2_0001) = level;
+            return 0;
+        }
+    }
+    level_gain(&t_high, &most, high, a, b, axis);
+    if (gain > most)
+    {
+        (*result_0_0001) = t_high;
+        (*result_1_0001) = (gain - most) / high;
+        (*result_2_0001) = high;
+        return 0;
+    }
+    level_gain(&t_low, &least, low, a, b, axis);
+    if (gain <= least)
+    {
+        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
+        {
+            (*result_0_0001) = 0.0;
+            (*result_1_0001) = -1.0;
+            (*result_2_0001) = low;
+            return 0;
+        }
+        (*result_0_0001) = t_low;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = low;
+        return 0;
+    }
+    start = near;
+    if ((start <= t_low) || (start >= t_high))
+    {
+        start = t_low + (t_high - t_low) * sqrt((gain - least) / (most - least));
+    }
+    root_level(&t, &level, gain, a, b, t_low, t_high, start, axis);
+    (*result_0_0001) = t;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = level;
+    return 0;
+}
+static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
+{
+    double v;
+    double a;
+    double b;
+    double t1;
+    double hold1;
+    double level1;
+    double hold2;
+    double level2;
+    double t3;
+    double basis;
+    double slope;
+    double t2;
+    double y;
+    v = (*cspan_at(&family, INT64_C(0)));
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    t1 = (*cspan_at(&family, INT64_C(27)));
+    hold1 = (*cspan_at(&family, INT64_C(28)));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    hold2 = (*cspan_at(&family, INT64_C(30)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    t3 = (*cspan_at(&family, INT64_C(32)));
+    segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
+    t2 = basis * (*cspan_at(&family, INT64_C(33)));
+    basis = basis + (*cspan_at(&family, INT64_C(34))) * (t2 - basis);
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    {
+        (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    y = ramp_distance(v, a, level1, t1, t1, axis);
+    v = v + 0.5 * (a + level1) * t1;
+    if (hold1 > 0.0)
+    {
+        y = y + (v + 0.5 * level1 * hold1) * hold1;
+        v = v + level1 * hold1;
+    }
+    y = y + ramp_distance(v, level1, level2, t2, basis, axis);
+    v = v + 0.5 * (level1 + level2) * t2;
+    if (hold2 > 0.0)
+    {
+        y = y + (v + 0.5 * level2 * hold2) * hold2;
+        v = v + level2 * hold2;
+    }
+    y = y + ramp_distance(v, level2, b, t3, t3, axis);
+    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
+    (*result_1) = y;
+    return 0;
+}
+static int64_t second_level(double* result_0, double* result_1, double* result_2, double* result_3, double p, array_double_1d family, array_double_1d axis)
+{
+    double b;
+    double last_ramp;
+    double hold;
+    double t;
+    double level;
+    double change;
+    double slope;
+    double gain;
+    b = (*cspan_at(&family, INT64_C(3)));
+    last_ramp = (*cspan_at(&family, INT64_C(7)));
+    hold = 0.0;
+    t = p;
+    if (p >= last_ramp)
+    {
+        t = last_ramp;
+        hold = p - last_ramp;
+        level = -(*cspan_at(&family, INT64_C(5)));
+    }
+    else
+    {
+        ramp_change(&change, &slope, p, axis);
+        level = b - change;
+    }
+    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level + b) * t - level * hold;
+    (*result_0) = level;
+    (*result_1) = t;
+    (*result_2) = hold;
+    (*result_3) = gain;
+    return 0;
+}
+static bool has_member(double p, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double level;
+    double t;
+    double hold;
+    double gain;
+    double first;
+    double least;
+    a = (*cspan_at(&family, INT64_C(1)));
+    second_level(&level, &t, &hold, &gain, p, family, axis);
+    level_gain(&first, &least, span_max(0.0, span_max(a, level)), a, level, axis);
+    return gain >= least;
+}
+static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double level2;
+    double t3;
+    double hold2;
+    double gain;
+    double low;
+    double near;
+    double t1;
+    double hold1;
+    double level1;
+    a = (*cspan_at(&family, INT64_C(1)));
+    second_level(&level2, &t3, &hold2, &gain, p, family, axis);
+    low = span_max(0.0, span_max(a, level2));
+    near = (*cspan_at(&family, INT64_C(27)));
+    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(6))), near, axis);
+    if (hold1 < 0.0)
+    {
+        (*result_0) = -1.0;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    (*cspan_at(&family, INT64_C(27))) = t1;
+    (*cspan_at(&family, INT64_C(28))) = hold1;
+    (*cspan_at(&family, INT64_C(29))) = level1;
+    (*cspan_at(&family, INT64_C(30))) = hold2;
+    (*cspan_at(&family, INT64_C(31))) = level2;
+    (*cspan_at(&family, INT64_C(32))) = t3;
+    member_distance(result_0, result_1, family, axis);
     return 0;
 }
 static int64_t curved_part(double* result_0, double* result_1, double* result_2_0001, double s, array_double_1d axis)
@@ -10300,6 +12209,2679 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
     curved_part(&value, &slope, &integral, s, axis);
     return start + duration * (first * s + change * integral);
 }
+static double flush_tiny(double value, double scale)
+{
+    if (fabs(value) <= 1e-30 * scale)
+    {
+        return 0.0;
+    }
+    return value;
+}
+static double boundary_value(double value, double lower, double upper)
+{
+    return span_min(span_max(flush_tiny(value, span_max(lower, upper)), -lower), upper);
+}
+static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above)
+{
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    (*cspan_at(&phases, count, INT64_C(0))) = duration;
+    (*cspan_at(&phases, count, INT64_C(1))) = basis;
+    (*cspan_at(&phases, count, INT64_C(2))) = start;
+    (*cspan_at(&phases, count, INT64_C(3))) = change;
+    (*cspan_at(&phases, count, INT64_C(4))) = above;
+    return count + INT64_C(1);
+}
+static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis)
+{
+    double change;
+    double slope;
+    int64_t result;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    ramp_change(&change, &slope, duration, axis);
+    if (b < a)
+    {
+        change = -change;
+    }
+    result = append_phase(phases, count, duration, duration, a, change, 0.0);
+    return result;
+}
+static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis)
+{
+    double duration;
+    double slope;
+    int64_t result;
+    segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
+    result = append_phase(phases, count, duration, duration, a, b - a, 0.0);
+    return result;
+}
+static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
+{
+    int64_t result;
+    result = append_phase(phases, count, duration, 0.0, a, 0.0, 0.0);
+    return result;
+}
+static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
+{
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    if (duration <= 0.0)
+    {
+        return count;
+    }
+    for (j = INT64_C(0); j < count - row; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+        {
+            (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
+        }
+    }
+    append_hold(phases, row, a, duration);
+    return count + INT64_C(1);
+}
+static void copy_phases(array_double_2d source, array_double_2d target, int64_t count)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+        {
+            (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
+        }
+    }
+}
+static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used)
+{
+    int64_t i;
+    int64_t column;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+        {
+            (*cspan_at(&phases, used + i, column)) = (*cspan_at(&source, i, column));
+        }
+    }
+    return used + count;
+}
+static void mirror_phases(array_double_2d phases, int64_t count)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(2))) = -(*cspan_at(&phases, i, INT64_C(2)));
+        (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
+    }
+}
+static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column)
+{
+    double kept;
+    kept = (*cspan_at(&phases, i, column));
+    (*cspan_at(&phases, i, column)) = (*cspan_at(&phases, j, column));
+    (*cspan_at(&phases, j, column)) = kept;
+}
+static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
+{
+    int64_t i;
+    int64_t column;
+    double end;
+    for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+        {
+            swap_entries(phases, first + i, count - INT64_C(1) - i, column);
+        }
+    }
+    for (i = first; i < count; i += INT64_C(1))
+    {
+        end = (*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3)));
+        (*cspan_at(&phases, i, INT64_C(2))) = -end;
+        if ((*cspan_at(&phases, i, INT64_C(4))) == 1.0)
+        {
+            (*cspan_at(&phases, i, INT64_C(2))) = end;
+            (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
+        }
+    }
+}
+static void reverse_problem(array_double_1d problem)
+{
+    double v;
+    double a;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&problem, INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(1))) = -(*cspan_at(&problem, INT64_C(3)));
+    (*cspan_at(&problem, INT64_C(2))) = v;
+    (*cspan_at(&problem, INT64_C(3))) = -a;
+}
+static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
+{
+    double fastest;
+    double backwards;
+    double top;
+    double bottom;
+    double velocity;
+    double acceleration;
+    double ramp;
+    double scale;
+    fastest = (*cspan_at(&axis, INT64_C(2)));
+    backwards = (*cspan_at(&axis, INT64_C(9)));
+    top = (*cspan_at(&axis, INT64_C(3)));
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), backwards, fastest);
+    (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), bottom, top);
+    (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), backwards, fastest);
+    (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), bottom, top);
+    velocity = fastest_velocity(axis);
+    acceleration = top_acceleration(axis);
+    ramp = acceleration * (*cspan_at(&axis, INT64_C(13))) * (*cspan_at(&axis, INT64_C(13)));
+    scale = span_min(velocity * velocity / acceleration, ramp);
+    (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
+    (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
+}
+static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis)
+{
+    double half;
+    double change;
+    double slope;
+    double steepest;
+    double most;
+    double result;
+    half = 0.5 * duration;
+    ramp_change(&change, &slope, half, axis);
+    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
+    steepest = span_min(steepest, top_acceleration(axis));
+    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * half;
+    result = span_min(side_limit(INT64_C(1), sign, axis), most);
+    return result;
+}
+static bool is_resting(array_double_1d problem, array_double_1d axis)
+{
+    double speed;
+    double acceleration;
+    bool result;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    if (flush_tiny(speed, fastest_velocity(axis)) != 0.0)
+    {
+        return 0;
+    }
+    acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
+    result = flush_tiny(acceleration, top_acceleration(axis)) == 0.0;
+    return result;
+}
+int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
+{
+    double total;
+    double y;
+    double lowest;
+    double highest;
+    int64_t i;
+    double duration;
+    double basis;
+    double a;
+    double b;
+    double near;
+    double bound;
+    double extreme;
+    total = 0.0;
+    y = 0.0;
+    lowest = v;
+    highest = v;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        basis = (*cspan_at(&phases, i, INT64_C(1)));
+        a = (*cspan_at(&phases, i, INT64_C(2)));
+        b = a + (*cspan_at(&phases, i, INT64_C(3)));
+        if (a * b < 0.0)
+        {
+            near = v;
+            if (fabs(a) > fabs(b))
+            {
+                near = v + 0.5 * (a + b) * duration;
+            }
+            bound = near + extreme_gain(a, b, duration, basis, axis);
+            if (a < 0.0)
+            {
+                bound = 2.0 * near - bound;
+            }
+            if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
+            {
+                extreme = ramp_extreme_velocity(v, a, b, duration, basis, axis);
+                lowest = span_min(lowest, extreme);
+                highest = span_max(highest, extreme);
+            }
+        }
+        y = y + ramp_distance(v, a, b, duration, basis, axis);
+        v = v + 0.5 * (a + b) * duration;
+        lowest = span_min(lowest, v);
+        highest = span_max(highest, v);
+        total = total + duration;
+    }
+    (*result_0) = total;
+    (*result_1) = y;
+    (*result_2_0001) = v;
+    (*result_3) = lowest;
+    (*result_4) = highest;
+    return 0;
+}
+static double total_duration(array_double_2d phases, int64_t count)
+{
+    int64_t i;
+    double total;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    return total;
+}
+static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double most;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double fastest;
+    double duration;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    most = slowest_velocity(axis) * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
+    {
+        return -1.0;
+    }
+    fastest = span_max(-lowest, highest);
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * fastest)
+    {
+        return -1.0;
+    }
+    if (fabs(y - distance) > 1e-12 * (fabs(distance) + fastest * duration))
+    {
+        return -1.0;
+    }
+    return duration;
+}
+static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis)
+{
+    int64_t i;
+    bool found;
+    found = 0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if ((*cspan_at(&phases, i, INT64_C(3))) != 0.0)
+        {
+            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(38)))))
+            {
+                return 0;
+            }
+            found = 1;
+        }
+    }
+    return found;
+}
+static bool has_dip(array_double_2d phases, int64_t count)
+{
+    bool result;
+    if (count == INT64_C(0))
+    {
+        return 0;
+    }
+    result = ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) > 0.5) || ((*cspan_at(&phases, count - INT64_C(1), INT64_C(4))) > 0.5);
+    return result;
+}
+static void stretch_phases(array_double_2d phases, int64_t count, double factor)
+{
+    int64_t i;
+    double power;
+    int64_t j;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
+        power = factor * factor;
+        for (j = INT64_C(0); j < (int64_t)((*cspan_at(&phases, i, INT64_C(4)))); j += INT64_C(1))
+        {
+            power = power * factor;
+        }
+        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / power;
+        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / power;
+    }
+}
+static int64_t fit_duration(array_double_2d phases, int64_t count, double target)
+{
+    double total;
+    int64_t i;
+    double duration;
+    int64_t j;
+    int64_t kept;
+    total = 0.0;
+    kept = INT64_C(0);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = (*cspan_at(&phases, i, INT64_C(0)));
+        if (duration > 1e-13 * target)
+        {
+            for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+            {
+                (*cspan_at(&phases, kept, j)) = (*cspan_at(&phases, i, j));
+            }
+            total = total + duration;
+            kept = kept + INT64_C(1);
+        }
+    }
+    for (i = INT64_C(0); i < kept; i += INT64_C(1))
+    {
+        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
+    }
+    return kept;
+}
+static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, double bottom, array_double_1d axis)
+{
+    double sign;
+    double t1;
+    double hold;
+    double level;
+    int64_t result;
+    sign = 1.0;
+    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, -1.0, axis);
+    if (hold < 0.0)
+    {
+        sign = -1.0;
+        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), bottom, -1.0, axis);
+        if (hold < 0.0)
+        {
+            return -INT64_C(1);
+        }
+    }
+    count = append_ramp(phases, count, a, sign * level, t1, axis);
+    count = append_hold(phases, count, sign * level, hold);
+    result = append_change(phases, count, sign * level, 0.0, axis);
+    return result;
+}
+static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    double top;
+    double bottom;
+    int64_t row;
+    double w;
+    double b;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    top = (*cspan_at(&axis, INT64_C(3)));
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, top, bottom, axis);
+    if (row < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    count = append_velocity_change(phases, row, w, -b, cruise, bottom, top, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1) = INT64_C(0);
+        (*result_2) = 0.0;
+        (*result_3) = 0.0;
+        return 0;
+    }
+    reverse_phases(phases, row, count);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
+    (*result_0) = count;
+    (*result_1) = row;
+    (*result_2) = duration;
+    (*result_3) = y;
+    return 0;
+}
+static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    int64_t result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if ((count < INT64_C(0)) || (cruise == 0.0))
+    {
+        return span_max_int(count, INT64_C(0));
+    }
+    hold = (distance - y) / cruise;
+    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
+    {
+        return INT64_C(0);
+    }
+    result = insert_hold(phases, count, row, 0.0, hold);
+    return result;
+}
+static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    bool falls_short;
+    int64_t i;
+    double middle;
+    double share;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    bool missing;
+    double lower;
+    double upper;
+    double cruise;
+    int64_t result;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = short_0001;
+    other = far;
+    before = other;
+    e_newest = 0.0;
+    e_other = 0.0;
+    e_before = 0.0;
+    falls_short = 1;
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        middle = start;
+        if (i > INT64_C(0))
+        {
+            share = root_share(newest, other, before, e_newest, e_other, e_before);
+            middle = newest + share * (other - newest);
+        }
+        if ((middle - newest) * (middle - other) >= 0.0)
+        {
+            if (i > INT64_C(0))
+            {
+                break;
+            }
+            middle = 0.5 * (newest + other);
+        }
+        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
+        error = y - distance;
+        missing = (count < INT64_C(0)) || (error < 0.0);
+        if (count < INT64_C(0))
+        {
+            error = 0.0;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, missing != falls_short, newest, other, e_newest, e_other);
+        newest = middle;
+        e_newest = error;
+        falls_short = missing;
+        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
+        {
+            other = newest;
+            break;
+        }
+    }
+    lower = newest;
+    upper = other;
+    if (!falls_short)
+    {
+        lower = other;
+        upper = newest;
+    }
+    cruise = lower;
+    if (cruise < 0.0)
+    {
+        cruise = upper;
+    }
+    result = with_cruise(phases, cruise, problem, axis);
+    return result;
+}
+static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double start;
+    double slowest;
+    int64_t result;
+    start = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
+    slowest = -(*cspan_at(&axis, INT64_C(9)));
+    result = vanishing_cruise(slowest, (*cspan_at(&axis, INT64_C(2))), start, phases, problem, axis);
+    return result;
+}
+static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial)
+{
+    double distance;
+    double longest;
+    double fastest;
+    double backwards;
+    double before;
+    double e_before;
+    int64_t i;
+    double cruise;
+    int64_t used;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    double short_0001;
+    double far;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    longest = 1e+300;
+    fastest = (*cspan_at(&axis, INT64_C(2)));
+    backwards = (*cspan_at(&axis, INT64_C(9)));
+    if (count > INT64_C(0))
+    {
+        longest = total_duration(phases, count);
+        fastest = speed_bound(1.0, longest, problem, axis);
+        backwards = speed_bound(-1.0, longest, problem, axis);
+    }
+    before = 0.0;
+    e_before = 0.0;
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        cruise = fastest * (1.0 - i / 6.0);
+        if (i > INT64_C(6))
+        {
+            cruise = backwards * (1.0 - i / 6.0);
+        }
+        cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
+        error = 0.0;
+        if (used >= INT64_C(0))
+        {
+            error = y - distance;
+        }
+        if (error * e_before < 0.0)
+        {
+            short_0001 = cruise;
+            far = before;
+            if (e_before < 0.0)
+            {
+                short_0001 = before;
+                far = cruise;
+            }
+            used = vanishing_cruise(short_0001, far, 0.5 * (short_0001 + far), trial, problem, axis);
+            duration = -1.0;
+            if (used > INT64_C(0))
+            {
+                duration = valid_duration(trial, used, problem, axis);
+            }
+            if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
+            {
+                copy_phases(trial, phases, used);
+                count = used;
+                longest = duration;
+            }
+        }
+        before = cruise;
+        e_before = error;
+    }
+    return count;
+}
+static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
+{
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double end;
+    double t;
+    double slope;
+    double cruise;
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    end = fabs(b);
+    if (from_start)
+    {
+        end = fabs(a);
+    }
+    if (end == 0.0)
+    {
+        return INT64_C(0);
+    }
+    segfmu_ramp_duration(&t, &slope, end, axis);
+    cruise = w - 0.5 * b * t;
+    if (from_start)
+    {
+        cruise = v + 0.5 * a * t;
+    }
+    if (is_beyond(cruise, cruise, 1.0, axis))
+    {
+        return INT64_C(0);
+    }
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
+    {
+        return INT64_C(0);
+    }
+    return span_max_int(count, INT64_C(0));
+}
+static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
+{
+    double v;
+    double a;
+    double w;
+    double b;
+    double single;
+    double slope;
+    double missing;
+    double sign;
+    double top;
+    double bottom;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
+    missing = w - v - 0.5 * (a + b) * single;
+    sign = 1.0;
+    if (missing < 0.0)
+    {
+        sign = -1.0;
+    }
+    (*cspan_at(&family, INT64_C(0))) = sign * v;
+    (*cspan_at(&family, INT64_C(1))) = sign * a;
+    (*cspan_at(&family, INT64_C(2))) = sign * w;
+    (*cspan_at(&family, INT64_C(3))) = sign * b;
+    (*cspan_at(&family, INT64_C(15))) = 0.0;
+    (*cspan_at(&family, INT64_C(16))) = sign * (*cspan_at(&problem, INT64_C(4)));
+    top = side_limit(INT64_C(2), sign, axis);
+    bottom = side_limit(INT64_C(2), -sign, axis);
+    (*cspan_at(&family, INT64_C(4))) = top;
+    (*cspan_at(&family, INT64_C(5))) = bottom;
+    (*cspan_at(&family, INT64_C(12))) = v;
+    (*cspan_at(&family, INT64_C(13))) = 0.0;
+    (*cspan_at(&family, INT64_C(14))) = 0.5 - 0.5 * sign;
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, bottom + sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(10)), &slope, top - sign * b, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(11)), &slope, bottom + sign * b, axis);
+    return sign * missing;
+}
+static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis)
+{
+    double change;
+    double slope;
+    if (time >= up)
+    {
+        (*result_0_0001) = up;
+        (*result_1_0001) = time - up;
+        (*result_2_0001) = (*cspan_at(&family, INT64_C(4)));
+        return 0;
+    }
+    if (-time >= down)
+    {
+        (*result_0_0001) = down;
+        (*result_1_0001) = (-time) - down;
+        (*result_2_0001) = -(*cspan_at(&family, INT64_C(5)));
+        return 0;
+    }
+    ramp_change(&change, &slope, fabs(time), axis);
+    if (time < 0.0)
+    {
+        (*result_0_0001) = -time;
+        (*result_1_0001) = 0.0;
+        (*result_2_0001) = a - change;
+        return 0;
+    }
+    (*result_0_0001) = time;
+    (*result_1_0001) = 0.0;
+    (*result_2_0001) = a + change;
+    return 0;
+}
+static double set_point(double place, double radius, array_double_1d family, array_double_1d axis)
+{
+    double part;
+    double p_sign;
+    double q_sign;
+    double a;
+    double b;
+    double t1;
+    double hold1;
+    double level1;
+    double t3;
+    double hold2;
+    double level2;
+    double t2;
+    double slope;
+    double gain;
+    double result;
+    part = place;
+    p_sign = 1.0;
+    q_sign = 1.0;
+    if (place >= 3.0)
+    {
+        part = 4.0 - place;
+        q_sign = -1.0;
+    }
+    else if (place >= 2.0)
+    {
+        part = place - 2.0;
+        p_sign = -1.0;
+        q_sign = -1.0;
+    }
+    else if (place >= 1.0)
+    {
+        part = 2.0 - place;
+        p_sign = -1.0;
+    }
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), family, axis);
+    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(10))), (*cspan_at(&family, INT64_C(11))), family, axis);
+    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
+    (*cspan_at(&family, INT64_C(27))) = t1;
+    (*cspan_at(&family, INT64_C(28))) = hold1;
+    (*cspan_at(&family, INT64_C(29))) = level1;
+    (*cspan_at(&family, INT64_C(30))) = hold2;
+    (*cspan_at(&family, INT64_C(31))) = level2;
+    (*cspan_at(&family, INT64_C(32))) = t3;
+    gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
+    gain = gain + level1 * hold1 + level2 * hold2;
+    result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
+    return result;
+}
+static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double lower;
+    double e_lower;
+    double upper;
+    double e_upper;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double scale;
+    int64_t i;
+    double share;
+    double radius;
+    double error;
+    double newest;
+    lower = 0.0;
+    e_lower = -missing;
+    upper = span_min(span_max(0.25 * missing / (*cspan_at(&family, INT64_C(4))), 1e-06 * largest), 0.25 * largest);
+    e_upper = set_point(place, upper, family, axis);
+    while((e_upper < 0.0) || (arc == INT64_C(6)))
+    {
+        if (!(upper < largest))
+        {
+            return -1.0;
+        }
+        lower = upper;
+        e_lower = e_upper;
+        upper = span_min(2.0 * upper, largest);
+        e_upper = set_point(place, upper, family, axis);
+        if ((arc == INT64_C(6)) && (e_lower >= 0.0) && (e_upper < 0.0))
+        {
+            break;
+        }
+    }
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_lower;
+    scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
+        {
+            break;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        radius = newest + share * (other - newest);
+        error = set_point(place, radius, family, axis);
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = radius;
+        e_newest = error;
+    }
+    return newest;
+}
+static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis)
+{
+    double error;
+    double level1;
+    double level2;
+    double fastest;
+    double slope;
+    double mean;
+    double stretch;
+    error = set_point(place, radius, family, axis);
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
+    mean = 0.5 * (level1 + level2);
+    if (fastest <= 0.0)
+    {
+        return 0;
+    }
+    if (mean != 0.0)
+    {
+        stretch = 1.0 - error / (mean * fastest);
+    }
+    else if (((*cspan_at(&family, INT64_C(15))) > 0.5) && (radius == 0.0) && (error == 0.0))
+    {
+        stretch = (*cspan_at(&family, INT64_C(16))) / fastest;
+    }
+    else
+    {
+        return 0;
+    }
+    (*cspan_at(&family, INT64_C(33))) = stretch;
+    return stretch >= 1.0;
+}
+static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
+{
+    int64_t i;
+    double middle;
+    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
+    {
+        middle = 0.5 * (inside + outside);
+        if ((middle == inside) || (middle == outside))
+        {
+            break;
+        }
+        if (has_member(middle, family, axis))
+        {
+            inside = middle;
+        }
+        else
+        {
+            outside = middle;
+        }
+    }
+    return inside;
+}
+static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis)
+{
+    double duration;
+    double y;
+    canonical_member(&duration, &y, p, family, axis);
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    {
+        (*result_0_0001) = duration;
+        (*result_1) = duration;
+        return 0;
+    }
+    (*result_0_0001) = y;
+    (*result_1) = duration;
+    return 0;
+}
+static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
+    double speed;
+    int64_t i;
+    double share;
+    double p;
+    double value;
+    double duration;
+    double error;
+    target = (*cspan_at(&family, INT64_C(16)));
+    newest = upper;
+    e_newest = f_upper - target;
+    other = lower;
+    e_other = f_lower - target;
+    before = lower;
+    e_before = e_other;
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    {
+        speed = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    {
+        if ((e_newest == 0.0) || (fabs(newest - other) <= 2e-16 * fabs(newest)))
+        {
+            break;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        p = newest + share * (other - newest);
+        canonical_value(&value, &duration, p, family, axis);
+        error = value - target;
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = p;
+        e_newest = error;
+        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
+        {
+            break;
+        }
+    }
+    if (fabs(e_other) < fabs(e_newest))
+    {
+        return other;
+    }
+    return newest;
+}
+static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis)
+{
+    double shrink;
+    double p;
+    double q;
+    double f_p;
+    double duration;
+    double f_q;
+    int64_t i;
+    shrink = 0.6180339887498949;
+    p = upper - shrink * (upper - lower);
+    q = lower + shrink * (upper - lower);
+    canonical_value(&f_p, &duration, p, family, axis);
+    canonical_value(&f_q, &duration, q, family, axis);
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(16))))
+        {
+            break;
+        }
+        if (f_p >= f_q)
+        {
+            upper = q;
+            q = p;
+            f_q = f_p;
+            p = upper - shrink * (upper - lower);
+            canonical_value(&f_p, &duration, p, family, axis);
+        }
+        else
+        {
+            lower = p;
+            p = q;
+            f_p = f_q;
+            q = lower + shrink * (upper - lower);
+            canonical_value(&f_q, &duration, q, family, axis);
+        }
+    }
+    if (f_p >= f_q)
+    {
+        (*result_0_0001) = p;
+        (*result_1_0001) = f_p;
+        return 0;
+    }
+    (*result_0_0001) = q;
+    (*result_1_0001) = f_q;
+    return 0;
+}
+static double rising_member(double f_start, double end, array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double step;
+    double before;
+    double f_lower;
+    int64_t i;
+    double value;
+    double duration;
+    double bend;
+    double p;
+    double highest;
+    double result;
+    target = (*cspan_at(&family, INT64_C(16)));
+    step = 0.125 * end;
+    before = f_start;
+    f_lower = f_start;
+    for (i = INT64_C(1); i < INT64_C(9); i += INT64_C(1))
+    {
+        canonical_value(&value, &duration, i * step, family, axis);
+        if ((value >= target) && (value > f_lower))
+        {
+            result = bracketed_root((i - INT64_C(1)) * step, i * step, f_lower, value, family, axis);
+            return result;
+        }
+        bend = 2.0 * f_lower - before - value;
+        if ((i > INT64_C(1)) && (f_lower >= span_max(before, value)) && (target <= f_lower + 0.25 * bend))
+        {
+            highest_member(&p, &highest, (i - INT64_C(2)) * step, i * step, family, axis);
+            if ((highest >= target) && (highest > before))
+            {
+                result = bracketed_root((i - INT64_C(2)) * step, p, before, highest, family, axis);
+                return result;
+            }
+        }
+        before = f_lower;
+        f_lower = value;
+    }
+    return -1.0;
+}
+static void note_near(double y, double duration, array_double_1d family, array_double_1d axis)
+{
+    double speed;
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
+    speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
+    if (fabs(y - (*cspan_at(&family, INT64_C(16)))) <= saving(axis) * speed * duration)
+    {
+        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
+    }
+}
+static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double value;
+    double duration;
+    double end;
+    double going_on;
+    double p;
+    target = (*cspan_at(&family, INT64_C(16)));
+    canonical_value(&value, &duration, t_zero, family, axis);
+    end = t_zero;
+    going_on = t_zero;
+    if (duration < 0.0)
+    {
+        end = window_edge(INT64_C(80), 0.0, t_zero, family, axis);
+        canonical_value(&value, &duration, end, family, axis);
+        going_on = -1.0;
+    }
+    if ((*cspan_at(&family, INT64_C(0))) < 0.0)
+    {
+        p = rising_member(f_start, end, family, axis);
+        if (p >= 0.0)
+        {
+            (*result_0) = p;
+            (*result_1) = going_on;
+            return 0;
+        }
+    }
+    if ((value >= target) && (value > f_start))
+    {
+        p = bracketed_root(0.0, end, f_start, value, family, axis);
+        (*result_0) = p;
+        (*result_1) = going_on;
+        return 0;
+    }
+    if (going_on < 0.0)
+    {
+        note_near(value, duration, family, axis);
+    }
+    (*result_0) = -1.0;
+    (*result_1) = going_on;
+    return 0;
+}
+static bool only_farther(array_double_1d family)
+{
+    double gain;
+    double loss;
+    bool result;
+    if ((*cspan_at(&family, INT64_C(3))) > 0.0)
+    {
+        return 0;
+    }
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(29)))) * (*cspan_at(&family, INT64_C(27)));
+    gain = gain + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(31))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(32)));
+    loss = loss + (*cspan_at(&family, INT64_C(31))) * (*cspan_at(&family, INT64_C(30)));
+    result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
+    return result;
+}
+static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
+{
+    int64_t samples;
+    double span;
+    int64_t i;
+    double p;
+    double value;
+    double duration;
+    double result;
+    samples = INT64_C(12);
+    span = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
+    for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        if (only_farther(family))
+        {
+            return -1.0;
+        }
+        p = span * i * i / (samples * samples);
+        canonical_value(&value, &duration, p, family, axis);
+        if (duration < 0.0)
+        {
+            return -1.0;
+        }
+        if (value <= (*cspan_at(&family, INT64_C(16))))
+        {
+            result = bracketed_root(p, 0.0, value, f_start, family, axis);
+            return result;
+        }
+    }
+    return -1.0;
+}
+static void note_near_gain(array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double b;
+    double low;
+    double first;
+    double least;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    low = span_max(0.0, span_max(a, b));
+    level_gain(&first, &least, low, a, b, axis);
+    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
+    {
+        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
+    }
+}
+static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
+{
+    double upper;
+    double value;
+    double duration;
+    int64_t i;
+    double result;
+    upper = (*cspan_at(&family, INT64_C(7)));
+    canonical_value(&value, &duration, upper, family, axis);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (duration >= 0.0)
+        {
+            break;
+        }
+        upper = 2.0 * upper;
+        canonical_value(&value, &duration, upper, family, axis);
+    }
+    result = window_edge(INT64_C(80), upper, t_zero, family, axis);
+    return result;
+}
+static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
+{
+    double upper;
+    int64_t i;
+    double f_upper;
+    double duration;
+    double result;
+    upper = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
+    if (upper <= lower)
+    {
+        upper = 2.0 * lower;
+    }
+    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    {
+        canonical_value(&f_upper, &duration, upper, family, axis);
+        if (f_upper >= (*cspan_at(&family, INT64_C(16))))
+        {
+            result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
+            return result;
+        }
+        lower = upper;
+        f_lower = f_upper;
+        upper = 2.0 * upper;
+    }
+    return -1.0;
+}
+static double canonical_search(array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double v;
+    double w;
+    double f_lower;
+    double duration;
+    double lower;
+    double t_zero;
+    double slope;
+    double p;
+    target = (*cspan_at(&family, INT64_C(16)));
+    v = (*cspan_at(&family, INT64_C(0)));
+    w = (*cspan_at(&family, INT64_C(2)));
+    canonical_value(&f_lower, &duration, 0.0, family, axis);
+    if (duration < 0.0)
+    {
+        note_near_gain(family, axis);
+        return -1.0;
+    }
+    if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
+    {
+        return 0.0;
+    }
+    if (f_lower > target)
+    {
+        note_near(f_lower, duration, family, axis);
+        if ((v >= 0.0) && (w >= 0.0))
+        {
+            return -1.0;
+        }
+        p = shorter_member(f_lower, family, axis);
+        return p;
+    }
+    lower = 0.0;
+    if ((*cspan_at(&family, INT64_C(3))) > 0.0)
+    {
+        segfmu_ramp_duration(&t_zero, &slope, (*cspan_at(&family, INT64_C(3))), axis);
+        first_window(&p, &lower, f_lower, t_zero, family, axis);
+        if (p >= 0.0)
+        {
+            return p;
+        }
+        if (lower < 0.0)
+        {
+            lower = second_window(t_zero, family, axis);
+        }
+        canonical_value(&f_lower, &duration, lower, family, axis);
+        if (f_lower > target)
+        {
+            return -1.0;
+        }
+    }
+    p = farther_member(lower, f_lower, family, axis);
+    return p;
+}
+static double nearby_member(array_double_1d family, array_double_1d axis)
+{
+    double target;
+    double lower;
+    double upper;
+    double f_lower;
+    double duration;
+    double f_upper;
+    double result;
+    target = (*cspan_at(&family, INT64_C(16)));
+    lower = 0.95 * (*cspan_at(&family, INT64_C(26)));
+    upper = 1.05 * (*cspan_at(&family, INT64_C(26)));
+    if (lower <= 0.0)
+    {
+        return -1.0;
+    }
+    canonical_value(&f_lower, &duration, lower, family, axis);
+    if (duration < 0.0)
+    {
+        return -1.0;
+    }
+    canonical_value(&f_upper, &duration, upper, family, axis);
+    if ((duration < 0.0) || ((f_lower - target) * (f_upper - target) > 0.0) || (f_lower == f_upper))
+    {
+        return -1.0;
+    }
+    if (f_upper > f_lower)
+    {
+        result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
+        return result;
+    }
+    result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
+    return result;
+}
+static double member_search(array_double_1d family, array_double_1d axis)
+{
+    double target;
+    int64_t passed;
+    int64_t begin;
+    double lower;
+    double f_lower;
+    bool whole;
+    double p;
+    int64_t i;
+    double value;
+    double duration;
+    double upper;
+    double f_upper;
+    bool inside;
+    double outside;
+    bool found;
+    double result;
+    target = (*cspan_at(&family, INT64_C(16)));
+    passed = INT64_C(0);
+    begin = INT64_C(0);
+    lower = -1.0;
+    f_lower = 0.0;
+    whole = (*cspan_at(&family, INT64_C(6))) == (*cspan_at(&family, INT64_C(4)));
+    if (whole && ((*cspan_at(&family, INT64_C(17))) > 0.5))
+    {
+        passed = (int64_t)((*cspan_at(&family, INT64_C(17))));
+        begin = (int64_t)((*cspan_at(&family, INT64_C(22))));
+        lower = (*cspan_at(&family, INT64_C(23)));
+        f_lower = (*cspan_at(&family, INT64_C(24)));
+        if ((begin > INT64_C(13)) && (lower >= 0.0) && (f_lower > target))
+        {
+            return -1.0;
+        }
+    }
+    p = 0.0;
+    for (i = begin; i < INT64_C(36); i += INT64_C(1))
+    {
+        p = (*cspan_at(&family, INT64_C(18))) * i * i / 144.0;
+        canonical_value(&value, &duration, p, family, axis);
+        upper = p;
+        f_upper = value;
+        inside = duration >= 0.0;
+        if (inside && (lower < 0.0) && (i > INT64_C(0)))
+        {
+            outside = (*cspan_at(&family, INT64_C(18))) * (i - INT64_C(1)) * (i - INT64_C(1)) / 144.0;
+            lower = window_edge(INT64_C(24), p, outside, family, axis);
+            canonical_value(&f_lower, &duration, lower, family, axis);
+        }
+        if ((!inside) && (lower >= 0.0))
+        {
+            upper = window_edge(INT64_C(24), lower, p, family, axis);
+            canonical_value(&f_upper, &duration, upper, family, axis);
+        }
+        found = (lower >= 0.0) && ((f_lower - target) * (f_upper - target) <= 0.0);
+        found = found && (f_upper != f_lower);
+        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(17))))))
+        {
+            if (whole)
+            {
+                (*cspan_at(&family, INT64_C(22))) = i + INT64_C(1);
+                (*cspan_at(&family, INT64_C(23))) = p;
+                if (!inside)
+                {
+                    (*cspan_at(&family, INT64_C(23))) = -1.0;
+                }
+                (*cspan_at(&family, INT64_C(24))) = f_upper;
+            }
+            if (f_upper > f_lower)
+            {
+                result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
+                return result;
+            }
+            result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
+            return result;
+        }
+        if (found)
+        {
+            passed = passed + INT64_C(1);
+        }
+        lower = -1.0;
+        if (inside)
+        {
+            lower = p;
+            f_lower = value;
+            if ((i > INT64_C(12)) && (value > target))
+            {
+                return -1.0;
+            }
+        }
+    }
+    return -1.0;
+}
+static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
+{
+    bool reverse;
+    bool mirror;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double top;
+    double bottom;
+    double last_ramp;
+    double slope;
+    reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
+    mirror = branch >= INT64_C(2);
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    (*cspan_at(&family, INT64_C(12))) = v;
+    if (reverse)
+    {
+        v = (*cspan_at(&problem, INT64_C(2)));
+        a = -(*cspan_at(&problem, INT64_C(3)));
+        w = (*cspan_at(&problem, INT64_C(0)));
+        b = -(*cspan_at(&problem, INT64_C(1)));
+    }
+    if (mirror)
+    {
+        v = -v;
+        a = -a;
+        w = -w;
+        b = -b;
+        distance = -distance;
+    }
+    top = (*cspan_at(&axis, INT64_C(3)));
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    if (reverse != mirror)
+    {
+        top = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+        bottom = (*cspan_at(&axis, INT64_C(3)));
+    }
+    segfmu_ramp_duration(&last_ramp, &slope, b + bottom, axis);
+    (*cspan_at(&family, INT64_C(0))) = v;
+    (*cspan_at(&family, INT64_C(1))) = a;
+    (*cspan_at(&family, INT64_C(2))) = w;
+    (*cspan_at(&family, INT64_C(3))) = b;
+    (*cspan_at(&family, INT64_C(4))) = top;
+    (*cspan_at(&family, INT64_C(5))) = bottom;
+    (*cspan_at(&family, INT64_C(7))) = last_ramp;
+    (*cspan_at(&family, INT64_C(13))) = reverse;
+    (*cspan_at(&family, INT64_C(14))) = mirror;
+    (*cspan_at(&family, INT64_C(15))) = 0.0;
+    (*cspan_at(&family, INT64_C(16))) = distance;
+    (*cspan_at(&family, INT64_C(17))) = -1.0;
+    (*cspan_at(&family, INT64_C(27))) = -1.0;
+    (*cspan_at(&family, INT64_C(18))) = last_ramp;
+    (*cspan_at(&family, INT64_C(33))) = 1.0;
+    (*cspan_at(&family, INT64_C(34))) = 0.0;
+    (*cspan_at(&family, INT64_C(25))) = 0.0;
+}
+static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
+{
+    (*cspan_at(&family, INT64_C(17))) = member;
+    (*cspan_at(&family, INT64_C(18))) = span_min(span_max((*cspan_at(&family, INT64_C(7))), 0.1 * time), time);
+    (*cspan_at(&family, INT64_C(26))) = -1.0;
+    if (by_time)
+    {
+        (*cspan_at(&family, INT64_C(15))) = 1.0;
+        (*cspan_at(&family, INT64_C(16))) = time;
+    }
+}
+static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family)
+{
+    double a;
+    double b;
+    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(25))) > 0.5))
+    {
+        return 0;
+    }
+    a = (*cspan_at(&problem, INT64_C(1)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    if (branch >= INT64_C(2))
+    {
+        a = -a;
+        b = -b;
+    }
+    return (a >= 0.0) && (b <= 0.0);
+}
+static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double b;
+    double level1;
+    double level2;
+    int64_t before;
+    double basis;
+    double duration;
+    int64_t count;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(27))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(28))));
+    before = count;
+    count = append_change(phases, count, level1, level2, axis);
+    if ((count > before) && ((*cspan_at(&family, INT64_C(33))) > 1.0))
+    {
+        basis = (*cspan_at(&phases, before, INT64_C(1)));
+        duration = basis * (*cspan_at(&family, INT64_C(33)));
+        (*cspan_at(&phases, before, INT64_C(0))) = duration;
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(34))) * (duration - basis);
+    }
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(30))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(32))), axis);
+    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    {
+        reverse_phases(phases, INT64_C(0), count);
+    }
+    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+    {
+        mirror_phases(phases, count);
+    }
+    return count;
+}
+static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
+{
+    double p;
+    double duration;
+    double y;
+    int64_t result;
+    (*cspan_at(&family, INT64_C(6))) = highest;
+    if ((*cspan_at(&family, INT64_C(17))) < 0.0)
+    {
+        p = canonical_search(family, axis);
+    }
+    else
+    {
+        p = nearby_member(family, axis);
+        if (p < 0.0)
+        {
+            p = member_search(family, axis);
+        }
+    }
+    if (p < 0.0)
+    {
+        return -INT64_C(1);
+    }
+    (*cspan_at(&family, INT64_C(26))) = p;
+    canonical_member(&duration, &y, p, family, axis);
+    if (duration < 0.0)
+    {
+        return -INT64_C(1);
+    }
+    result = write_member(phases, family, axis);
+    return result;
+}
+static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
+{
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double result;
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within_0001, axis);
+    result = span_max(highest - (*cspan_at(&axis, INT64_C(2))), (-lowest) - (*cspan_at(&axis, INT64_C(9))));
+    return result;
+}
+static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
+{
+    double peak_limit;
+    double other_limit;
+    double v;
+    double rounding;
+    double margin;
+    double too_low;
+    double inside;
+    int64_t i;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double peak;
+    double other;
+    double excess;
+    peak_limit = (*cspan_at(&axis, INT64_C(2)));
+    other_limit = (*cspan_at(&axis, INT64_C(9)));
+    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+    {
+        peak_limit = (*cspan_at(&axis, INT64_C(9)));
+        other_limit = (*cspan_at(&axis, INT64_C(2)));
+    }
+    v = (*cspan_at(&family, INT64_C(12)));
+    rounding = 1e-12 * fastest_velocity(axis);
+    margin = 1e-09 * fastest_velocity(axis);
+    too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * outside));
+    inside = too_low;
+    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
+    {
+        count = merged_form(phases, inside, family, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
+        peak = highest;
+        other = -lowest;
+        if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+        {
+            peak = -lowest;
+            other = highest;
+        }
+        if ((count <= INT64_C(0)) || (other > other_limit + rounding))
+        {
+            too_low = inside;
+        }
+        else if (peak > peak_limit + rounding)
+        {
+            outside = inside;
+            e_outside = peak - peak_limit + margin;
+        }
+        else
+        {
+            excess = span_max(peak - peak_limit, other - other_limit);
+            (*result_0) = inside;
+            (*result_1_0001) = outside;
+            (*result_2_0001) = excess + margin;
+            (*result_3_0001) = e_outside;
+            return 0;
+        }
+        if (too_low == outside)
+        {
+            break;
+        }
+        inside = 0.5 * (too_low + outside);
+    }
+    (*result_0) = -1.0;
+    (*result_1_0001) = outside;
+    (*result_2_0001) = 0.0;
+    (*result_3_0001) = e_outside;
+    return 0;
+}
+static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
+{
+    double margin;
+    double before;
+    double e_before;
+    bool newest_inside;
+    bool constant;
+    bool probing;
+    int64_t steps;
+    double share;
+    double level;
+    int64_t count;
+    double error;
+    double v;
+    margin = 1e-09 * fastest_velocity(axis);
+    before = outside;
+    e_before = e_outside;
+    newest_inside = 1;
+    constant = 0;
+    probing = 0;
+    steps = INT64_C(0);
+    while(steps < INT64_C(60))
+    {
+        steps = steps + INT64_C(1);
+        probing = 0;
+        if (constant)
+        {
+            e_inside = 0.0;
+            if (steps > INT64_C(24))
+            {
+                break;
+            }
+        }
+        else if (fabs(e_inside) <= margin)
+        {
+            probing = 1;
+        }
+        if (newest_inside)
+        {
+            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
+        }
+        else
+        {
+            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
+        }
+        if (probing)
+        {
+            share = 0.001;
+        }
+        level = inside + share * (outside - inside);
+        count = merged_form(phases, level, family, axis);
+        error = 0.0;
+        if (count > INT64_C(0))
+        {
+            v = (*cspan_at(&family, INT64_C(12)));
+            error = velocity_excess(phases, count, v, 0.0, axis) + margin;
+        }
+        if ((count > INT64_C(0)) && (error <= margin))
+        {
+            before = outside;
+            e_before = e_outside;
+            if (newest_inside)
+            {
+                before = inside;
+                e_before = e_inside;
+            }
+            inside = level;
+            e_inside = error;
+            newest_inside = 1;
+            if (probing && (outside - inside <= 1e-05 * outside))
+            {
+                break;
+            }
+            constant = constant || probing;
+        }
+        else if (probing)
+        {
+            break;
+        }
+        else
+        {
+            before = inside;
+            e_before = e_inside;
+            if (!newest_inside)
+            {
+                before = outside;
+                e_before = e_outside;
+            }
+            outside = level;
+            e_outside = error;
+            newest_inside = 0;
+        }
+    }
+    return inside;
+}
+static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis)
+{
+    double rounding;
+    double margin;
+    double v;
+    double e_outside;
+    double outside;
+    int64_t i;
+    double level;
+    double inside;
+    double e_inside;
+    int64_t count;
+    count = merged_form(phases, (*cspan_at(&family, INT64_C(4))), family, axis);
+    rounding = 1e-12 * fastest_velocity(axis);
+    margin = 1e-09 * fastest_velocity(axis);
+    if (count <= INT64_C(0))
+    {
+        return count;
+    }
+    v = (*cspan_at(&family, INT64_C(12)));
+    e_outside = velocity_excess(phases, count, v, slowest_velocity(axis), axis) + margin;
+    if (e_outside <= margin + rounding)
+    {
+        return count;
+    }
+    (*cspan_at(&family, INT64_C(25))) = 1.0;
+    outside = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        level = (*cspan_at(&phases, i, INT64_C(2)));
+        if ((*cspan_at(&family, INT64_C(13))) != (*cspan_at(&family, INT64_C(14))))
+        {
+            level = -level;
+        }
+        outside = span_max(outside, level);
+    }
+    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, family, axis);
+    if (inside < 0.0)
+    {
+        return INT64_C(0);
+    }
+    inside = highest_within(inside, outside, e_inside, e_outside, phases, family, axis);
+    count = merged_form(phases, inside, family, axis);
+    return count;
+}
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1_0001) = 0.0;
+        (*result_2) = -1.0;
+        return 0;
+    }
+    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
+    count = insert_hold(phases, count, row, 0.0, hold);
+    (*result_0) = count;
+    (*result_1_0001) = y + cruise * hold;
+    (*result_2) = hold;
+    return 0;
+}
+static double distance_within(double change, array_double_1d problem)
+{
+    double result;
+    result = 2.0 * (*cspan_at(&problem, INT64_C(5))) * fabs(change);
+    return result;
+}
+static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double limit;
+    double outside;
+    bool failed;
+    double missing;
+    double cruise;
+    int64_t i;
+    int64_t count;
+    double y_cruise;
+    double inside;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    limit = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    if (y > distance)
+    {
+        limit = -speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    }
+    inside = middle;
+    outside = limit;
+    failed = 0;
+    missing = distance - y;
+    cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
+    if (cruise * limit > limit * limit)
+    {
+        cruise = limit;
+    }
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (fabs(missing) > distance_within(outside - inside, problem))
+        {
+            break;
+        }
+        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = cruise;
+            if (((y_cruise - distance) * missing >= 0.0) || (cruise == limit))
+            {
+                break;
+            }
+            missing = distance - y_cruise;
+        }
+        else
+        {
+            outside = cruise;
+            failed = 1;
+        }
+        cruise = limit;
+        if (failed)
+        {
+            cruise = 0.5 * (inside + outside);
+            if ((cruise == inside) || (cruise == outside))
+            {
+                break;
+            }
+        }
+    }
+    return inside;
+}
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d nearest;
+    double distance;
+    double target;
+    double most;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    bool below;
+    bool above;
+    if (count <= INT64_C(0))
+    {
+        return;
+    }
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    nearest = span_row(&work, INT64_C(58));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    most = slowest_velocity(axis) * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
+    {
+        return;
+    }
+    if (fabs(duration - target) > 3e-11 * target)
+    {
+        return;
+    }
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * span_max(-lowest, highest))
+    {
+        return;
+    }
+    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
+    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(33)), count);
+        (*cspan_at(&nearest, INT64_C(0))) = count;
+        (*cspan_at(&nearest, INT64_C(1))) = y;
+    }
+    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
+    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(66)), count);
+        (*cspan_at(&nearest, INT64_C(2))) = count;
+        (*cspan_at(&nearest, INT64_C(3))) = y;
+    }
+}
+static bool is_enclosed(array_double_2d work)
+{
+    array_double_1d nearest;
+    bool result;
+    nearest = span_row(&work, INT64_C(58));
+    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
+    return result;
+}
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    int64_t count;
+    double hold;
+    double y;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+    keep_nearest(count, problem, axis, cell, work);
+    return y;
+}
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    double distance;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double speed;
+    double rounding;
+    int64_t i;
+    double share;
+    double cruise;
+    double error;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_other;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        if ((e_newest == 0.0) || (e_other == 0.0))
+        {
+            return;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        if (i == INT64_C(0))
+        {
+            share = e_newest / (e_newest - e_other);
+        }
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            return;
+        }
+        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
+        if (fabs(error) <= rounding)
+        {
+            return;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = cruise;
+        e_newest = error;
+    }
+}
+static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double newest;
+    double other;
+    double before;
+    double h_newest;
+    double h_other;
+    double h_before;
+    double width;
+    int64_t i;
+    double share;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    bool fits;
+    newest = outside;
+    other = inside;
+    before = inside;
+    h_newest = h_outside;
+    h_other = h_inside;
+    h_before = h_inside;
+    width = 1e-10 * fabs(outside - inside);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (fabs(outside - inside) <= width)
+        {
+            break;
+        }
+        share = root_share(newest, other, before, h_newest, h_other, h_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            break;
+        }
+        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if (count < INT64_C(0))
+        {
+            hold = 0.0;
+        }
+        next_bracket(&other, &before, &h_other, &h_before, fits != (newest == inside), newest, other, h_newest, h_other);
+        newest = cruise;
+        h_newest = hold;
+        if (fits)
+        {
+            inside = cruise;
+            if (hold <= 1e-12 * (*cspan_at(&problem, INT64_C(5))))
+            {
+                break;
+            }
+        }
+        else
+        {
+            outside = cruise;
+        }
+    }
+    return inside;
+}
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double distance;
+    double fastest;
+    double backwards;
+    int64_t samples;
+    bool inside;
+    double before;
+    double e_before;
+    double h_before;
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    double error;
+    bool fits;
+    double lower;
+    double e_lower;
+    double upper;
+    double e_upper;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    fastest = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    backwards = speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    samples = INT64_C(24);
+    inside = 0;
+    before = 0.0;
+    e_before = 0.0;
+    h_before = 0.0;
+    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        cruise = fastest * (2.0 * i / samples - 1.0);
+        if (cruise < 0.0)
+        {
+            cruise = backwards * (2.0 * i / samples - 1.0);
+        }
+        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+        error = y - distance;
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if (count < INT64_C(0))
+        {
+            hold = 0.0;
+        }
+        if (fits)
+        {
+            keep_nearest(count, problem, axis, cell, work);
+        }
+        if ((i > INT64_C(0)) && (inside || fits))
+        {
+            lower = before;
+            e_lower = e_before;
+            upper = cruise;
+            e_upper = error;
+            if (!inside)
+            {
+                lower = cruise_edge(cruise, before, hold, h_before, trial, problem, axis);
+                e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
+            }
+            if (!fits)
+            {
+                upper = cruise_edge(before, cruise, h_before, hold, trial, problem, axis);
+                e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
+            }
+            if (e_lower * e_upper <= 0.0)
+            {
+                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
+            }
+            if (is_enclosed(work))
+            {
+                return;
+            }
+        }
+        inside = fits;
+        before = cruise;
+        e_before = error;
+        h_before = hold;
+    }
+}
+static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double part;
+    double side;
+    double duration;
+    double y;
+    double error;
+    double speed;
+    (*cspan_at(&family, INT64_C(33))) = 1.0;
+    (*cspan_at(&family, INT64_C(34))) = 0.0;
+    if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
+    {
+        if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
+        {
+            (*result_0) = -1.0;
+            (*result_1) = 0.0;
+            return 0;
+        }
+    }
+    else if (arc == INT64_C(5))
+    {
+        (*cspan_at(&family, INT64_C(34))) = 0.25 * place;
+        if (!slow_middle(0.0, 0.0, family, axis))
+        {
+            (*result_0) = -1.0;
+            (*result_1) = 0.0;
+            return 0;
+        }
+    }
+    else
+    {
+        if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
+        {
+            (*cspan_at(&family, INT64_C(34))) = 1.0;
+        }
+        part = 0.5 * place - 1.0;
+        side = 0.0;
+        if (part < 0.0)
+        {
+            side = 2.0;
+        }
+        if ((arc == INT64_C(2)) || (arc == INT64_C(4)))
+        {
+            side = side + 1.0;
+        }
+        if (!slow_middle(side, largest * part * part, family, axis))
+        {
+            (*result_0) = -1.0;
+            (*result_1) = 0.0;
+            return 0;
+        }
+    }
+    member_distance(&duration, &y, family, axis);
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    {
+        error = duration - (*cspan_at(&family, INT64_C(16)));
+        if (fabs(error) <= 1e-15 * duration)
+        {
+            error = 0.0;
+        }
+        (*result_0) = duration;
+        (*result_1) = error;
+        return 0;
+    }
+    error = y - (*cspan_at(&family, INT64_C(16)));
+    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + top_acceleration(axis) * duration;
+    if (fabs(error) <= 2e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
+    {
+        error = 0.0;
+    }
+    (*result_0) = duration;
+    (*result_1) = error;
+    return 0;
+}
+static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double place;
+    double error;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    int64_t i;
+    double share;
+    double duration;
+    if ((e_lower == 0.0) || (e_upper == 0.0))
+    {
+        place = upper;
+        if (e_lower == 0.0)
+        {
+            place = lower;
+        }
+        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
+        return duration;
+    }
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_lower;
+    duration = -1.0;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        place = newest + share * (other - newest);
+        if ((place == newest) || (place == other))
+        {
+            break;
+        }
+        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
+        if (duration < 0.0)
+        {
+            return -1.0;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = place;
+        e_newest = error;
+        if (error == 0.0)
+        {
+            break;
+        }
+    }
+    return duration;
+}
+static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    int64_t samples;
+    double place;
+    double duration;
+    double e_place;
+    bool known;
+    int64_t i;
+    double before;
+    double e_before;
+    bool was_known;
+    double other;
+    double e_other;
+    double inside;
+    double e_inside;
+    double outside;
+    int64_t j;
+    double middle;
+    double error;
+    samples = INT64_C(48);
+    place = 4.0 * sample / samples;
+    loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
+    known = duration >= 0.0;
+    for (i = sample + INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        before = place;
+        e_before = e_place;
+        was_known = known;
+        place = 4.0 * i / samples;
+        loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
+        known = duration >= 0.0;
+        if ((!known) && (!was_known))
+        {
+            continue;
+        }
+        other = before;
+        e_other = e_before;
+        inside = place;
+        e_inside = e_place;
+        if (known != was_known)
+        {
+            outside = before;
+            other = place;
+            e_other = e_place;
+            if (was_known)
+            {
+                outside = place;
+                other = before;
+                e_other = e_before;
+            }
+            inside = other;
+            e_inside = e_other;
+            for (j = INT64_C(0); j < INT64_C(12); j += INT64_C(1))
+            {
+                middle = 0.5 * (inside + outside);
+                loop_excess(&duration, &error, arc, middle, missing, largest, family, axis);
+                if (duration < 0.0)
+                {
+                    outside = middle;
+                }
+                else
+                {
+                    inside = middle;
+                    e_inside = error;
+                    if (error * e_other <= 0.0)
+                    {
+                        break;
+                    }
+                }
+            }
+        }
+        if ((other != inside) && (e_other * e_inside <= 0.0))
+        {
+            duration = loop_root(arc, other, inside, e_other, e_inside, missing, largest, family, axis);
+            if (duration >= 0.0)
+            {
+                (*result_0) = i;
+                (*result_1) = duration;
+                return 0;
+            }
+        }
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = -1.0;
+    return 0;
+}
+static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d family;
+    array_double_2d trial;
+    double missing;
+    double given;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(98));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    missing = set_loop(problem, axis, family);
+    given = longest;
+    for (arc = INT64_C(0); arc < last + INT64_C(1); arc += INT64_C(1))
+    {
+        if ((arc == INT64_C(6)) && (longest < given))
+        {
+            break;
+        }
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            arc_root(&sample, &duration, arc, sample, missing, given, family, axis);
+            if ((sample >= INT64_C(0)) && (duration < longest))
+            {
+                used = write_member(trial, family, axis);
+                duration = valid_duration(trial, used, problem, axis);
+                if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
+                {
+                    copy_phases(trial, phases, used);
+                    count = used;
+                    longest = duration;
+                }
+            }
+        }
+    }
+    return count;
+}
+static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d family;
+    double target;
+    double missing;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(98));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    missing = set_loop(problem, axis, family);
+    (*cspan_at(&family, INT64_C(15))) = 1.0;
+    (*cspan_at(&family, INT64_C(16))) = target;
+    for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
+    {
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            arc_root(&sample, &duration, arc, sample, missing, target, family, axis);
+            if (sample >= INT64_C(0))
+            {
+                used = write_member(span_rows(&work, INT64_C(0), INT64_C(21)), family, axis);
+                keep_nearest(used, problem, axis, cell, work);
+            }
+        }
+        if (is_enclosed(work))
+        {
+            return;
+        }
+    }
+}
+static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d family;
+    array_double_2d trial;
+    double missing;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(98));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    missing = set_loop(problem, axis, family);
+    arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
+    if (sample < INT64_C(0))
+    {
+        (*result_0_0001) = -INT64_C(1);
+        (*result_1_0001) = -1.0;
+        return 0;
+    }
+    used = write_member(trial, family, axis);
+    (*result_0_0001) = sample;
+    (*result_1_0001) = valid_duration(trial, used, problem, axis);
+    return 0;
+}
+static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state)
+{
+    double power;
+    int64_t i;
+    double value;
+    value = (*cspan_at(&state, order));
+    power = 1.0;
+    for (i = order + INT64_C(1); i < top + INT64_C(1); i += INT64_C(1))
+    {
+        power = power * (t / (i - order));
+        value = value + power * (*cspan_at(&state, i));
+    }
+    return value;
+}
+static double zero_time(int64_t order, int64_t top, double length, array_double_1d state)
+{
+    double lower;
+    double upper;
+    int64_t i;
+    double value;
+    double step;
+    double slope;
+    double newton;
+    double t;
+    lower = 0.0;
+    upper = length;
+    t = 0.5 * length;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        value = taylor_value(order, top, t, state);
+        if (value * (*cspan_at(&state, order)) > 0.0)
+        {
+            lower = t;
+        }
+        else
+        {
+            upper = t;
+        }
+        step = 0.5 * (lower + upper) - t;
+        slope = taylor_value(order + INT64_C(1), top, t, state);
+        if (slope != 0.0)
+        {
+            newton = (-value) / slope;
+            if ((t + newton > lower) && (t + newton < upper))
+            {
+                step = newton;
+            }
+        }
+        t = t + step;
+        if (fabs(step) <= 1e-07 * length)
+        {
+            break;
+        }
+    }
+    return t;
+}
+static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end)
+{
+    int64_t order;
+    double power;
+    int64_t j;
+    for (order = INT64_C(0); order < top + INT64_C(1); order += INT64_C(1))
+    {
+        (*cspan_at(&end, order)) = (*cspan_at(&state, order));
+    }
+    power = 1.0;
+    for (j = INT64_C(1); j < top + INT64_C(1); j += INT64_C(1))
+    {
+        power = power * (length / j);
+        for (order = INT64_C(0); order < top + INT64_C(1) - j; order += INT64_C(1))
+        {
+            (*cspan_at(&end, order)) = (*cspan_at(&end, order)) + power * (*cspan_at(&state, order + j));
+        }
+    }
+}
+static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d axis, array_double_1d end, array_double_2d excess)
+{
+    int64_t order;
+    double limit;
+    double share;
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        limit = side_limit(order, (*cspan_at(&end, order)), axis);
+        if (limit > 0.0)
+        {
+            share = fabs((*cspan_at(&end, order))) / limit - 1.0;
+            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
+            {
+                (*cspan_at(&excess, order, INT64_C(0))) = share;
+                (*cspan_at(&excess, order, INT64_C(1))) = node;
+                (*cspan_at(&excess, order, INT64_C(2))) = holding;
+                (*cspan_at(&excess, order, INT64_C(3))) = 1.0;
+                if ((*cspan_at(&end, order)) < 0.0)
+                {
+                    (*cspan_at(&excess, order, INT64_C(3))) = -1.0;
+                }
+            }
+        }
+    }
+}
+static void piece_excess(double length, int64_t node, bool holding, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d state;
+    array_double_1d end;
+    array_double_2d excess;
+    int64_t q;
+    int64_t top;
+    double rest;
+    int64_t i;
+    double step;
+    int64_t j;
+    int64_t order;
+    state = span_row(&work, INT64_C(203));
+    end = span_row(&work, INT64_C(203) + INT64_C(1));
+    excess = span_rows(&work, INT64_C(196), INT64_C(202));
+    q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
+    top = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
+    rest = length;
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    {
+        step = rest;
+        advance_piece(top, step, state, end);
+        for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+        {
+            order = q - j;
+            if ((*cspan_at(&state, order)) * (*cspan_at(&end, order)) < 0.0)
+            {
+                step = zero_time(order, top, step, state);
+                advance_piece(top, step, state, end);
+                (*cspan_at(&end, order)) = 0.0;
+            }
+        }
+        note_excess(q, node, holding, axis, end, excess);
+        for (order = INT64_C(0); order < top + INT64_C(1); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = (*cspan_at(&end, order));
+        }
+        rest = rest - step;
+        if (rest <= 0.0)
+        {
+            break;
+        }
+    }
+}
+static bool measure_excess(array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d excess;
+    array_double_1d state;
+    int64_t above;
+    int64_t q;
+    int64_t boxes;
+    double level;
+    int64_t pieces;
+    int64_t order;
+    int64_t i;
+    int64_t row;
+    double ramp;
+    double change;
+    int64_t piece;
+    int64_t held;
+    double sign;
+    double basis;
+    double length;
+    double peak;
+    passing = span_row(&work, INT64_C(101));
+    excess = span_rows(&work, INT64_C(196), INT64_C(202));
+    state = span_row(&work, INT64_C(203));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    q = above + INT64_C(2);
+    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
+    level = (*cspan_at(&passing, INT64_C(8)));
+    pieces = rise_pieces(boxes);
+    for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
+    {
+        (*cspan_at(&excess, order, INT64_C(0))) = 0.0;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        row = INT64_C(102) + i;
+        for (order = INT64_C(0); order < INT64_C(8); order += INT64_C(1))
+        {
+            (*cspan_at(&state, order)) = 0.0;
+            if (order < q)
+            {
+                (*cspan_at(&state, order)) = (*cspan_at(&work, row, INT64_C(0) + order));
+            }
+        }
+        (*cspan_at(&state, q)) = level;
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        change = (*cspan_at(&work, row, INT64_C(9))) - level;
+        if (ramp > 0.0)
+        {
+            for (piece = INT64_C(1); piece < pieces + INT64_C(1); piece += INT64_C(1))
+            {
+                held_level(&held, &sign, piece, boxes);
+                basis = ramp * (*cspan_at(&passing, INT64_C(2)));
+                piece_peak(&length, &peak, held, above, change, ramp, basis, axis);
+                for (order = q + INT64_C(1) + held; order < INT64_C(8); order += INT64_C(1))
+                {
+                    (*cspan_at(&state, order)) = 0.0;
+                }
+                (*cspan_at(&state, q + INT64_C(1) + held)) = sign * peak;
+                if (length > 0.0)
+                {
+                    piece_excess(length, i, 0, axis, work);
+                }
+            }
+        }
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        if ((*cspan_at(&work, row, INT64_C(10))) > 0.0)
+        {
+            for (order = q; order < INT64_C(8); order += INT64_C(1))
+            {
+                (*cspan_at(&state, order)) = 0.0;
+            }
+            (*cspan_at(&state, q)) = level;
+            piece_excess((*cspan_at(&work, row, INT64_C(10))), i, 1, axis, work);
+        }
+    }
+    for (order = INT64_C(1); order < q; order += INT64_C(1))
+    {
+        if ((*cspan_at(&excess, order, INT64_C(0))) > 0.0)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
 static double power_term(double t, double sixth)
 {
     return t * t * t * t * t * t * sixth / 720.0;
@@ -10485,317 +15067,6 @@ static void add_instant(int64_t order, double sign, int64_t node, array_double_1
     peak = (int64_t)((*cspan_at(&passing, INT64_C(13))));
     place_instant(peak, order, sign, node, passing);
     (*cspan_at(&passing, INT64_C(13))) = peak + INT64_C(1);
-}
-static void transition_coefficients(int64_t order, array_double_1d coefficients)
-{
-    int64_t i;
-    double scale;
-    double binomial;
-    for (i = INT64_C(0); i < INT64_C(2) * order + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, i)) = 0.0;
-    }
-    scale = 1.0;
-    for (i = INT64_C(1); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        scale = scale * (order + INT64_C(1) + i) / i;
-    }
-    scale = scale * (order + INT64_C(1));
-    binomial = 1.0;
-    for (i = INT64_C(0); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, order + INT64_C(1) + i)) = scale * binomial / (order + INT64_C(1) + i);
-        binomial = (-binomial) * (order - i) / (i + INT64_C(1));
-    }
-}
-static double polynomial_derivative(array_double_1d coefficients, int64_t count, int64_t times, double s)
-{
-    int64_t j;
-    int64_t i;
-    double factor;
-    int64_t m;
-    double value;
-    value = 0.0;
-    for (j = INT64_C(0); j < count - times; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        factor = 1.0;
-        for (m = INT64_C(0); m < times; m += INT64_C(1))
-        {
-            factor = factor * (i - m);
-        }
-        value = value * s + factor * (*cspan_at(&coefficients, i));
-    }
-    return value;
-}
-static void transition_peaks(int64_t order, array_double_1d coefficients, array_double_1d peaks)
-{
-    int64_t count;
-    int64_t samples;
-    int64_t j;
-    double best;
-    int64_t at;
-    int64_t i;
-    double value;
-    double lower;
-    double upper;
-    double left;
-    double middle;
-    double slope;
-    count = INT64_C(2) * order + INT64_C(2);
-    transition_coefficients(order, coefficients);
-    (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
-    for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
-    {
-        best = 0.0;
-        at = INT64_C(0);
-        for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-        {
-            value = fabs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)));
-            if (value > best)
-            {
-                best = value;
-                at = i;
-            }
-        }
-        lower = (at - INT64_C(1)) / (2.0 * samples);
-        upper = (at + INT64_C(1)) / (2.0 * samples);
-        if (at == INT64_C(0))
-        {
-            lower = 0.0;
-        }
-        left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            middle = 0.5 * (lower + upper);
-            slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
-            if (slope * left > 0.0)
-            {
-                lower = middle;
-            }
-            else
-            {
-                upper = middle;
-            }
-        }
-        value = fabs(polynomial_derivative(coefficients, count, j, 0.5 * (lower + upper)));
-        if (value > best)
-        {
-            best = value;
-        }
-        (*cspan_at(&peaks, j)) = best;
-    }
-}
-void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(0))) = smoothness;
-    (*cspan_at(&axis, INT64_C(1))) = shape;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(2) + i)) = (*cspan_at(&limits, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(9) + i)) = (*cspan_at(&limits, i));
-    }
-}
-static double usual_share(array_double_1d axis)
-{
-    int64_t raised;
-    raised = (int64_t)((*cspan_at(&axis, INT64_C(11))));
-    if (((*cspan_at(&axis, INT64_C(0))) + raised == 4.0) && (raised < INT64_C(2)) && ((*cspan_at(&axis, INT64_C(4) + INT64_C(1) - raised)) > 0.0))
-    {
-        return 0.05;
-    }
-    return 0.1;
-}
-static double steeper_above(void)
-{
-    return 0.2;
-}
-static double moderate_share(void)
-{
-    return 0.02;
-}
-static double steepest_share(void)
-{
-    return 0.004;
-}
-static bool ramps_suffice(array_double_1d axis)
-{
-    bool result;
-    result = (*cspan_at(&axis, INT64_C(21) + INT64_C(1))) == 0.0;
-    return result;
-}
-static bool snap_is_last(array_double_1d axis)
-{
-    bool result;
-    result = ((*cspan_at(&axis, INT64_C(26))) == 0.0) && ramps_suffice(axis);
-    return result;
-}
-static double saving(array_double_1d axis)
-{
-    double result;
-    result = 0.6 * (*cspan_at(&axis, INT64_C(26) + INT64_C(1)));
-    return result;
-}
-static bool plateau_parameters(double share, array_double_1d axis)
-{
-    int64_t boxes;
-    int64_t last;
-    int64_t level;
-    int64_t i;
-    double limit;
-    double rise;
-    double slope;
-    double time;
-    double variance;
-    double fourth;
-    double jerk;
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1);
-    (*cspan_at(&axis, INT64_C(14))) = 1.0;
-    last = -INT64_C(1);
-    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
-    {
-        if ((*cspan_at(&axis, INT64_C(4) + level)) > 0.0)
-        {
-            last = level;
-        }
-    }
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    (*cspan_at(&axis, INT64_C(38))) = span_min_int(span_floor_div((last + INT64_C(1)), INT64_C(2)), INT64_C(2));
-    for (level = INT64_C(0); level < boxes - INT64_C(1); level += INT64_C(1))
-    {
-        if ((level > INT64_C(0)) || (last == INT64_C(0)))
-        {
-            (*cspan_at(&axis, INT64_C(26) + level)) = share;
-            if (level > last)
-            {
-                (*cspan_at(&axis, INT64_C(26) + level)) = span_max(share, usual_share(axis));
-            }
-            if ((level + (*cspan_at(&axis, INT64_C(11))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(11))) > 1.5))
-            {
-                (*cspan_at(&axis, INT64_C(26) + level)) = steeper_above() * share;
-            }
-        }
-    }
-    for (i = INT64_C(0); i < last; i += INT64_C(1))
-    {
-        level = last - INT64_C(1) - i;
-        limit = (*cspan_at(&axis, INT64_C(4) + level));
-        rise = 1e+60;
-        if (limit > 0.0)
-        {
-            plateau_duration(&rise, &slope, limit, level + INT64_C(1), axis);
-        }
-        (*cspan_at(&axis, INT64_C(21) + level)) = rise;
-    }
-    if (last == INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(20))) = 0.25 * (*cspan_at(&axis, INT64_C(4) + INT64_C(1))) * (1.0 - (*cspan_at(&axis, INT64_C(26) + INT64_C(1))));
-        (*cspan_at(&axis, INT64_C(19))) = 1.0 / (*cspan_at(&axis, INT64_C(20)));
-    }
-    if (last <= INT64_C(1))
-    {
-        time = 1.0;
-        if (last == INT64_C(1))
-        {
-            time = (*cspan_at(&axis, INT64_C(21)));
-        }
-        rise_moments(&variance, &fourth, time, INT64_C(0), axis);
-        (*cspan_at(&axis, INT64_C(36))) = variance / (time * time);
-    }
-    jerk = (*cspan_at(&axis, INT64_C(4)));
-    if (jerk > 0.0)
-    {
-        rise = (*cspan_at(&axis, INT64_C(21)));
-        (*cspan_at(&axis, INT64_C(15))) = jerk * rise;
-        (*cspan_at(&axis, INT64_C(17))) = jerk * (1.0 - (*cspan_at(&axis, INT64_C(26))));
-        (*cspan_at(&axis, INT64_C(16))) = 1.0 / (*cspan_at(&axis, INT64_C(17)));
-        (*cspan_at(&axis, INT64_C(18))) = rise;
-        if (rise > 0.0)
-        {
-            rise_moments(cspan_at(&axis, INT64_C(37)), &fourth, rise, INT64_C(1), axis);
-        }
-    }
-    return 1;
-}
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
-    int64_t k;
-    int64_t j;
-    double limit;
-    double slope;
-    int64_t e;
-    double change;
-    bool bounded;
-    k = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    bounded = 0;
-    transition_peaks(k, psi, peaks);
-    (*cspan_at(&axis, INT64_C(39))) = 2.0 * k + 2.0;
-    for (j = INT64_C(0); j < INT64_C(2) * k + INT64_C(2); j += INT64_C(1))
-    {
-        (*cspan_at(&axis, INT64_C(40) + j)) = (*cspan_at(&psi, j));
-    }
-    (*cspan_at(&axis, INT64_C(36))) = 1.0 / (4.0 * (INT64_C(2) * k + INT64_C(3)));
-    for (j = INT64_C(1); j < k + INT64_C(2); j += INT64_C(1))
-    {
-        limit = (*cspan_at(&axis, INT64_C(4) + j - INT64_C(1)));
-        if (limit > 0.0)
-        {
-            (*cspan_at(&axis, INT64_C(31) + j - INT64_C(1))) = (*cspan_at(&peaks, j)) / limit;
-            bounded = 1;
-        }
-    }
-    slope = (*cspan_at(&axis, INT64_C(31)));
-    if (slope > 0.0)
-    {
-        (*cspan_at(&axis, INT64_C(15))) = 0.0;
-        (*cspan_at(&axis, INT64_C(16))) = slope;
-        (*cspan_at(&axis, INT64_C(17))) = 1.0 / slope;
-        for (e = INT64_C(2); e < k + INT64_C(2); e += INT64_C(1))
-        {
-            change = pow(((*cspan_at(&axis, INT64_C(31) + e - INT64_C(1))) / pow(slope, (double)(e))), (1.0 / (e - INT64_C(1))));
-            (*cspan_at(&axis, INT64_C(15))) = span_max((*cspan_at(&axis, INT64_C(15))), change);
-        }
-    }
-    return bounded;
-}
-bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
-{
-    int64_t i;
-    double duration;
-    double slope;
-    bool bounded;
-    for (i = INT64_C(13); i < INT64_C(50); i += INT64_C(1))
-    {
-        (*cspan_at(&axis, i)) = 0.0;
-    }
-    (*cspan_at(&axis, INT64_C(15))) = 1e+300;
-    bounded = 0;
-    if ((int64_t)((*cspan_at(&axis, INT64_C(1)))) == INT64_C(1))
-    {
-        bounded = plateau_parameters(share, axis);
-    }
-    else
-    {
-        bounded = smoothstep_parameters(axis, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)));
-    }
-    if (bounded)
-    {
-        segfmu_ramp_duration(&duration, &slope, top_acceleration(axis), axis);
-        (*cspan_at(&axis, INT64_C(13))) = duration;
-    }
-    return bounded;
 }
 static double power_of(double base, int64_t exponent)
 {
@@ -11211,6 +15482,773 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
     conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
     conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(13))));
     return (conditions == count) && (count <= INT64_C(16));
+}
+static void begin_dip(int64_t above, double v, double a, array_double_2d work)
+{
+    array_double_1d passing;
+    double sign;
+    int64_t i;
+    int64_t column;
+    passing = span_row(&work, INT64_C(101));
+    (*cspan_at(&passing, INT64_C(0))) = above + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(1))) = above;
+    (*cspan_at(&passing, INT64_C(2))) = 1.0;
+    (*cspan_at(&passing, INT64_C(8))) = 0.0;
+    sign = -1.0;
+    for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
+    {
+        for (column = INT64_C(0); column < INT64_C(12); column += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(102) + i, column)) = 0.0;
+        }
+        (*cspan_at(&work, INT64_C(102) + i, INT64_C(5))) = sign;
+        sign = -sign;
+    }
+    (*cspan_at(&work, INT64_C(102), INT64_C(0) + INT64_C(1))) = v;
+    (*cspan_at(&work, INT64_C(102), INT64_C(0) + INT64_C(2))) = a;
+}
+static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    array_double_2d nodes;
+    int64_t above;
+    int64_t i;
+    double hold;
+    double result;
+    passing = span_row(&work, INT64_C(101));
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
+    for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
+    {
+        if (i <= above)
+        {
+            set_level(span_row(&nodes, i), passing, axis);
+        }
+        pass_node(i, passing, axis, nodes);
+        if ((*cspan_at(&nodes, i, INT64_C(10))) > 0.0)
+        {
+            hold = (*cspan_at(&nodes, i, INT64_C(10)));
+            advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, above, span_row(&nodes, i + INT64_C(1)));
+        }
+    }
+    result = (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + order));
+    return result;
+}
+static double last_jerk(double second, array_double_1d axis, array_double_2d work)
+{
+    double result;
+    (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = second;
+    result = follow_dip(INT64_C(3), axis, work);
+    return result;
+}
+static void balance_jerk(array_double_1d axis, array_double_2d work)
+{
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    int64_t i;
+    double before;
+    double e_before;
+    double share;
+    double second;
+    double error;
+    bool crossed;
+    newest = (*cspan_at(&work, INT64_C(102), INT64_C(6)));
+    e_newest = last_jerk(newest, axis, work);
+    if (e_newest >= 0.0)
+    {
+        return;
+    }
+    other = 2.0 * newest;
+    e_other = last_jerk(other, axis, work);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (e_other >= 0.0)
+        {
+            break;
+        }
+        newest = other;
+        e_newest = e_other;
+        other = 2.0 * other;
+        e_other = last_jerk(other, axis, work);
+    }
+    before = other;
+    e_before = e_other;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        second = newest + share * (other - newest);
+        if ((second == newest) || (second == other) || (e_newest == 0.0))
+        {
+            break;
+        }
+        error = last_jerk(second, axis, work);
+        crossed = error * e_newest <= 0.0;
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = second;
+        e_newest = error;
+    }
+    (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = newest;
+}
+static double last_excess(double time, double end, array_double_1d axis, array_double_2d work)
+{
+    int64_t above;
+    double result;
+    above = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1))));
+    (*cspan_at(&work, INT64_C(102) + above, INT64_C(6))) = time;
+    if (above == INT64_C(2))
+    {
+        balance_jerk(axis, work);
+    }
+    result = follow_dip(INT64_C(2), axis, work) - end;
+    return result;
+}
+static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work)
+{
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
+    int64_t i;
+    double share;
+    double time;
+    double error;
+    bool crossed;
+    (*cspan_at(&work, INT64_C(102), INT64_C(6))) = first;
+    newest = 0.0;
+    e_newest = last_excess(newest, end, axis, work);
+    if (e_newest > 0.0)
+    {
+        return 0;
+    }
+    other = first;
+    e_other = last_excess(other, end, axis, work);
+    before = other;
+    e_before = e_other;
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        time = newest + share * (other - newest);
+        if ((time == newest) || (time == other) || (e_newest == 0.0))
+        {
+            break;
+        }
+        error = last_excess(time, end, axis, work);
+        crossed = error * e_newest <= 0.0;
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = time;
+        e_newest = error;
+    }
+    last_excess(newest, end, axis, work);
+    return 1;
+}
+static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d excess;
+    bool fast;
+    bool shallow;
+    bool deep;
+    int64_t order;
+    excess = span_rows(&work, INT64_C(196), INT64_C(202));
+    if (!close_dip(first, end, axis, work))
+    {
+        (*result_0) = 1;
+        (*result_1) = 0;
+        return 0;
+    }
+    if (!measure_excess(axis, work))
+    {
+        (*result_0) = 0;
+        (*result_1) = 0;
+        return 0;
+    }
+    fast = (*cspan_at(&excess, INT64_C(1), INT64_C(0))) > 0.0;
+    shallow = fast && ((*cspan_at(&excess, INT64_C(1), INT64_C(3))) > 0.0);
+    deep = fast && (!shallow);
+    for (order = INT64_C(2); order < INT64_C(4); order += INT64_C(1))
+    {
+        deep = deep || ((*cspan_at(&excess, order, INT64_C(0))) > 0.0);
+    }
+    (*result_0) = shallow;
+    (*result_1) = deep;
+    return 0;
+}
+static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work)
+{
+    double accuracy;
+    double upper;
+    int64_t i;
+    double first;
+    bool shallow;
+    bool deep;
+    double found;
+    accuracy = 0.001;
+    if (deepest)
+    {
+        accuracy = 0.01;
+    }
+    upper = 1e+300;
+    found = -1.0;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        first = 2.0 * lower;
+        if (upper < 1e+300)
+        {
+            first = 0.5 * (lower + upper);
+        }
+        judge_dip(&shallow, &deep, first, end, axis, work);
+        if (shallow && deep)
+        {
+            break;
+        }
+        if ((!shallow) && (!deep))
+        {
+            found = first;
+        }
+        if (shallow || (deepest && (!deep)))
+        {
+            lower = first;
+        }
+        else
+        {
+            upper = first;
+        }
+        if ((upper - lower <= 1e-12 * upper) || ((found > 0.0) && (upper - lower <= accuracy * upper)))
+        {
+            break;
+        }
+    }
+    return found;
+}
+static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work)
+{
+    double sign;
+    double duration;
+    double slope;
+    double gain;
+    int64_t lower;
+    int64_t above;
+    double least;
+    sign = 1.0;
+    if (a < 0.0)
+    {
+        sign = -1.0;
+    }
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    gain = 0.37 * fabs(a) * duration;
+    if (ramps_suffice(axis) || (sign * v + gain > side_limit(INT64_C(1), sign, axis)))
+    {
+        return 0;
+    }
+    (*cspan_at(&dips, INT64_C(0))) = v;
+    (*cspan_at(&dips, INT64_C(1))) = a;
+    (*cspan_at(&dips, INT64_C(2))) = (-sign) * end;
+    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(38)))); lower += INT64_C(1))
+    {
+        above = (int64_t)((*cspan_at(&axis, INT64_C(38)))) - lower;
+        begin_dip(above, sign * v, fabs(a), work);
+        if (sign < 0.0)
+        {
+            mirror_axis(axis);
+        }
+        least = find_edge(0, 0.02 * duration, -end, axis, work);
+        if (sign < 0.0)
+        {
+            mirror_axis(axis);
+        }
+        if (least > 0.0)
+        {
+            (*cspan_at(&dips, INT64_C(3))) = above;
+            (*cspan_at(&dips, INT64_C(4))) = least;
+            (*cspan_at(&dips, INT64_C(5))) = least;
+            return 1;
+        }
+    }
+    return 0;
+}
+static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work)
+{
+    double end;
+    end = -fabs((*cspan_at(&dips, INT64_C(2))));
+    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
+    {
+        mirror_axis(axis);
+    }
+    (*cspan_at(&dips, INT64_C(5))) = span_max(find_edge(1, (*cspan_at(&dips, INT64_C(4))), end, axis, work), (*cspan_at(&dips, INT64_C(4))));
+    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
+    {
+        mirror_axis(axis);
+    }
+}
+static int64_t write_levels(array_double_2d phases, array_double_2d work)
+{
+    double above;
+    double level;
+    int64_t i;
+    int64_t row;
+    double ramp;
+    int64_t used;
+    above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
+    level = 0.0;
+    used = INT64_C(0);
+    for (i = INT64_C(0); i < (int64_t)(above) + INT64_C(2); i += INT64_C(1))
+    {
+        row = INT64_C(102) + i;
+        ramp = (*cspan_at(&work, row, INT64_C(11)));
+        used = append_phase(phases, used, ramp, ramp, level, (*cspan_at(&work, row, INT64_C(9))) - level, above);
+        level = (*cspan_at(&work, row, INT64_C(9)));
+        used = append_phase(phases, used, (*cspan_at(&work, row, INT64_C(10))), 0.0, level, 0.0, above);
+    }
+    return used;
+}
+static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work)
+{
+    int64_t above;
+    double sign;
+    double first;
+    int64_t count;
+    array_double_2d nodes;
+    double duration;
+    double y;
+    double v;
+    above = (int64_t)((*cspan_at(&dips, INT64_C(3))));
+    if (above == INT64_C(0))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1) = 0.0;
+        (*result_2) = 0.0;
+        (*result_3) = (*cspan_at(&dips, INT64_C(0)));
+        return 0;
+    }
+    sign = 1.0;
+    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
+    {
+        sign = -1.0;
+    }
+    begin_dip(above, sign * (*cspan_at(&dips, INT64_C(0))), fabs((*cspan_at(&dips, INT64_C(1)))), work);
+    first = (*cspan_at(&dips, INT64_C(4))) + depth * ((*cspan_at(&dips, INT64_C(5))) - (*cspan_at(&dips, INT64_C(4))));
+    close_dip(first, sign * (*cspan_at(&dips, INT64_C(2))), axis, work);
+    count = write_levels(phases, work);
+    if (sign < 0.0)
+    {
+        mirror_phases(phases, count);
+    }
+    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
+    duration = sequence_duration(span_row(&work, INT64_C(101)), nodes);
+    y = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0)));
+    v = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1)));
+    v = boundary_value(v, (*cspan_at(&axis, INT64_C(9))), (*cspan_at(&axis, INT64_C(2))));
+    (*result_0) = count;
+    (*result_1) = duration;
+    (*result_2) = y;
+    (*result_3) = v;
+    return 0;
+}
+static double peak_past_zero(double v, double a, double level, array_double_1d axis)
+{
+    double duration;
+    double slope;
+    double result;
+    segfmu_ramp_duration(&duration, &slope, a - level, axis);
+    if (level >= 0.0)
+    {
+        return v + 0.5 * a * duration;
+    }
+    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
+    return result;
+}
+static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis)
+{
+    double shrink;
+    double lower;
+    double upper;
+    double inner;
+    double outer;
+    double at_inner;
+    double at_outer;
+    int64_t i;
+    shrink = 0.6180339887498949;
+    lower = -span_min(bottom, 1000.0 * a);
+    upper = 0.0;
+    if (peak_past_zero(v, a, lower, axis) <= velocity_limit)
+    {
+        return lower;
+    }
+    inner = upper - shrink * (upper - lower);
+    outer = lower + shrink * (upper - lower);
+    at_inner = peak_past_zero(v, a, inner, axis);
+    at_outer = peak_past_zero(v, a, outer, axis);
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        if (at_inner <= velocity_limit)
+        {
+            return inner;
+        }
+        if (at_outer <= velocity_limit)
+        {
+            return outer;
+        }
+        if (at_inner < at_outer - 1e-12 * velocity_limit)
+        {
+            upper = outer;
+            outer = inner;
+            at_outer = at_inner;
+            inner = upper - shrink * (upper - lower);
+            at_inner = peak_past_zero(v, a, inner, axis);
+        }
+        else
+        {
+            lower = inner;
+            inner = outer;
+            at_inner = at_outer;
+            outer = lower + shrink * (upper - lower);
+            at_outer = peak_past_zero(v, a, outer, axis);
+        }
+    }
+    return 1.0;
+}
+static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis)
+{
+    double newest;
+    double e_newest;
+    double other;
+    double e_other;
+    double before;
+    double e_before;
+    int64_t i;
+    double share;
+    double level;
+    double error;
+    bool crossed;
+    double inside;
+    inside = deep_level(v, a, velocity_limit, bottom, axis);
+    if (inside > 0.0)
+    {
+        return inside;
+    }
+    newest = inside;
+    e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit;
+    other = 0.0;
+    e_other = peak_past_zero(v, a, other, axis) - velocity_limit;
+    before = other;
+    e_before = e_other;
+    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        level = newest + share * (other - newest);
+        if ((level == newest) || (level == other))
+        {
+            break;
+        }
+        error = peak_past_zero(v, a, level, axis) - velocity_limit;
+        crossed = newest == inside;
+        if (error <= 0.0)
+        {
+            crossed = newest != inside;
+            inside = level;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = level;
+        e_newest = error;
+    }
+    return inside;
+}
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    int64_t count;
+    double level;
+    double reached;
+    int64_t i;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    double sign;
+    double most;
+    double bottom;
+    double past;
+    array_double_1d dips;
+    count = INT64_C(0);
+    level = a;
+    reached = v;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        count = append_change(phases, count, level, 0.0, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
+        if (!is_beyond(end, end, 1.0 + 1e-12, axis))
+        {
+            (*result_0) = count;
+            (*result_1) = duration;
+            (*result_2) = y;
+            (*result_3) = end;
+            return 0;
+        }
+        count = count - INT64_C(1);
+        sign = 1.0;
+        if (level < 0.0)
+        {
+            sign = -1.0;
+        }
+        most = side_limit(INT64_C(1), sign, axis);
+        bottom = side_limit(INT64_C(2), -sign, axis);
+        past = sign * level_past_zero(sign * reached, sign * level, most, bottom, axis);
+        if (past * sign > 0.0)
+        {
+            break;
+        }
+        count = append_change(phases, count, level, past, axis);
+        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
+        level = past;
+    }
+    dips = span_row(&work, INT64_C(62));
+    if (find_dips(v, a, 0.0, axis, dips, work))
+    {
+        write_dip(result_0, result_1, result_2, result_3, 0.0, axis, dips, phases, work);
+        return 0;
+    }
+    (*result_0) = -INT64_C(1);
+    (*result_1) = 0.0;
+    (*result_2) = 0.0;
+    (*result_3) = 0.0;
+    return 0;
+}
+static bool nearly_brakes(double v, double a, array_double_1d axis)
+{
+    double duration;
+    double slope;
+    double end;
+    double near;
+    bool result;
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    end = v + 0.5 * a * duration;
+    near = v + (1.0 - saving(axis)) * (0.5 * a * duration);
+    result = is_beyond(end, end, 1.0, axis) && (!is_beyond(near, near, 1.0, axis));
+    return result;
+}
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d rest;
+    int64_t first;
+    int64_t last;
+    double spent;
+    double v;
+    double a;
+    double w;
+    double b;
+    double distance;
+    double duration;
+    double y;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    rest = span_row(&work, INT64_C(60));
+    first = INT64_C(0);
+    last = INT64_C(0);
+    spent = 0.0;
+    v = (*cspan_at(&problem, INT64_C(0)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
+    {
+        (*result_0_0001) = -INT64_C(3);
+        (*result_1) = 0.0;
+        return 0;
+    }
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        brake(&first, &duration, &y, &v, v, a, axis, trial, work);
+        if (first < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(1);
+            (*result_1) = 0.0;
+            return 0;
+        }
+        spent = duration;
+        distance = distance - y;
+        a = 0.0;
+    }
+    if (variant >= INT64_C(2))
+    {
+        reverse_axis(axis);
+        brake(&last, &duration, &y, &w, w, -b, axis, trial, work);
+        reverse_axis(axis);
+        if (last < INT64_C(0))
+        {
+            (*result_0_0001) = -INT64_C(2);
+            (*result_1) = 0.0;
+            return 0;
+        }
+        spent = spent + duration;
+        distance = distance - y;
+        b = 0.0;
+    }
+    (*cspan_at(&rest, INT64_C(0))) = v;
+    (*cspan_at(&rest, INT64_C(1))) = a;
+    (*cspan_at(&rest, INT64_C(2))) = w;
+    (*cspan_at(&rest, INT64_C(3))) = b;
+    (*cspan_at(&rest, INT64_C(4))) = distance;
+    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
+    (*result_0_0001) = first + last;
+    (*result_1) = spent;
+    return 0;
+}
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_2d trial;
+    double v;
+    int64_t first;
+    double duration;
+    double y;
+    double end;
+    int64_t j;
+    int64_t i;
+    int64_t column;
+    double w;
+    int64_t last;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
+    {
+        v = (*cspan_at(&problem, INT64_C(0)));
+        brake(&first, &duration, &y, &end, v, (*cspan_at(&problem, INT64_C(1))), axis, trial, work);
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            i = count - INT64_C(1) - j;
+            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
+            {
+                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
+            }
+        }
+        copy_phases(trial, phases, first);
+        count = first + count;
+    }
+    if (variant >= INT64_C(2))
+    {
+        w = (*cspan_at(&problem, INT64_C(2)));
+        reverse_axis(axis);
+        brake(&last, &duration, &y, &end, w, -(*cspan_at(&problem, INT64_C(3))), axis, trial, work);
+        reverse_axis(axis);
+        reverse_phases(trial, INT64_C(0), last);
+        count = join_phases(trial, last, phases, count);
+    }
+    return count;
+}
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d family;
+    int64_t branch;
+    int64_t member;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    family = span_row(&work, INT64_C(98));
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        if (same_members(branch, problem, family))
+        {
+            continue;
+        }
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
+        {
+            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
+            count = tempered_form(trial, family, axis);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(count, problem, axis, cell, work);
+        }
+    }
+}
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double v;
+    double w;
+    double distance;
+    double middle;
+    int64_t count;
+    double y;
+    double hold;
+    double edge;
+    double y_edge;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        keep_nearest(count, problem, axis, cell, work);
+        edge = cruise_range(trial, middle, y, hold, problem, axis);
+        y_edge = keep_cruise(edge, problem, axis, cell, work);
+        if (is_enclosed(work))
+        {
+            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
+        }
+    }
+}
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    usual_cruise(problem, axis, cell, work);
+    if (!is_enclosed(work))
+    {
+        scan_cruises(problem, axis, cell, work);
+    }
+    if (!is_enclosed(work))
+    {
+        timed_merged(problem, axis, cell, work);
+    }
+}
+static void note_known(array_double_2d work)
+{
+    array_double_1d nearest;
+    nearest = span_row(&work, INT64_C(58));
+    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
+    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
+    }
+    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
+    }
+}
+static void clear_nearest(array_double_2d work)
+{
+    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
+}
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
+{
+    double distance;
+    double below;
+    double above;
+    double target;
+    double speed;
+    double tiny;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    below = (*cspan_at(&nearest, INT64_C(1)));
+    above = (*cspan_at(&nearest, INT64_C(3)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    speed = speed_bound(1.0, target, problem, axis);
+    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
+    tiny = 1e-14 * (fabs(distance) + speed * target);
+    if (above - distance <= tiny)
+    {
+        return 1.0;
+    }
+    if (distance - below > tiny)
+    {
+        return (distance - below) / (above - below);
+    }
+    return 0.0;
 }
 static bool has_pace(array_double_1d passing)
 {
@@ -12372,3531 +17410,6 @@ static bool follow(double target, array_double_1d problem, array_double_1d axis,
         }
     }
     return 0;
-}
-static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis)
-{
-    double first;
-    double slope;
-    double last;
-    segfmu_ramp_duration(&first, &slope, level - a, axis);
-    segfmu_ramp_duration(&last, &slope, level - b, axis);
-    (*result_0) = first;
-    (*result_1_0001) = 0.5 * (a + level) * first + 0.5 * (level + b) * last;
-    return 0;
-}
-static double linear_level(double gain, double a, double b, array_double_1d axis)
-{
-    double slope;
-    double half;
-    double rest;
-    double square;
-    slope = (*cspan_at(&axis, INT64_C(16)));
-    half = 0.5 * (*cspan_at(&axis, INT64_C(18)));
-    rest = gain + 0.5 * slope * (a * a + b * b) - half * (a + b);
-    square = half * half + slope * rest;
-    if (square <= 0.0)
-    {
-        return -1.0;
-    }
-    return rest / (half + sqrt(square));
-}
-static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis)
-{
-    double t;
-    double level;
-    double t_before;
-    double rate_before;
-    int64_t i;
-    double change;
-    double growth;
-    double t_end;
-    double slope;
-    double first;
-    double second;
-    double error;
-    double rate;
-    double following;
-    double newton;
-    double near;
-    double bend;
-    double reached;
-    bool far;
-    t = start;
-    level = a;
-    t_before = start;
-    rate_before = 0.0;
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        ramp_change(&change, &growth, t, axis);
-        level = a + change;
-        segfmu_ramp_duration(&t_end, &slope, level - b, axis);
-        first = 0.5 * (a + level) * t;
-        second = 0.5 * (level + b) * t_end;
-        error = first + second - gain;
-        if (fabs(error) <= 2e-16 * (fabs(first) + fabs(second)))
-        {
-            (*result_0_0001) = t;
-            (*result_1) = level;
-            return 0;
-        }
-        if (error > 0.0)
-        {
-            upper = t;
-        }
-        else
-        {
-            lower = t;
-        }
-        rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
-        following = 0.5 * (lower + upper);
-        if (rate > 0.0)
-        {
-            newton = t - error / rate;
-            near = 1e-09 * t;
-            bend = 0.0;
-            if (i > INT64_C(0))
-            {
-                bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before);
-            }
-            if ((bend != 0.0) && (fabs(bend) < 0.5 * rate))
-            {
-                newton = t - error / (rate - bend);
-                near = 1e-07 * t;
-            }
-            if (fabs(newton - t) <= near)
-            {
-                ramp_change(&change, &growth, newton, axis);
-                (*result_0_0001) = newton;
-                (*result_1) = a + change;
-                return 0;
-            }
-            reached = first + second;
-            far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
-            if (far && (reached < 60.0 * t * rate))
-            {
-                newton = t * pow((gain / reached), (reached / (t * rate)));
-                if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
-                {
-                    newton = sqrt(span_max(lower, 0.001 * upper) * upper);
-                }
-            }
-            if ((newton > lower) && (newton < upper))
-            {
-                following = newton;
-            }
-        }
-        if (fabs(following - t) <= 4e-16 * t)
-        {
-            (*result_0_0001) = t;
-            (*result_1) = level;
-            return 0;
-        }
-        t_before = t;
-        rate_before = rate;
-        t = following;
-    }
-    ramp_change(&change, &growth, t, axis);
-    (*result_0_0001) = t;
-    (*result_1) = a + change;
-    return 0;
-}
-static int64_t solve_level(double* result_0_0001, double* result_1_0001, double* result_2_0001, double gain, double a, double b, double low, double high, double near, array_double_1d axis)
-{
-    double linear_from;
-    double level;
-    double t;
-    double t_high;
-    double most;
-    double t_low;
-    double least;
-    double start;
-    linear_from = (*cspan_at(&axis, INT64_C(15)));
-    if (span_max(a, b) + linear_from <= high)
-    {
-        level = linear_level(gain, a, b, axis);
-        if ((level >= span_max(a, b) + linear_from) && (level >= low) && (level <= high))
-        {
-            t = (level - a) * (*cspan_at(&axis, INT64_C(16))) + (*cspan_at(&axis, INT64_C(18)));
-            (*result_0_0001) = t;
-            (*result_1_0001) = 0.0;
-            (*result_2_0001) = level;
-            return 0;
-        }
-    }
-    level_gain(&t_high, &most, high, a, b, axis);
-    if (gain > most)
-    {
-        (*result_0_0001) = t_high;
-        (*result_1_0001) = (gain - most) / high;
-        (*result_2_0001) = high;
-        return 0;
-    }
-    level_gain(&t_low, &least, low, a, b, axis);
-    if (gain <= least)
-    {
-        if (gain < least - 1e-14 * (fabs(gain) + fabs(least)))
-        {
-            (*result_0_0001) = 0.0;
-            (*result_1_0001) = -1.0;
-            (*result_2_0001) = low;
-            return 0;
-        }
-        (*result_0_0001) = t_low;
-        (*result_1_0001) = 0.0;
-        (*result_2_0001) = low;
-        return 0;
-    }
-    start = near;
-    if ((start <= t_low) || (start >= t_high))
-    {
-        start = t_low + (t_high - t_low) * sqrt((gain - least) / (most - least));
-    }
-    root_level(&t, &level, gain, a, b, t_low, t_high, start, axis);
-    (*result_0_0001) = t;
-    (*result_1_0001) = 0.0;
-    (*result_2_0001) = level;
-    return 0;
-}
-static int64_t member_distance(double* result_0_0001, double* result_1, array_double_1d family, array_double_1d axis)
-{
-    double v;
-    double a;
-    double b;
-    double t1;
-    double hold1;
-    double level1;
-    double hold2;
-    double level2;
-    double t3;
-    double basis;
-    double slope;
-    double t2;
-    double y;
-    v = (*cspan_at(&family, INT64_C(0)));
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(27)));
-    hold1 = (*cspan_at(&family, INT64_C(28)));
-    level1 = (*cspan_at(&family, INT64_C(29)));
-    hold2 = (*cspan_at(&family, INT64_C(30)));
-    level2 = (*cspan_at(&family, INT64_C(31)));
-    t3 = (*cspan_at(&family, INT64_C(32)));
-    segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(33)));
-    basis = basis + (*cspan_at(&family, INT64_C(34))) * (t2 - basis);
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
-    {
-        (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    y = ramp_distance(v, a, level1, t1, t1, axis);
-    v = v + 0.5 * (a + level1) * t1;
-    if (hold1 > 0.0)
-    {
-        y = y + (v + 0.5 * level1 * hold1) * hold1;
-        v = v + level1 * hold1;
-    }
-    y = y + ramp_distance(v, level1, level2, t2, basis, axis);
-    v = v + 0.5 * (level1 + level2) * t2;
-    if (hold2 > 0.0)
-    {
-        y = y + (v + 0.5 * level2 * hold2) * hold2;
-        v = v + level2 * hold2;
-    }
-    y = y + ramp_distance(v, level2, b, t3, t3, axis);
-    (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
-    (*result_1) = y;
-    return 0;
-}
-static int64_t second_level(double* result_0, double* result_1, double* result_2, double* result_3, double p, array_double_1d family, array_double_1d axis)
-{
-    double b;
-    double last_ramp;
-    double hold;
-    double t;
-    double level;
-    double change;
-    double slope;
-    double gain;
-    b = (*cspan_at(&family, INT64_C(3)));
-    last_ramp = (*cspan_at(&family, INT64_C(7)));
-    hold = 0.0;
-    t = p;
-    if (p >= last_ramp)
-    {
-        t = last_ramp;
-        hold = p - last_ramp;
-        level = -(*cspan_at(&family, INT64_C(5)));
-    }
-    else
-    {
-        ramp_change(&change, &slope, p, axis);
-        level = b - change;
-    }
-    gain = (*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) - 0.5 * (level + b) * t - level * hold;
-    (*result_0) = level;
-    (*result_1) = t;
-    (*result_2) = hold;
-    (*result_3) = gain;
-    return 0;
-}
-static bool has_member(double p, array_double_1d family, array_double_1d axis)
-{
-    double a;
-    double level;
-    double t;
-    double hold;
-    double gain;
-    double first;
-    double least;
-    a = (*cspan_at(&family, INT64_C(1)));
-    second_level(&level, &t, &hold, &gain, p, family, axis);
-    level_gain(&first, &least, span_max(0.0, span_max(a, level)), a, level, axis);
-    return gain >= least;
-}
-static int64_t canonical_member(double* result_0, double* result_1, double p, array_double_1d family, array_double_1d axis)
-{
-    double a;
-    double level2;
-    double t3;
-    double hold2;
-    double gain;
-    double low;
-    double near;
-    double t1;
-    double hold1;
-    double level1;
-    a = (*cspan_at(&family, INT64_C(1)));
-    second_level(&level2, &t3, &hold2, &gain, p, family, axis);
-    low = span_max(0.0, span_max(a, level2));
-    near = (*cspan_at(&family, INT64_C(27)));
-    solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(6))), near, axis);
-    if (hold1 < 0.0)
-    {
-        (*result_0) = -1.0;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    (*cspan_at(&family, INT64_C(27))) = t1;
-    (*cspan_at(&family, INT64_C(28))) = hold1;
-    (*cspan_at(&family, INT64_C(29))) = level1;
-    (*cspan_at(&family, INT64_C(30))) = hold2;
-    (*cspan_at(&family, INT64_C(31))) = level2;
-    (*cspan_at(&family, INT64_C(32))) = t3;
-    member_distance(result_0, result_1, family, axis);
-    return 0;
-}
-static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
-{
-    double v;
-    double a;
-    double w;
-    double b;
-    double single;
-    double slope;
-    double missing;
-    double sign;
-    double top;
-    double bottom;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
-    missing = w - v - 0.5 * (a + b) * single;
-    sign = 1.0;
-    if (missing < 0.0)
-    {
-        sign = -1.0;
-    }
-    (*cspan_at(&family, INT64_C(0))) = sign * v;
-    (*cspan_at(&family, INT64_C(1))) = sign * a;
-    (*cspan_at(&family, INT64_C(2))) = sign * w;
-    (*cspan_at(&family, INT64_C(3))) = sign * b;
-    (*cspan_at(&family, INT64_C(15))) = 0.0;
-    (*cspan_at(&family, INT64_C(16))) = sign * (*cspan_at(&problem, INT64_C(4)));
-    top = side_limit(INT64_C(2), sign, axis);
-    bottom = side_limit(INT64_C(2), -sign, axis);
-    (*cspan_at(&family, INT64_C(4))) = top;
-    (*cspan_at(&family, INT64_C(5))) = bottom;
-    (*cspan_at(&family, INT64_C(12))) = v;
-    (*cspan_at(&family, INT64_C(13))) = 0.0;
-    (*cspan_at(&family, INT64_C(14))) = 0.5 - 0.5 * sign;
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, bottom + sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(10)), &slope, top - sign * b, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(11)), &slope, bottom + sign * b, axis);
-    return sign * missing;
-}
-static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis)
-{
-    double change;
-    double slope;
-    if (time >= up)
-    {
-        (*result_0_0001) = up;
-        (*result_1_0001) = time - up;
-        (*result_2_0001) = (*cspan_at(&family, INT64_C(4)));
-        return 0;
-    }
-    if (-time >= down)
-    {
-        (*result_0_0001) = down;
-        (*result_1_0001) = (-time) - down;
-        (*result_2_0001) = -(*cspan_at(&family, INT64_C(5)));
-        return 0;
-    }
-    ramp_change(&change, &slope, fabs(time), axis);
-    if (time < 0.0)
-    {
-        (*result_0_0001) = -time;
-        (*result_1_0001) = 0.0;
-        (*result_2_0001) = a - change;
-        return 0;
-    }
-    (*result_0_0001) = time;
-    (*result_1_0001) = 0.0;
-    (*result_2_0001) = a + change;
-    return 0;
-}
-static double set_point(double place, double radius, array_double_1d family, array_double_1d axis)
-{
-    double part;
-    double p_sign;
-    double q_sign;
-    double a;
-    double b;
-    double t1;
-    double hold1;
-    double level1;
-    double t3;
-    double hold2;
-    double level2;
-    double t2;
-    double slope;
-    double gain;
-    double result;
-    part = place;
-    p_sign = 1.0;
-    q_sign = 1.0;
-    if (place >= 3.0)
-    {
-        part = 4.0 - place;
-        q_sign = -1.0;
-    }
-    else if (place >= 2.0)
-    {
-        part = place - 2.0;
-        p_sign = -1.0;
-        q_sign = -1.0;
-    }
-    else if (place >= 1.0)
-    {
-        part = 2.0 - place;
-        p_sign = -1.0;
-    }
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), family, axis);
-    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(10))), (*cspan_at(&family, INT64_C(11))), family, axis);
-    segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(27))) = t1;
-    (*cspan_at(&family, INT64_C(28))) = hold1;
-    (*cspan_at(&family, INT64_C(29))) = level1;
-    (*cspan_at(&family, INT64_C(30))) = hold2;
-    (*cspan_at(&family, INT64_C(31))) = level2;
-    (*cspan_at(&family, INT64_C(32))) = t3;
-    gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
-    gain = gain + level1 * hold1 + level2 * hold2;
-    result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
-    return result;
-}
-static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
-{
-    double lower;
-    double e_lower;
-    double upper;
-    double e_upper;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    double scale;
-    int64_t i;
-    double share;
-    double radius;
-    double error;
-    double newest;
-    lower = 0.0;
-    e_lower = -missing;
-    upper = span_min(span_max(0.25 * missing / (*cspan_at(&family, INT64_C(4))), 1e-06 * largest), 0.25 * largest);
-    e_upper = set_point(place, upper, family, axis);
-    while((e_upper < 0.0) || (arc == INT64_C(6)))
-    {
-        if (!(upper < largest))
-        {
-            return -1.0;
-        }
-        lower = upper;
-        e_lower = e_upper;
-        upper = span_min(2.0 * upper, largest);
-        e_upper = set_point(place, upper, family, axis);
-        if ((arc == INT64_C(6)) && (e_lower >= 0.0) && (e_upper < 0.0))
-        {
-            break;
-        }
-    }
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = e_upper;
-    e_other = e_lower;
-    e_before = e_lower;
-    scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
-    {
-        if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
-        {
-            break;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        radius = newest + share * (other - newest);
-        error = set_point(place, radius, family, axis);
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = radius;
-        e_newest = error;
-    }
-    return newest;
-}
-static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis)
-{
-    double error;
-    double level1;
-    double level2;
-    double fastest;
-    double slope;
-    double mean;
-    double stretch;
-    error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(29)));
-    level2 = (*cspan_at(&family, INT64_C(31)));
-    segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
-    mean = 0.5 * (level1 + level2);
-    if (fastest <= 0.0)
-    {
-        return 0;
-    }
-    if (mean != 0.0)
-    {
-        stretch = 1.0 - error / (mean * fastest);
-    }
-    else if (((*cspan_at(&family, INT64_C(15))) > 0.5) && (radius == 0.0) && (error == 0.0))
-    {
-        stretch = (*cspan_at(&family, INT64_C(16))) / fastest;
-    }
-    else
-    {
-        return 0;
-    }
-    (*cspan_at(&family, INT64_C(33))) = stretch;
-    return stretch >= 1.0;
-}
-static double flush_tiny(double value, double scale)
-{
-    if (fabs(value) <= 1e-30 * scale)
-    {
-        return 0.0;
-    }
-    return value;
-}
-static double boundary_value(double value, double lower, double upper)
-{
-    return span_min(span_max(flush_tiny(value, span_max(lower, upper)), -lower), upper);
-}
-static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above)
-{
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    (*cspan_at(&phases, count, INT64_C(0))) = duration;
-    (*cspan_at(&phases, count, INT64_C(1))) = basis;
-    (*cspan_at(&phases, count, INT64_C(2))) = start;
-    (*cspan_at(&phases, count, INT64_C(3))) = change;
-    (*cspan_at(&phases, count, INT64_C(4))) = above;
-    return count + INT64_C(1);
-}
-static int64_t append_ramp(array_double_2d phases, int64_t count, double a, double b, double duration, array_double_1d axis)
-{
-    double change;
-    double slope;
-    int64_t result;
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    ramp_change(&change, &slope, duration, axis);
-    if (b < a)
-    {
-        change = -change;
-    }
-    result = append_phase(phases, count, duration, duration, a, change, 0.0);
-    return result;
-}
-static int64_t append_change(array_double_2d phases, int64_t count, double a, double b, array_double_1d axis)
-{
-    double duration;
-    double slope;
-    int64_t result;
-    segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
-    result = append_phase(phases, count, duration, duration, a, b - a, 0.0);
-    return result;
-}
-static int64_t append_hold(array_double_2d phases, int64_t count, double a, double duration)
-{
-    int64_t result;
-    result = append_phase(phases, count, duration, 0.0, a, 0.0, 0.0);
-    return result;
-}
-static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, double a, double duration)
-{
-    int64_t j;
-    int64_t i;
-    int64_t column;
-    if (duration <= 0.0)
-    {
-        return count;
-    }
-    for (j = INT64_C(0); j < count - row; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-        {
-            (*cspan_at(&phases, i + INT64_C(1), column)) = (*cspan_at(&phases, i, column));
-        }
-    }
-    append_hold(phases, row, a, duration);
-    return count + INT64_C(1);
-}
-static void copy_phases(array_double_2d source, array_double_2d target, int64_t count)
-{
-    int64_t i;
-    int64_t column;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-        {
-            (*cspan_at(&target, i, column)) = (*cspan_at(&source, i, column));
-        }
-    }
-}
-static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used)
-{
-    int64_t i;
-    int64_t column;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-        {
-            (*cspan_at(&phases, used + i, column)) = (*cspan_at(&source, i, column));
-        }
-    }
-    return used + count;
-}
-static void mirror_phases(array_double_2d phases, int64_t count)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(2))) = -(*cspan_at(&phases, i, INT64_C(2)));
-        (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
-    }
-}
-static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column)
-{
-    double kept;
-    kept = (*cspan_at(&phases, i, column));
-    (*cspan_at(&phases, i, column)) = (*cspan_at(&phases, j, column));
-    (*cspan_at(&phases, j, column)) = kept;
-}
-static void reverse_phases(array_double_2d phases, int64_t first, int64_t count)
-{
-    int64_t i;
-    int64_t column;
-    double end;
-    for (i = INT64_C(0); i < span_floor_div((count - first), INT64_C(2)); i += INT64_C(1))
-    {
-        for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-        {
-            swap_entries(phases, first + i, count - INT64_C(1) - i, column);
-        }
-    }
-    for (i = first; i < count; i += INT64_C(1))
-    {
-        end = (*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3)));
-        (*cspan_at(&phases, i, INT64_C(2))) = -end;
-        if ((*cspan_at(&phases, i, INT64_C(4))) == 1.0)
-        {
-            (*cspan_at(&phases, i, INT64_C(2))) = end;
-            (*cspan_at(&phases, i, INT64_C(3))) = -(*cspan_at(&phases, i, INT64_C(3)));
-        }
-    }
-}
-static void reverse_problem(array_double_1d problem)
-{
-    double v;
-    double a;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&problem, INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(1))) = -(*cspan_at(&problem, INT64_C(3)));
-    (*cspan_at(&problem, INT64_C(2))) = v;
-    (*cspan_at(&problem, INT64_C(3))) = -a;
-}
-static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned)
-{
-    double fastest;
-    double backwards;
-    double top;
-    double bottom;
-    double velocity;
-    double acceleration;
-    double ramp;
-    double scale;
-    fastest = (*cspan_at(&axis, INT64_C(2)));
-    backwards = (*cspan_at(&axis, INT64_C(9)));
-    top = (*cspan_at(&axis, INT64_C(3)));
-    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-    (*cspan_at(&cleaned, INT64_C(0))) = boundary_value((*cspan_at(&problem, INT64_C(0))), backwards, fastest);
-    (*cspan_at(&cleaned, INT64_C(1))) = boundary_value((*cspan_at(&problem, INT64_C(1))), bottom, top);
-    (*cspan_at(&cleaned, INT64_C(2))) = boundary_value((*cspan_at(&problem, INT64_C(2))), backwards, fastest);
-    (*cspan_at(&cleaned, INT64_C(3))) = boundary_value((*cspan_at(&problem, INT64_C(3))), bottom, top);
-    velocity = fastest_velocity(axis);
-    acceleration = top_acceleration(axis);
-    ramp = acceleration * (*cspan_at(&axis, INT64_C(13))) * (*cspan_at(&axis, INT64_C(13)));
-    scale = span_min(velocity * velocity / acceleration, ramp);
-    (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
-    (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
-}
-static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis)
-{
-    double half;
-    double change;
-    double slope;
-    double steepest;
-    double most;
-    double result;
-    half = 0.5 * duration;
-    ramp_change(&change, &slope, half, axis);
-    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
-    steepest = span_min(steepest, top_acceleration(axis));
-    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * half;
-    result = span_min(side_limit(INT64_C(1), sign, axis), most);
-    return result;
-}
-static bool is_resting(array_double_1d problem, array_double_1d axis)
-{
-    double speed;
-    double acceleration;
-    bool result;
-    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    if (flush_tiny(speed, fastest_velocity(axis)) != 0.0)
-    {
-        return 0;
-    }
-    acceleration = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
-    result = flush_tiny(acceleration, top_acceleration(axis)) == 0.0;
-    return result;
-}
-int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
-{
-    double total;
-    double y;
-    double lowest;
-    double highest;
-    int64_t i;
-    double duration;
-    double basis;
-    double a;
-    double b;
-    double near;
-    double bound;
-    double extreme;
-    total = 0.0;
-    y = 0.0;
-    lowest = v;
-    highest = v;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = (*cspan_at(&phases, i, INT64_C(0)));
-        basis = (*cspan_at(&phases, i, INT64_C(1)));
-        a = (*cspan_at(&phases, i, INT64_C(2)));
-        b = a + (*cspan_at(&phases, i, INT64_C(3)));
-        if (a * b < 0.0)
-        {
-            near = v;
-            if (fabs(a) > fabs(b))
-            {
-                near = v + 0.5 * (a + b) * duration;
-            }
-            bound = near + extreme_gain(a, b, duration, basis, axis);
-            if (a < 0.0)
-            {
-                bound = 2.0 * near - bound;
-            }
-            if ((bound > span_max(highest, within_0001)) || (bound < span_min(lowest, -within_0001)))
-            {
-                extreme = ramp_extreme_velocity(v, a, b, duration, basis, axis);
-                lowest = span_min(lowest, extreme);
-                highest = span_max(highest, extreme);
-            }
-        }
-        y = y + ramp_distance(v, a, b, duration, basis, axis);
-        v = v + 0.5 * (a + b) * duration;
-        lowest = span_min(lowest, v);
-        highest = span_max(highest, v);
-        total = total + duration;
-    }
-    (*result_0) = total;
-    (*result_1) = y;
-    (*result_2_0001) = v;
-    (*result_3) = lowest;
-    (*result_4) = highest;
-    return 0;
-}
-static double total_duration(array_double_2d phases, int64_t count)
-{
-    int64_t i;
-    double total;
-    total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        total = total + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    return total;
-}
-static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double most;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double fastest;
-    double duration;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    most = slowest_velocity(axis) * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
-    {
-        return -1.0;
-    }
-    fastest = span_max(-lowest, highest);
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-12 * fastest)
-    {
-        return -1.0;
-    }
-    if (fabs(y - distance) > 1e-12 * (fabs(distance) + fastest * duration))
-    {
-        return -1.0;
-    }
-    return duration;
-}
-static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis)
-{
-    int64_t i;
-    bool found;
-    found = 0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        if ((*cspan_at(&phases, i, INT64_C(3))) != 0.0)
-        {
-            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(38)))))
-            {
-                return 0;
-            }
-            found = 1;
-        }
-    }
-    return found;
-}
-static bool has_dip(array_double_2d phases, int64_t count)
-{
-    bool result;
-    if (count == INT64_C(0))
-    {
-        return 0;
-    }
-    result = ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) > 0.5) || ((*cspan_at(&phases, count - INT64_C(1), INT64_C(4))) > 0.5);
-    return result;
-}
-static void stretch_phases(array_double_2d phases, int64_t count, double factor)
-{
-    int64_t i;
-    double power;
-    int64_t j;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * factor;
-        power = factor * factor;
-        for (j = INT64_C(0); j < (int64_t)((*cspan_at(&phases, i, INT64_C(4)))); j += INT64_C(1))
-        {
-            power = power * factor;
-        }
-        (*cspan_at(&phases, i, INT64_C(2))) = (*cspan_at(&phases, i, INT64_C(2))) / power;
-        (*cspan_at(&phases, i, INT64_C(3))) = (*cspan_at(&phases, i, INT64_C(3))) / power;
-    }
-}
-static int64_t fit_duration(array_double_2d phases, int64_t count, double target)
-{
-    double total;
-    int64_t i;
-    double duration;
-    int64_t j;
-    int64_t kept;
-    total = 0.0;
-    kept = INT64_C(0);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = (*cspan_at(&phases, i, INT64_C(0)));
-        if (duration > 1e-13 * target)
-        {
-            for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
-            {
-                (*cspan_at(&phases, kept, j)) = (*cspan_at(&phases, i, j));
-            }
-            total = total + duration;
-            kept = kept + INT64_C(1);
-        }
-    }
-    for (i = INT64_C(0); i < kept; i += INT64_C(1))
-    {
-        (*cspan_at(&phases, i, INT64_C(0))) = (*cspan_at(&phases, i, INT64_C(0))) * (target / total);
-    }
-    return kept;
-}
-static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
-{
-    int64_t i;
-    double middle;
-    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
-    {
-        middle = 0.5 * (inside + outside);
-        if ((middle == inside) || (middle == outside))
-        {
-            break;
-        }
-        if (has_member(middle, family, axis))
-        {
-            inside = middle;
-        }
-        else
-        {
-            outside = middle;
-        }
-    }
-    return inside;
-}
-static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis)
-{
-    double duration;
-    double y;
-    canonical_member(&duration, &y, p, family, axis);
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
-    {
-        (*result_0_0001) = duration;
-        (*result_1) = duration;
-        return 0;
-    }
-    (*result_0_0001) = y;
-    (*result_1) = duration;
-    return 0;
-}
-static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis)
-{
-    double target;
-    double newest;
-    double e_newest;
-    double other;
-    double e_other;
-    double before;
-    double e_before;
-    double speed;
-    int64_t i;
-    double share;
-    double p;
-    double value;
-    double duration;
-    double error;
-    target = (*cspan_at(&family, INT64_C(16)));
-    newest = upper;
-    e_newest = f_upper - target;
-    other = lower;
-    e_other = f_lower - target;
-    before = lower;
-    e_before = e_other;
-    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
-    {
-        speed = 0.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        if ((e_newest == 0.0) || (fabs(newest - other) <= 2e-16 * fabs(newest)))
-        {
-            break;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        p = newest + share * (other - newest);
-        canonical_value(&value, &duration, p, family, axis);
-        error = value - target;
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = p;
-        e_newest = error;
-        if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration))
-        {
-            break;
-        }
-    }
-    if (fabs(e_other) < fabs(e_newest))
-    {
-        return other;
-    }
-    return newest;
-}
-static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis)
-{
-    double shrink;
-    double p;
-    double q;
-    double f_p;
-    double duration;
-    double f_q;
-    int64_t i;
-    shrink = 0.6180339887498949;
-    p = upper - shrink * (upper - lower);
-    q = lower + shrink * (upper - lower);
-    canonical_value(&f_p, &duration, p, family, axis);
-    canonical_value(&f_q, &duration, q, family, axis);
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(16))))
-        {
-            break;
-        }
-        if (f_p >= f_q)
-        {
-            upper = q;
-            q = p;
-            f_q = f_p;
-            p = upper - shrink * (upper - lower);
-            canonical_value(&f_p, &duration, p, family, axis);
-        }
-        else
-        {
-            lower = p;
-            p = q;
-            f_p = f_q;
-            q = lower + shrink * (upper - lower);
-            canonical_value(&f_q, &duration, q, family, axis);
-        }
-    }
-    if (f_p >= f_q)
-    {
-        (*result_0_0001) = p;
-        (*result_1_0001) = f_p;
-        return 0;
-    }
-    (*result_0_0001) = q;
-    (*result_1_0001) = f_q;
-    return 0;
-}
-static double rising_member(double f_start, double end, array_double_1d family, array_double_1d axis)
-{
-    double target;
-    double step;
-    double before;
-    double f_lower;
-    int64_t i;
-    double value;
-    double duration;
-    double bend;
-    double p;
-    double highest;
-    double result;
-    target = (*cspan_at(&family, INT64_C(16)));
-    step = 0.125 * end;
-    before = f_start;
-    f_lower = f_start;
-    for (i = INT64_C(1); i < INT64_C(9); i += INT64_C(1))
-    {
-        canonical_value(&value, &duration, i * step, family, axis);
-        if ((value >= target) && (value > f_lower))
-        {
-            result = bracketed_root((i - INT64_C(1)) * step, i * step, f_lower, value, family, axis);
-            return result;
-        }
-        bend = 2.0 * f_lower - before - value;
-        if ((i > INT64_C(1)) && (f_lower >= span_max(before, value)) && (target <= f_lower + 0.25 * bend))
-        {
-            highest_member(&p, &highest, (i - INT64_C(2)) * step, i * step, family, axis);
-            if ((highest >= target) && (highest > before))
-            {
-                result = bracketed_root((i - INT64_C(2)) * step, p, before, highest, family, axis);
-                return result;
-            }
-        }
-        before = f_lower;
-        f_lower = value;
-    }
-    return -1.0;
-}
-static void note_near(double y, double duration, array_double_1d family, array_double_1d axis)
-{
-    double speed;
-    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
-    speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
-    if (fabs(y - (*cspan_at(&family, INT64_C(16)))) <= saving(axis) * speed * duration)
-    {
-        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
-    }
-}
-static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
-{
-    double target;
-    double value;
-    double duration;
-    double end;
-    double going_on;
-    double p;
-    target = (*cspan_at(&family, INT64_C(16)));
-    canonical_value(&value, &duration, t_zero, family, axis);
-    end = t_zero;
-    going_on = t_zero;
-    if (duration < 0.0)
-    {
-        end = window_edge(INT64_C(80), 0.0, t_zero, family, axis);
-        canonical_value(&value, &duration, end, family, axis);
-        going_on = -1.0;
-    }
-    if ((*cspan_at(&family, INT64_C(0))) < 0.0)
-    {
-        p = rising_member(f_start, end, family, axis);
-        if (p >= 0.0)
-        {
-            (*result_0) = p;
-            (*result_1) = going_on;
-            return 0;
-        }
-    }
-    if ((value >= target) && (value > f_start))
-    {
-        p = bracketed_root(0.0, end, f_start, value, family, axis);
-        (*result_0) = p;
-        (*result_1) = going_on;
-        return 0;
-    }
-    if (going_on < 0.0)
-    {
-        note_near(value, duration, family, axis);
-    }
-    (*result_0) = -1.0;
-    (*result_1) = going_on;
-    return 0;
-}
-static bool only_farther(array_double_1d family)
-{
-    double gain;
-    double loss;
-    bool result;
-    if ((*cspan_at(&family, INT64_C(3))) > 0.0)
-    {
-        return 0;
-    }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(29)))) * (*cspan_at(&family, INT64_C(27)));
-    gain = gain + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(31))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(32)));
-    loss = loss + (*cspan_at(&family, INT64_C(31))) * (*cspan_at(&family, INT64_C(30)));
-    result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
-    return result;
-}
-static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
-{
-    int64_t samples;
-    double span;
-    int64_t i;
-    double p;
-    double value;
-    double duration;
-    double result;
-    samples = INT64_C(12);
-    span = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
-    for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        if (only_farther(family))
-        {
-            return -1.0;
-        }
-        p = span * i * i / (samples * samples);
-        canonical_value(&value, &duration, p, family, axis);
-        if (duration < 0.0)
-        {
-            return -1.0;
-        }
-        if (value <= (*cspan_at(&family, INT64_C(16))))
-        {
-            result = bracketed_root(p, 0.0, value, f_start, family, axis);
-            return result;
-        }
-    }
-    return -1.0;
-}
-static void note_near_gain(array_double_1d family, array_double_1d axis)
-{
-    double a;
-    double b;
-    double low;
-    double first;
-    double least;
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    low = span_max(0.0, span_max(a, b));
-    level_gain(&first, &least, low, a, b, axis);
-    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
-    {
-        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
-    }
-}
-static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
-{
-    double upper;
-    double value;
-    double duration;
-    int64_t i;
-    double result;
-    upper = (*cspan_at(&family, INT64_C(7)));
-    canonical_value(&value, &duration, upper, family, axis);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        if (duration >= 0.0)
-        {
-            break;
-        }
-        upper = 2.0 * upper;
-        canonical_value(&value, &duration, upper, family, axis);
-    }
-    result = window_edge(INT64_C(80), upper, t_zero, family, axis);
-    return result;
-}
-static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
-{
-    double upper;
-    int64_t i;
-    double f_upper;
-    double duration;
-    double result;
-    upper = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
-    if (upper <= lower)
-    {
-        upper = 2.0 * lower;
-    }
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
-    {
-        canonical_value(&f_upper, &duration, upper, family, axis);
-        if (f_upper >= (*cspan_at(&family, INT64_C(16))))
-        {
-            result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
-            return result;
-        }
-        lower = upper;
-        f_lower = f_upper;
-        upper = 2.0 * upper;
-    }
-    return -1.0;
-}
-static double canonical_search(array_double_1d family, array_double_1d axis)
-{
-    double target;
-    double v;
-    double w;
-    double f_lower;
-    double duration;
-    double lower;
-    double t_zero;
-    double slope;
-    double p;
-    target = (*cspan_at(&family, INT64_C(16)));
-    v = (*cspan_at(&family, INT64_C(0)));
-    w = (*cspan_at(&family, INT64_C(2)));
-    canonical_value(&f_lower, &duration, 0.0, family, axis);
-    if (duration < 0.0)
-    {
-        note_near_gain(family, axis);
-        return -1.0;
-    }
-    if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
-    {
-        return 0.0;
-    }
-    if (f_lower > target)
-    {
-        note_near(f_lower, duration, family, axis);
-        if ((v >= 0.0) && (w >= 0.0))
-        {
-            return -1.0;
-        }
-        p = shorter_member(f_lower, family, axis);
-        return p;
-    }
-    lower = 0.0;
-    if ((*cspan_at(&family, INT64_C(3))) > 0.0)
-    {
-        segfmu_ramp_duration(&t_zero, &slope, (*cspan_at(&family, INT64_C(3))), axis);
-        first_window(&p, &lower, f_lower, t_zero, family, axis);
-        if (p >= 0.0)
-        {
-            return p;
-        }
-        if (lower < 0.0)
-        {
-            lower = second_window(t_zero, family, axis);
-        }
-        canonical_value(&f_lower, &duration, lower, family, axis);
-        if (f_lower > target)
-        {
-            return -1.0;
-        }
-    }
-    p = farther_member(lower, f_lower, family, axis);
-    return p;
-}
-static double nearby_member(array_double_1d family, array_double_1d axis)
-{
-    double target;
-    double lower;
-    double upper;
-    double f_lower;
-    double duration;
-    double f_upper;
-    double result;
-    target = (*cspan_at(&family, INT64_C(16)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(26)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(26)));
-    if (lower <= 0.0)
-    {
-        return -1.0;
-    }
-    canonical_value(&f_lower, &duration, lower, family, axis);
-    if (duration < 0.0)
-    {
-        return -1.0;
-    }
-    canonical_value(&f_upper, &duration, upper, family, axis);
-    if ((duration < 0.0) || ((f_lower - target) * (f_upper - target) > 0.0) || (f_lower == f_upper))
-    {
-        return -1.0;
-    }
-    if (f_upper > f_lower)
-    {
-        result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
-        return result;
-    }
-    result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
-    return result;
-}
-static double member_search(array_double_1d family, array_double_1d axis)
-{
-    double target;
-    int64_t passed;
-    int64_t begin;
-    double lower;
-    double f_lower;
-    bool whole;
-    double p;
-    int64_t i;
-    double value;
-    double duration;
-    double upper;
-    double f_upper;
-    bool inside;
-    double outside;
-    bool found;
-    double result;
-    target = (*cspan_at(&family, INT64_C(16)));
-    passed = INT64_C(0);
-    begin = INT64_C(0);
-    lower = -1.0;
-    f_lower = 0.0;
-    whole = (*cspan_at(&family, INT64_C(6))) == (*cspan_at(&family, INT64_C(4)));
-    if (whole && ((*cspan_at(&family, INT64_C(17))) > 0.5))
-    {
-        passed = (int64_t)((*cspan_at(&family, INT64_C(17))));
-        begin = (int64_t)((*cspan_at(&family, INT64_C(22))));
-        lower = (*cspan_at(&family, INT64_C(23)));
-        f_lower = (*cspan_at(&family, INT64_C(24)));
-        if ((begin > INT64_C(13)) && (lower >= 0.0) && (f_lower > target))
-        {
-            return -1.0;
-        }
-    }
-    p = 0.0;
-    for (i = begin; i < INT64_C(36); i += INT64_C(1))
-    {
-        p = (*cspan_at(&family, INT64_C(18))) * i * i / 144.0;
-        canonical_value(&value, &duration, p, family, axis);
-        upper = p;
-        f_upper = value;
-        inside = duration >= 0.0;
-        if (inside && (lower < 0.0) && (i > INT64_C(0)))
-        {
-            outside = (*cspan_at(&family, INT64_C(18))) * (i - INT64_C(1)) * (i - INT64_C(1)) / 144.0;
-            lower = window_edge(INT64_C(24), p, outside, family, axis);
-            canonical_value(&f_lower, &duration, lower, family, axis);
-        }
-        if ((!inside) && (lower >= 0.0))
-        {
-            upper = window_edge(INT64_C(24), lower, p, family, axis);
-            canonical_value(&f_upper, &duration, upper, family, axis);
-        }
-        found = (lower >= 0.0) && ((f_lower - target) * (f_upper - target) <= 0.0);
-        found = found && (f_upper != f_lower);
-        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(17))))))
-        {
-            if (whole)
-            {
-                (*cspan_at(&family, INT64_C(22))) = i + INT64_C(1);
-                (*cspan_at(&family, INT64_C(23))) = p;
-                if (!inside)
-                {
-                    (*cspan_at(&family, INT64_C(23))) = -1.0;
-                }
-                (*cspan_at(&family, INT64_C(24))) = f_upper;
-            }
-            if (f_upper > f_lower)
-            {
-                result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
-                return result;
-            }
-            result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
-            return result;
-        }
-        if (found)
-        {
-            passed = passed + INT64_C(1);
-        }
-        lower = -1.0;
-        if (inside)
-        {
-            lower = p;
-            f_lower = value;
-            if ((i > INT64_C(12)) && (value > target))
-            {
-                return -1.0;
-            }
-        }
-    }
-    return -1.0;
-}
-static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family)
-{
-    bool reverse;
-    bool mirror;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double top;
-    double bottom;
-    double last_ramp;
-    double slope;
-    reverse = (branch == INT64_C(1)) || (branch == INT64_C(2));
-    mirror = branch >= INT64_C(2);
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    (*cspan_at(&family, INT64_C(12))) = v;
-    if (reverse)
-    {
-        v = (*cspan_at(&problem, INT64_C(2)));
-        a = -(*cspan_at(&problem, INT64_C(3)));
-        w = (*cspan_at(&problem, INT64_C(0)));
-        b = -(*cspan_at(&problem, INT64_C(1)));
-    }
-    if (mirror)
-    {
-        v = -v;
-        a = -a;
-        w = -w;
-        b = -b;
-        distance = -distance;
-    }
-    top = (*cspan_at(&axis, INT64_C(3)));
-    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-    if (reverse != mirror)
-    {
-        top = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-        bottom = (*cspan_at(&axis, INT64_C(3)));
-    }
-    segfmu_ramp_duration(&last_ramp, &slope, b + bottom, axis);
-    (*cspan_at(&family, INT64_C(0))) = v;
-    (*cspan_at(&family, INT64_C(1))) = a;
-    (*cspan_at(&family, INT64_C(2))) = w;
-    (*cspan_at(&family, INT64_C(3))) = b;
-    (*cspan_at(&family, INT64_C(4))) = top;
-    (*cspan_at(&family, INT64_C(5))) = bottom;
-    (*cspan_at(&family, INT64_C(7))) = last_ramp;
-    (*cspan_at(&family, INT64_C(13))) = reverse;
-    (*cspan_at(&family, INT64_C(14))) = mirror;
-    (*cspan_at(&family, INT64_C(15))) = 0.0;
-    (*cspan_at(&family, INT64_C(16))) = distance;
-    (*cspan_at(&family, INT64_C(17))) = -1.0;
-    (*cspan_at(&family, INT64_C(27))) = -1.0;
-    (*cspan_at(&family, INT64_C(18))) = last_ramp;
-    (*cspan_at(&family, INT64_C(33))) = 1.0;
-    (*cspan_at(&family, INT64_C(34))) = 0.0;
-    (*cspan_at(&family, INT64_C(25))) = 0.0;
-}
-static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
-{
-    (*cspan_at(&family, INT64_C(17))) = member;
-    (*cspan_at(&family, INT64_C(18))) = span_min(span_max((*cspan_at(&family, INT64_C(7))), 0.1 * time), time);
-    (*cspan_at(&family, INT64_C(26))) = -1.0;
-    if (by_time)
-    {
-        (*cspan_at(&family, INT64_C(15))) = 1.0;
-        (*cspan_at(&family, INT64_C(16))) = time;
-    }
-}
-static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family)
-{
-    double a;
-    double b;
-    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(25))) > 0.5))
-    {
-        return 0;
-    }
-    a = (*cspan_at(&problem, INT64_C(1)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    if (branch >= INT64_C(2))
-    {
-        a = -a;
-        b = -b;
-    }
-    return (a >= 0.0) && (b <= 0.0);
-}
-static int64_t write_member(array_double_2d phases, array_double_1d family, array_double_1d axis)
-{
-    double a;
-    double b;
-    double level1;
-    double level2;
-    int64_t before;
-    double basis;
-    double duration;
-    int64_t count;
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(29)));
-    level2 = (*cspan_at(&family, INT64_C(31)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(27))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(28))));
-    before = count;
-    count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(33))) > 1.0))
-    {
-        basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(33)));
-        (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(34))) * (duration - basis);
-    }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(30))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(32))), axis);
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
-    {
-        reverse_phases(phases, INT64_C(0), count);
-    }
-    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
-    {
-        mirror_phases(phases, count);
-    }
-    return count;
-}
-static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
-{
-    double p;
-    double duration;
-    double y;
-    int64_t result;
-    (*cspan_at(&family, INT64_C(6))) = highest;
-    if ((*cspan_at(&family, INT64_C(17))) < 0.0)
-    {
-        p = canonical_search(family, axis);
-    }
-    else
-    {
-        p = nearby_member(family, axis);
-        if (p < 0.0)
-        {
-            p = member_search(family, axis);
-        }
-    }
-    if (p < 0.0)
-    {
-        return -INT64_C(1);
-    }
-    (*cspan_at(&family, INT64_C(26))) = p;
-    canonical_member(&duration, &y, p, family, axis);
-    if (duration < 0.0)
-    {
-        return -INT64_C(1);
-    }
-    result = write_member(phases, family, axis);
-    return result;
-}
-static double velocity_excess(array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis)
-{
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double result;
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, within_0001, axis);
-    result = span_max(highest - (*cspan_at(&axis, INT64_C(2))), (-lowest) - (*cspan_at(&axis, INT64_C(9))));
-    return result;
-}
-static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
-{
-    double peak_limit;
-    double other_limit;
-    double v;
-    double rounding;
-    double margin;
-    double too_low;
-    double inside;
-    int64_t i;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double peak;
-    double other;
-    double excess;
-    peak_limit = (*cspan_at(&axis, INT64_C(2)));
-    other_limit = (*cspan_at(&axis, INT64_C(9)));
-    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
-    {
-        peak_limit = (*cspan_at(&axis, INT64_C(9)));
-        other_limit = (*cspan_at(&axis, INT64_C(2)));
-    }
-    v = (*cspan_at(&family, INT64_C(12)));
-    rounding = 1e-12 * fastest_velocity(axis);
-    margin = 1e-09 * fastest_velocity(axis);
-    too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * outside));
-    inside = too_low;
-    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
-    {
-        count = merged_form(phases, inside, family, axis);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
-        peak = highest;
-        other = -lowest;
-        if ((*cspan_at(&family, INT64_C(14))) > 0.5)
-        {
-            peak = -lowest;
-            other = highest;
-        }
-        if ((count <= INT64_C(0)) || (other > other_limit + rounding))
-        {
-            too_low = inside;
-        }
-        else if (peak > peak_limit + rounding)
-        {
-            outside = inside;
-            e_outside = peak - peak_limit + margin;
-        }
-        else
-        {
-            excess = span_max(peak - peak_limit, other - other_limit);
-            (*result_0) = inside;
-            (*result_1_0001) = outside;
-            (*result_2_0001) = excess + margin;
-            (*result_3_0001) = e_outside;
-            return 0;
-        }
-        if (too_low == outside)
-        {
-            break;
-        }
-        inside = 0.5 * (too_low + outside);
-    }
-    (*result_0) = -1.0;
-    (*result_1_0001) = outside;
-    (*result_2_0001) = 0.0;
-    (*result_3_0001) = e_outside;
-    return 0;
-}
-static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis)
-{
-    double margin;
-    double before;
-    double e_before;
-    bool newest_inside;
-    bool constant;
-    bool probing;
-    int64_t steps;
-    double share;
-    double level;
-    int64_t count;
-    double error;
-    double v;
-    margin = 1e-09 * fastest_velocity(axis);
-    before = outside;
-    e_before = e_outside;
-    newest_inside = 1;
-    constant = 0;
-    probing = 0;
-    steps = INT64_C(0);
-    while(steps < INT64_C(60))
-    {
-        steps = steps + INT64_C(1);
-        probing = 0;
-        if (constant)
-        {
-            e_inside = 0.0;
-            if (steps > INT64_C(24))
-            {
-                break;
-            }
-        }
-        else if (fabs(e_inside) <= margin)
-        {
-            probing = 1;
-        }
-        if (newest_inside)
-        {
-            share = root_share(inside, outside, before, e_inside, e_outside, e_before);
-        }
-        else
-        {
-            share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before);
-        }
-        if (probing)
-        {
-            share = 0.001;
-        }
-        level = inside + share * (outside - inside);
-        count = merged_form(phases, level, family, axis);
-        error = 0.0;
-        if (count > INT64_C(0))
-        {
-            v = (*cspan_at(&family, INT64_C(12)));
-            error = velocity_excess(phases, count, v, 0.0, axis) + margin;
-        }
-        if ((count > INT64_C(0)) && (error <= margin))
-        {
-            before = outside;
-            e_before = e_outside;
-            if (newest_inside)
-            {
-                before = inside;
-                e_before = e_inside;
-            }
-            inside = level;
-            e_inside = error;
-            newest_inside = 1;
-            if (probing && (outside - inside <= 1e-05 * outside))
-            {
-                break;
-            }
-            constant = constant || probing;
-        }
-        else if (probing)
-        {
-            break;
-        }
-        else
-        {
-            before = inside;
-            e_before = e_inside;
-            if (!newest_inside)
-            {
-                before = outside;
-                e_before = e_outside;
-            }
-            outside = level;
-            e_outside = error;
-            newest_inside = 0;
-        }
-    }
-    return inside;
-}
-static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis)
-{
-    double rounding;
-    double margin;
-    double v;
-    double e_outside;
-    double outside;
-    int64_t i;
-    double level;
-    double inside;
-    double e_inside;
-    int64_t count;
-    count = merged_form(phases, (*cspan_at(&family, INT64_C(4))), family, axis);
-    rounding = 1e-12 * fastest_velocity(axis);
-    margin = 1e-09 * fastest_velocity(axis);
-    if (count <= INT64_C(0))
-    {
-        return count;
-    }
-    v = (*cspan_at(&family, INT64_C(12)));
-    e_outside = velocity_excess(phases, count, v, slowest_velocity(axis), axis) + margin;
-    if (e_outside <= margin + rounding)
-    {
-        return count;
-    }
-    (*cspan_at(&family, INT64_C(25))) = 1.0;
-    outside = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        level = (*cspan_at(&phases, i, INT64_C(2)));
-        if ((*cspan_at(&family, INT64_C(13))) != (*cspan_at(&family, INT64_C(14))))
-        {
-            level = -level;
-        }
-        outside = span_max(outside, level);
-    }
-    level_within(&inside, &outside, &e_inside, &e_outside, outside, e_outside, phases, family, axis);
-    if (inside < 0.0)
-    {
-        return INT64_C(0);
-    }
-    inside = highest_within(inside, outside, e_inside, e_outside, phases, family, axis);
-    count = merged_form(phases, inside, family, axis);
-    return count;
-}
-static int64_t append_velocity_change(array_double_2d phases, int64_t count, double v, double a, double w, double top, double bottom, array_double_1d axis)
-{
-    double sign;
-    double t1;
-    double hold;
-    double level;
-    int64_t result;
-    sign = 1.0;
-    solve_level(&t1, &hold, &level, w - v, a, 0.0, span_max(0.0, a), top, -1.0, axis);
-    if (hold < 0.0)
-    {
-        sign = -1.0;
-        solve_level(&t1, &hold, &level, v - w, -a, 0.0, span_max(0.0, -a), bottom, -1.0, axis);
-        if (hold < 0.0)
-        {
-            return -INT64_C(1);
-        }
-    }
-    count = append_ramp(phases, count, a, sign * level, t1, axis);
-    count = append_hold(phases, count, sign * level, hold);
-    result = append_change(phases, count, sign * level, 0.0, axis);
-    return result;
-}
-static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_2, double* result_3, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    double top;
-    double bottom;
-    int64_t row;
-    double w;
-    double b;
-    int64_t count;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    top = (*cspan_at(&axis, INT64_C(3)));
-    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-    row = append_velocity_change(phases, INT64_C(0), v, (*cspan_at(&problem, INT64_C(1))), cruise, top, bottom, axis);
-    if (row < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    count = append_velocity_change(phases, row, w, -b, cruise, bottom, top, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1) = INT64_C(0);
-        (*result_2) = 0.0;
-        (*result_3) = 0.0;
-        return 0;
-    }
-    reverse_phases(phases, row, count);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-    (*result_0) = count;
-    (*result_1) = row;
-    (*result_2) = duration;
-    (*result_3) = y;
-    return 0;
-}
-static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    int64_t result;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if ((count < INT64_C(0)) || (cruise == 0.0))
-    {
-        return span_max_int(count, INT64_C(0));
-    }
-    hold = (distance - y) / cruise;
-    if ((hold < 0.0) && (fabs(distance - y) > 1e-13 * fabs(distance)))
-    {
-        return INT64_C(0);
-    }
-    result = insert_hold(phases, count, row, 0.0, hold);
-    return result;
-}
-static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    bool falls_short;
-    int64_t i;
-    double middle;
-    double share;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    bool missing;
-    double lower;
-    double upper;
-    double cruise;
-    int64_t result;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = short_0001;
-    other = far;
-    before = other;
-    e_newest = 0.0;
-    e_other = 0.0;
-    e_before = 0.0;
-    falls_short = 1;
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
-    {
-        middle = start;
-        if (i > INT64_C(0))
-        {
-            share = root_share(newest, other, before, e_newest, e_other, e_before);
-            middle = newest + share * (other - newest);
-        }
-        if ((middle - newest) * (middle - other) >= 0.0)
-        {
-            if (i > INT64_C(0))
-            {
-                break;
-            }
-            middle = 0.5 * (newest + other);
-        }
-        cruise_form(&count, &row, &duration, &y, phases, middle, problem, axis);
-        error = y - distance;
-        missing = (count < INT64_C(0)) || (error < 0.0);
-        if (count < INT64_C(0))
-        {
-            error = 0.0;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, missing != falls_short, newest, other, e_newest, e_other);
-        newest = middle;
-        e_newest = error;
-        falls_short = missing;
-        if ((count >= INT64_C(0)) && (fabs(error) <= 1e-15 * fabs(distance)))
-        {
-            other = newest;
-            break;
-        }
-    }
-    lower = newest;
-    upper = other;
-    if (!falls_short)
-    {
-        lower = other;
-        upper = newest;
-    }
-    cruise = lower;
-    if (cruise < 0.0)
-    {
-        cruise = upper;
-    }
-    result = with_cruise(phases, cruise, problem, axis);
-    return result;
-}
-static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    double start;
-    double slowest;
-    int64_t result;
-    start = span_max((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(2))));
-    slowest = -(*cspan_at(&axis, INT64_C(9)));
-    result = vanishing_cruise(slowest, (*cspan_at(&axis, INT64_C(2))), start, phases, problem, axis);
-    return result;
-}
-static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial)
-{
-    double distance;
-    double longest;
-    double fastest;
-    double backwards;
-    double before;
-    double e_before;
-    int64_t i;
-    double cruise;
-    int64_t used;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    double short_0001;
-    double far;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    longest = 1e+300;
-    fastest = (*cspan_at(&axis, INT64_C(2)));
-    backwards = (*cspan_at(&axis, INT64_C(9)));
-    if (count > INT64_C(0))
-    {
-        longest = total_duration(phases, count);
-        fastest = speed_bound(1.0, longest, problem, axis);
-        backwards = speed_bound(-1.0, longest, problem, axis);
-    }
-    before = 0.0;
-    e_before = 0.0;
-    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
-    {
-        cruise = fastest * (1.0 - i / 6.0);
-        if (i > INT64_C(6))
-        {
-            cruise = backwards * (1.0 - i / 6.0);
-        }
-        cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
-        error = 0.0;
-        if (used >= INT64_C(0))
-        {
-            error = y - distance;
-        }
-        if (error * e_before < 0.0)
-        {
-            short_0001 = cruise;
-            far = before;
-            if (e_before < 0.0)
-            {
-                short_0001 = before;
-                far = cruise;
-            }
-            used = vanishing_cruise(short_0001, far, 0.5 * (short_0001 + far), trial, problem, axis);
-            duration = -1.0;
-            if (used > INT64_C(0))
-            {
-                duration = valid_duration(trial, used, problem, axis);
-            }
-            if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
-            {
-                copy_phases(trial, phases, used);
-                count = used;
-                longest = duration;
-            }
-        }
-        before = cruise;
-        e_before = error;
-    }
-    return count;
-}
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double end;
-    double t;
-    double slope;
-    double cruise;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    end = fabs(b);
-    if (from_start)
-    {
-        end = fabs(a);
-    }
-    if (end == 0.0)
-    {
-        return INT64_C(0);
-    }
-    segfmu_ramp_duration(&t, &slope, end, axis);
-    cruise = w - 0.5 * b * t;
-    if (from_start)
-    {
-        cruise = v + 0.5 * a * t;
-    }
-    if (is_beyond(cruise, cruise, 1.0, axis))
-    {
-        return INT64_C(0);
-    }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
-    {
-        return INT64_C(0);
-    }
-    return span_max_int(count, INT64_C(0));
-}
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1_0001) = 0.0;
-        (*result_2) = -1.0;
-        return 0;
-    }
-    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
-    count = insert_hold(phases, count, row, 0.0, hold);
-    (*result_0) = count;
-    (*result_1_0001) = y + cruise * hold;
-    (*result_2) = hold;
-    return 0;
-}
-static double distance_within(double change, array_double_1d problem)
-{
-    double result;
-    result = 2.0 * (*cspan_at(&problem, INT64_C(5))) * fabs(change);
-    return result;
-}
-static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double limit;
-    double outside;
-    bool failed;
-    double missing;
-    double cruise;
-    int64_t i;
-    int64_t count;
-    double y_cruise;
-    double inside;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    limit = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    if (y > distance)
-    {
-        limit = -speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    }
-    inside = middle;
-    outside = limit;
-    failed = 0;
-    missing = distance - y;
-    cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
-    if (cruise * limit > limit * limit)
-    {
-        cruise = limit;
-    }
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        if (fabs(missing) > distance_within(outside - inside, problem))
-        {
-            break;
-        }
-        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
-        {
-            inside = cruise;
-            if (((y_cruise - distance) * missing >= 0.0) || (cruise == limit))
-            {
-                break;
-            }
-            missing = distance - y_cruise;
-        }
-        else
-        {
-            outside = cruise;
-            failed = 1;
-        }
-        cruise = limit;
-        if (failed)
-        {
-            cruise = 0.5 * (inside + outside);
-            if ((cruise == inside) || (cruise == outside))
-            {
-                break;
-            }
-        }
-    }
-    return inside;
-}
-static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d nearest;
-    double distance;
-    double target;
-    double most;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    bool below;
-    bool above;
-    if (count <= INT64_C(0))
-    {
-        return;
-    }
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    nearest = span_row(&work, INT64_C(58));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    most = slowest_velocity(axis) * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
-    {
-        return;
-    }
-    if (fabs(duration - target) > 3e-11 * target)
-    {
-        return;
-    }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * span_max(-lowest, highest))
-    {
-        return;
-    }
-    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
-    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
-    {
-        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(33)), count);
-        (*cspan_at(&nearest, INT64_C(0))) = count;
-        (*cspan_at(&nearest, INT64_C(1))) = y;
-    }
-    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
-    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
-    {
-        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(66)), count);
-        (*cspan_at(&nearest, INT64_C(2))) = count;
-        (*cspan_at(&nearest, INT64_C(3))) = y;
-    }
-}
-static bool is_enclosed(array_double_2d work)
-{
-    array_double_1d nearest;
-    bool result;
-    nearest = span_row(&work, INT64_C(58));
-    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
-    return result;
-}
-static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    int64_t count;
-    double hold;
-    double y;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
-    keep_nearest(count, problem, axis, cell, work);
-    return y;
-}
-static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    double distance;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    double speed;
-    double rounding;
-    int64_t i;
-    double share;
-    double cruise;
-    double error;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = e_upper;
-    e_other = e_lower;
-    e_before = e_other;
-    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        if ((e_newest == 0.0) || (e_other == 0.0))
-        {
-            return;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        if (i == INT64_C(0))
-        {
-            share = e_newest / (e_newest - e_other);
-        }
-        cruise = newest + share * (other - newest);
-        if ((cruise == newest) || (cruise == other))
-        {
-            return;
-        }
-        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
-        if (fabs(error) <= rounding)
-        {
-            return;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = cruise;
-        e_newest = error;
-    }
-}
-static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    double newest;
-    double other;
-    double before;
-    double h_newest;
-    double h_other;
-    double h_before;
-    double width;
-    int64_t i;
-    double share;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    bool fits;
-    newest = outside;
-    other = inside;
-    before = inside;
-    h_newest = h_outside;
-    h_other = h_inside;
-    h_before = h_inside;
-    width = 1e-10 * fabs(outside - inside);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        if (fabs(outside - inside) <= width)
-        {
-            break;
-        }
-        share = root_share(newest, other, before, h_newest, h_other, h_before);
-        cruise = newest + share * (other - newest);
-        if ((cruise == newest) || (cruise == other))
-        {
-            break;
-        }
-        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
-        fits = (count >= INT64_C(0)) && (hold >= 0.0);
-        if (count < INT64_C(0))
-        {
-            hold = 0.0;
-        }
-        next_bracket(&other, &before, &h_other, &h_before, fits != (newest == inside), newest, other, h_newest, h_other);
-        newest = cruise;
-        h_newest = hold;
-        if (fits)
-        {
-            inside = cruise;
-            if (hold <= 1e-12 * (*cspan_at(&problem, INT64_C(5))))
-            {
-                break;
-            }
-        }
-        else
-        {
-            outside = cruise;
-        }
-    }
-    return inside;
-}
-static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double distance;
-    double fastest;
-    double backwards;
-    int64_t samples;
-    bool inside;
-    double before;
-    double e_before;
-    double h_before;
-    int64_t i;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    double error;
-    bool fits;
-    double lower;
-    double e_lower;
-    double upper;
-    double e_upper;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    fastest = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    backwards = speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    samples = INT64_C(24);
-    inside = 0;
-    before = 0.0;
-    e_before = 0.0;
-    h_before = 0.0;
-    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        cruise = fastest * (2.0 * i / samples - 1.0);
-        if (cruise < 0.0)
-        {
-            cruise = backwards * (2.0 * i / samples - 1.0);
-        }
-        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
-        error = y - distance;
-        fits = (count >= INT64_C(0)) && (hold >= 0.0);
-        if (count < INT64_C(0))
-        {
-            hold = 0.0;
-        }
-        if (fits)
-        {
-            keep_nearest(count, problem, axis, cell, work);
-        }
-        if ((i > INT64_C(0)) && (inside || fits))
-        {
-            lower = before;
-            e_lower = e_before;
-            upper = cruise;
-            e_upper = error;
-            if (!inside)
-            {
-                lower = cruise_edge(cruise, before, hold, h_before, trial, problem, axis);
-                e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
-            }
-            if (!fits)
-            {
-                upper = cruise_edge(before, cruise, h_before, hold, trial, problem, axis);
-                e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
-            }
-            if (e_lower * e_upper <= 0.0)
-            {
-                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
-            }
-            if (is_enclosed(work))
-            {
-                return;
-            }
-        }
-        inside = fits;
-        before = cruise;
-        e_before = error;
-        h_before = hold;
-    }
-}
-static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
-{
-    double part;
-    double side;
-    double duration;
-    double y;
-    double error;
-    double speed;
-    (*cspan_at(&family, INT64_C(33))) = 1.0;
-    (*cspan_at(&family, INT64_C(34))) = 0.0;
-    if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
-    {
-        if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
-        {
-            (*result_0) = -1.0;
-            (*result_1) = 0.0;
-            return 0;
-        }
-    }
-    else if (arc == INT64_C(5))
-    {
-        (*cspan_at(&family, INT64_C(34))) = 0.25 * place;
-        if (!slow_middle(0.0, 0.0, family, axis))
-        {
-            (*result_0) = -1.0;
-            (*result_1) = 0.0;
-            return 0;
-        }
-    }
-    else
-    {
-        if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
-        {
-            (*cspan_at(&family, INT64_C(34))) = 1.0;
-        }
-        part = 0.5 * place - 1.0;
-        side = 0.0;
-        if (part < 0.0)
-        {
-            side = 2.0;
-        }
-        if ((arc == INT64_C(2)) || (arc == INT64_C(4)))
-        {
-            side = side + 1.0;
-        }
-        if (!slow_middle(side, largest * part * part, family, axis))
-        {
-            (*result_0) = -1.0;
-            (*result_1) = 0.0;
-            return 0;
-        }
-    }
-    member_distance(&duration, &y, family, axis);
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
-    {
-        error = duration - (*cspan_at(&family, INT64_C(16)));
-        if (fabs(error) <= 1e-15 * duration)
-        {
-            error = 0.0;
-        }
-        (*result_0) = duration;
-        (*result_1) = error;
-        return 0;
-    }
-    error = y - (*cspan_at(&family, INT64_C(16)));
-    speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + top_acceleration(axis) * duration;
-    if (fabs(error) <= 2e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
-    {
-        error = 0.0;
-    }
-    (*result_0) = duration;
-    (*result_1) = error;
-    return 0;
-}
-static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis)
-{
-    double place;
-    double error;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    int64_t i;
-    double share;
-    double duration;
-    if ((e_lower == 0.0) || (e_upper == 0.0))
-    {
-        place = upper;
-        if (e_lower == 0.0)
-        {
-            place = lower;
-        }
-        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
-        return duration;
-    }
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = e_upper;
-    e_other = e_lower;
-    e_before = e_lower;
-    duration = -1.0;
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        place = newest + share * (other - newest);
-        if ((place == newest) || (place == other))
-        {
-            break;
-        }
-        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
-        if (duration < 0.0)
-        {
-            return -1.0;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = place;
-        e_newest = error;
-        if (error == 0.0)
-        {
-            break;
-        }
-    }
-    return duration;
-}
-static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis)
-{
-    int64_t samples;
-    double place;
-    double duration;
-    double e_place;
-    bool known;
-    int64_t i;
-    double before;
-    double e_before;
-    bool was_known;
-    double other;
-    double e_other;
-    double inside;
-    double e_inside;
-    double outside;
-    int64_t j;
-    double middle;
-    double error;
-    samples = INT64_C(48);
-    place = 4.0 * sample / samples;
-    loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
-    known = duration >= 0.0;
-    for (i = sample + INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        before = place;
-        e_before = e_place;
-        was_known = known;
-        place = 4.0 * i / samples;
-        loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
-        known = duration >= 0.0;
-        if ((!known) && (!was_known))
-        {
-            continue;
-        }
-        other = before;
-        e_other = e_before;
-        inside = place;
-        e_inside = e_place;
-        if (known != was_known)
-        {
-            outside = before;
-            other = place;
-            e_other = e_place;
-            if (was_known)
-            {
-                outside = place;
-                other = before;
-                e_other = e_before;
-            }
-            inside = other;
-            e_inside = e_other;
-            for (j = INT64_C(0); j < INT64_C(12); j += INT64_C(1))
-            {
-                middle = 0.5 * (inside + outside);
-                loop_excess(&duration, &error, arc, middle, missing, largest, family, axis);
-                if (duration < 0.0)
-                {
-                    outside = middle;
-                }
-                else
-                {
-                    inside = middle;
-                    e_inside = error;
-                    if (error * e_other <= 0.0)
-                    {
-                        break;
-                    }
-                }
-            }
-        }
-        if ((other != inside) && (e_other * e_inside <= 0.0))
-        {
-            duration = loop_root(arc, other, inside, e_other, e_inside, missing, largest, family, axis);
-            if (duration >= 0.0)
-            {
-                (*result_0) = i;
-                (*result_1) = duration;
-                return 0;
-            }
-        }
-    }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = -1.0;
-    return 0;
-}
-static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d family;
-    array_double_2d trial;
-    double missing;
-    double given;
-    int64_t arc;
-    int64_t sample;
-    double duration;
-    int64_t used;
-    family = span_row(&work, INT64_C(98));
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    missing = set_loop(problem, axis, family);
-    given = longest;
-    for (arc = INT64_C(0); arc < last + INT64_C(1); arc += INT64_C(1))
-    {
-        if ((arc == INT64_C(6)) && (longest < given))
-        {
-            break;
-        }
-        sample = INT64_C(0);
-        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
-        {
-            arc_root(&sample, &duration, arc, sample, missing, given, family, axis);
-            if ((sample >= INT64_C(0)) && (duration < longest))
-            {
-                used = write_member(trial, family, axis);
-                duration = valid_duration(trial, used, problem, axis);
-                if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
-                {
-                    copy_phases(trial, phases, used);
-                    count = used;
-                    longest = duration;
-                }
-            }
-        }
-    }
-    return count;
-}
-static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_1d family;
-    double target;
-    double missing;
-    int64_t arc;
-    int64_t sample;
-    double duration;
-    int64_t used;
-    family = span_row(&work, INT64_C(98));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    missing = set_loop(problem, axis, family);
-    (*cspan_at(&family, INT64_C(15))) = 1.0;
-    (*cspan_at(&family, INT64_C(16))) = target;
-    for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
-    {
-        sample = INT64_C(0);
-        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
-        {
-            arc_root(&sample, &duration, arc, sample, missing, target, family, axis);
-            if (sample >= INT64_C(0))
-            {
-                used = write_member(span_rows(&work, INT64_C(0), INT64_C(21)), family, axis);
-                keep_nearest(used, problem, axis, cell, work);
-            }
-        }
-        if (is_enclosed(work))
-        {
-            return;
-        }
-    }
-}
-static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d family;
-    array_double_2d trial;
-    double missing;
-    double duration;
-    int64_t used;
-    family = span_row(&work, INT64_C(98));
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    missing = set_loop(problem, axis, family);
-    arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
-    if (sample < INT64_C(0))
-    {
-        (*result_0_0001) = -INT64_C(1);
-        (*result_1_0001) = -1.0;
-        return 0;
-    }
-    used = write_member(trial, family, axis);
-    (*result_0_0001) = sample;
-    (*result_1_0001) = valid_duration(trial, used, problem, axis);
-    return 0;
-}
-static void begin_dip(int64_t above, double v, double a, array_double_2d work)
-{
-    array_double_1d passing;
-    double sign;
-    int64_t i;
-    int64_t column;
-    passing = span_row(&work, INT64_C(101));
-    (*cspan_at(&passing, INT64_C(0))) = above + INT64_C(1);
-    (*cspan_at(&passing, INT64_C(1))) = above;
-    (*cspan_at(&passing, INT64_C(2))) = 1.0;
-    (*cspan_at(&passing, INT64_C(8))) = 0.0;
-    sign = -1.0;
-    for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
-    {
-        for (column = INT64_C(0); column < INT64_C(12); column += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(102) + i, column)) = 0.0;
-        }
-        (*cspan_at(&work, INT64_C(102) + i, INT64_C(5))) = sign;
-        sign = -sign;
-    }
-    (*cspan_at(&work, INT64_C(102), INT64_C(0) + INT64_C(1))) = v;
-    (*cspan_at(&work, INT64_C(102), INT64_C(0) + INT64_C(2))) = a;
-}
-static double follow_dip(int64_t order, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    array_double_2d nodes;
-    int64_t above;
-    int64_t i;
-    double hold;
-    double result;
-    passing = span_row(&work, INT64_C(101));
-    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
-    {
-        if (i <= above)
-        {
-            set_level(span_row(&nodes, i), passing, axis);
-        }
-        pass_node(i, passing, axis, nodes);
-        if ((*cspan_at(&nodes, i, INT64_C(10))) > 0.0)
-        {
-            hold = (*cspan_at(&nodes, i, INT64_C(10)));
-            advance(hold, (*cspan_at(&nodes, i, INT64_C(9))), 0.0, 0.0, 0.0, above, span_row(&nodes, i + INT64_C(1)));
-        }
-    }
-    result = (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + order));
-    return result;
-}
-static double last_jerk(double second, array_double_1d axis, array_double_2d work)
-{
-    double result;
-    (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = second;
-    result = follow_dip(INT64_C(3), axis, work);
-    return result;
-}
-static void balance_jerk(array_double_1d axis, array_double_2d work)
-{
-    double newest;
-    double e_newest;
-    double other;
-    double e_other;
-    int64_t i;
-    double before;
-    double e_before;
-    double share;
-    double second;
-    double error;
-    bool crossed;
-    newest = (*cspan_at(&work, INT64_C(102), INT64_C(6)));
-    e_newest = last_jerk(newest, axis, work);
-    if (e_newest >= 0.0)
-    {
-        return;
-    }
-    other = 2.0 * newest;
-    e_other = last_jerk(other, axis, work);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        if (e_other >= 0.0)
-        {
-            break;
-        }
-        newest = other;
-        e_newest = e_other;
-        other = 2.0 * other;
-        e_other = last_jerk(other, axis, work);
-    }
-    before = other;
-    e_before = e_other;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
-    {
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        second = newest + share * (other - newest);
-        if ((second == newest) || (second == other) || (e_newest == 0.0))
-        {
-            break;
-        }
-        error = last_jerk(second, axis, work);
-        crossed = error * e_newest <= 0.0;
-        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-        newest = second;
-        e_newest = error;
-    }
-    (*cspan_at(&work, INT64_C(102) + INT64_C(1), INT64_C(6))) = newest;
-}
-static double last_excess(double time, double end, array_double_1d axis, array_double_2d work)
-{
-    int64_t above;
-    double result;
-    above = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1))));
-    (*cspan_at(&work, INT64_C(102) + above, INT64_C(6))) = time;
-    if (above == INT64_C(2))
-    {
-        balance_jerk(axis, work);
-    }
-    result = follow_dip(INT64_C(2), axis, work) - end;
-    return result;
-}
-static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work)
-{
-    double newest;
-    double e_newest;
-    double other;
-    double e_other;
-    double before;
-    double e_before;
-    int64_t i;
-    double share;
-    double time;
-    double error;
-    bool crossed;
-    (*cspan_at(&work, INT64_C(102), INT64_C(6))) = first;
-    newest = 0.0;
-    e_newest = last_excess(newest, end, axis, work);
-    if (e_newest > 0.0)
-    {
-        return 0;
-    }
-    other = first;
-    e_other = last_excess(other, end, axis, work);
-    before = other;
-    e_before = e_other;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
-    {
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        time = newest + share * (other - newest);
-        if ((time == newest) || (time == other) || (e_newest == 0.0))
-        {
-            break;
-        }
-        error = last_excess(time, end, axis, work);
-        crossed = error * e_newest <= 0.0;
-        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-        newest = time;
-        e_newest = error;
-    }
-    last_excess(newest, end, axis, work);
-    return 1;
-}
-static int64_t judge_dip(bool* result_0, bool* result_1, double first, double end, array_double_1d axis, array_double_2d work)
-{
-    array_double_2d excess;
-    bool fast;
-    bool shallow;
-    bool deep;
-    int64_t order;
-    excess = span_rows(&work, INT64_C(196), INT64_C(202));
-    if (!close_dip(first, end, axis, work))
-    {
-        (*result_0) = 1;
-        (*result_1) = 0;
-        return 0;
-    }
-    if (!measure_excess(axis, work))
-    {
-        (*result_0) = 0;
-        (*result_1) = 0;
-        return 0;
-    }
-    fast = (*cspan_at(&excess, INT64_C(1), INT64_C(0))) > 0.0;
-    shallow = fast && ((*cspan_at(&excess, INT64_C(1), INT64_C(3))) > 0.0);
-    deep = fast && (!shallow);
-    for (order = INT64_C(2); order < INT64_C(4); order += INT64_C(1))
-    {
-        deep = deep || ((*cspan_at(&excess, order, INT64_C(0))) > 0.0);
-    }
-    (*result_0) = shallow;
-    (*result_1) = deep;
-    return 0;
-}
-static double find_edge(bool deepest, double lower, double end, array_double_1d axis, array_double_2d work)
-{
-    double accuracy;
-    double upper;
-    int64_t i;
-    double first;
-    bool shallow;
-    bool deep;
-    double found;
-    accuracy = 0.001;
-    if (deepest)
-    {
-        accuracy = 0.01;
-    }
-    upper = 1e+300;
-    found = -1.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        first = 2.0 * lower;
-        if (upper < 1e+300)
-        {
-            first = 0.5 * (lower + upper);
-        }
-        judge_dip(&shallow, &deep, first, end, axis, work);
-        if (shallow && deep)
-        {
-            break;
-        }
-        if ((!shallow) && (!deep))
-        {
-            found = first;
-        }
-        if (shallow || (deepest && (!deep)))
-        {
-            lower = first;
-        }
-        else
-        {
-            upper = first;
-        }
-        if ((upper - lower <= 1e-12 * upper) || ((found > 0.0) && (upper - lower <= accuracy * upper)))
-        {
-            break;
-        }
-    }
-    return found;
-}
-static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work)
-{
-    double sign;
-    double duration;
-    double slope;
-    double gain;
-    int64_t lower;
-    int64_t above;
-    double least;
-    sign = 1.0;
-    if (a < 0.0)
-    {
-        sign = -1.0;
-    }
-    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    gain = 0.37 * fabs(a) * duration;
-    if (ramps_suffice(axis) || (sign * v + gain > side_limit(INT64_C(1), sign, axis)))
-    {
-        return 0;
-    }
-    (*cspan_at(&dips, INT64_C(0))) = v;
-    (*cspan_at(&dips, INT64_C(1))) = a;
-    (*cspan_at(&dips, INT64_C(2))) = (-sign) * end;
-    for (lower = INT64_C(0); lower < (int64_t)((*cspan_at(&axis, INT64_C(38)))); lower += INT64_C(1))
-    {
-        above = (int64_t)((*cspan_at(&axis, INT64_C(38)))) - lower;
-        begin_dip(above, sign * v, fabs(a), work);
-        if (sign < 0.0)
-        {
-            mirror_axis(axis);
-        }
-        least = find_edge(0, 0.02 * duration, -end, axis, work);
-        if (sign < 0.0)
-        {
-            mirror_axis(axis);
-        }
-        if (least > 0.0)
-        {
-            (*cspan_at(&dips, INT64_C(3))) = above;
-            (*cspan_at(&dips, INT64_C(4))) = least;
-            (*cspan_at(&dips, INT64_C(5))) = least;
-            return 1;
-        }
-    }
-    return 0;
-}
-static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work)
-{
-    double end;
-    end = -fabs((*cspan_at(&dips, INT64_C(2))));
-    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
-    {
-        mirror_axis(axis);
-    }
-    (*cspan_at(&dips, INT64_C(5))) = span_max(find_edge(1, (*cspan_at(&dips, INT64_C(4))), end, axis, work), (*cspan_at(&dips, INT64_C(4))));
-    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
-    {
-        mirror_axis(axis);
-    }
-}
-static int64_t write_levels(array_double_2d phases, array_double_2d work)
-{
-    double above;
-    double level;
-    int64_t i;
-    int64_t row;
-    double ramp;
-    int64_t used;
-    above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
-    level = 0.0;
-    used = INT64_C(0);
-    for (i = INT64_C(0); i < (int64_t)(above) + INT64_C(2); i += INT64_C(1))
-    {
-        row = INT64_C(102) + i;
-        ramp = (*cspan_at(&work, row, INT64_C(11)));
-        used = append_phase(phases, used, ramp, ramp, level, (*cspan_at(&work, row, INT64_C(9))) - level, above);
-        level = (*cspan_at(&work, row, INT64_C(9)));
-        used = append_phase(phases, used, (*cspan_at(&work, row, INT64_C(10))), 0.0, level, 0.0, above);
-    }
-    return used;
-}
-static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work)
-{
-    int64_t above;
-    double sign;
-    double first;
-    int64_t count;
-    array_double_2d nodes;
-    double duration;
-    double y;
-    double v;
-    above = (int64_t)((*cspan_at(&dips, INT64_C(3))));
-    if (above == INT64_C(0))
-    {
-        (*result_0) = INT64_C(0);
-        (*result_1) = 0.0;
-        (*result_2) = 0.0;
-        (*result_3) = (*cspan_at(&dips, INT64_C(0)));
-        return 0;
-    }
-    sign = 1.0;
-    if ((*cspan_at(&dips, INT64_C(1))) < 0.0)
-    {
-        sign = -1.0;
-    }
-    begin_dip(above, sign * (*cspan_at(&dips, INT64_C(0))), fabs((*cspan_at(&dips, INT64_C(1)))), work);
-    first = (*cspan_at(&dips, INT64_C(4))) + depth * ((*cspan_at(&dips, INT64_C(5))) - (*cspan_at(&dips, INT64_C(4))));
-    close_dip(first, sign * (*cspan_at(&dips, INT64_C(2))), axis, work);
-    count = write_levels(phases, work);
-    if (sign < 0.0)
-    {
-        mirror_phases(phases, count);
-    }
-    nodes = span_rows(&work, INT64_C(102), INT64_C(120));
-    duration = sequence_duration(span_row(&work, INT64_C(101)), nodes);
-    y = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0)));
-    v = sign * (*cspan_at(&nodes, above + INT64_C(2), INT64_C(0) + INT64_C(1)));
-    v = boundary_value(v, (*cspan_at(&axis, INT64_C(9))), (*cspan_at(&axis, INT64_C(2))));
-    (*result_0) = count;
-    (*result_1) = duration;
-    (*result_2) = y;
-    (*result_3) = v;
-    return 0;
-}
-static double peak_past_zero(double v, double a, double level, array_double_1d axis)
-{
-    double duration;
-    double slope;
-    double result;
-    segfmu_ramp_duration(&duration, &slope, a - level, axis);
-    if (level >= 0.0)
-    {
-        return v + 0.5 * a * duration;
-    }
-    result = ramp_extreme_velocity(v, a, level, duration, duration, axis);
-    return result;
-}
-static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis)
-{
-    double shrink;
-    double lower;
-    double upper;
-    double inner;
-    double outer;
-    double at_inner;
-    double at_outer;
-    int64_t i;
-    shrink = 0.6180339887498949;
-    lower = -span_min(bottom, 1000.0 * a);
-    upper = 0.0;
-    if (peak_past_zero(v, a, lower, axis) <= velocity_limit)
-    {
-        return lower;
-    }
-    inner = upper - shrink * (upper - lower);
-    outer = lower + shrink * (upper - lower);
-    at_inner = peak_past_zero(v, a, inner, axis);
-    at_outer = peak_past_zero(v, a, outer, axis);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        if (at_inner <= velocity_limit)
-        {
-            return inner;
-        }
-        if (at_outer <= velocity_limit)
-        {
-            return outer;
-        }
-        if (at_inner < at_outer - 1e-12 * velocity_limit)
-        {
-            upper = outer;
-            outer = inner;
-            at_outer = at_inner;
-            inner = upper - shrink * (upper - lower);
-            at_inner = peak_past_zero(v, a, inner, axis);
-        }
-        else
-        {
-            lower = inner;
-            inner = outer;
-            at_inner = at_outer;
-            outer = lower + shrink * (upper - lower);
-            at_outer = peak_past_zero(v, a, outer, axis);
-        }
-    }
-    return 1.0;
-}
-static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis)
-{
-    double newest;
-    double e_newest;
-    double other;
-    double e_other;
-    double before;
-    double e_before;
-    int64_t i;
-    double share;
-    double level;
-    double error;
-    bool crossed;
-    double inside;
-    inside = deep_level(v, a, velocity_limit, bottom, axis);
-    if (inside > 0.0)
-    {
-        return inside;
-    }
-    newest = inside;
-    e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit;
-    other = 0.0;
-    e_other = peak_past_zero(v, a, other, axis) - velocity_limit;
-    before = other;
-    e_before = e_other;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-    {
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        level = newest + share * (other - newest);
-        if ((level == newest) || (level == other))
-        {
-            break;
-        }
-        error = peak_past_zero(v, a, level, axis) - velocity_limit;
-        crossed = newest == inside;
-        if (error <= 0.0)
-        {
-            crossed = newest != inside;
-            inside = level;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-        newest = level;
-        e_newest = error;
-    }
-    return inside;
-}
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work)
-{
-    int64_t count;
-    double level;
-    double reached;
-    int64_t i;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    double sign;
-    double most;
-    double bottom;
-    double past;
-    array_double_1d dips;
-    count = INT64_C(0);
-    level = a;
-    reached = v;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        count = append_change(phases, count, level, 0.0, axis);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, v, 1e+300, axis);
-        if (!is_beyond(end, end, 1.0 + 1e-12, axis))
-        {
-            (*result_0) = count;
-            (*result_1) = duration;
-            (*result_2) = y;
-            (*result_3) = end;
-            return 0;
-        }
-        count = count - INT64_C(1);
-        sign = 1.0;
-        if (level < 0.0)
-        {
-            sign = -1.0;
-        }
-        most = side_limit(INT64_C(1), sign, axis);
-        bottom = side_limit(INT64_C(2), -sign, axis);
-        past = sign * level_past_zero(sign * reached, sign * level, most, bottom, axis);
-        if (past * sign > 0.0)
-        {
-            break;
-        }
-        count = append_change(phases, count, level, past, axis);
-        segfmu_measure_phases(&duration, &y, &reached, &lowest, &highest, phases, count, v, 1e+300, axis);
-        level = past;
-    }
-    dips = span_row(&work, INT64_C(62));
-    if (find_dips(v, a, 0.0, axis, dips, work))
-    {
-        write_dip(result_0, result_1, result_2, result_3, 0.0, axis, dips, phases, work);
-        return 0;
-    }
-    (*result_0) = -INT64_C(1);
-    (*result_1) = 0.0;
-    (*result_2) = 0.0;
-    (*result_3) = 0.0;
-    return 0;
-}
-static bool nearly_brakes(double v, double a, array_double_1d axis)
-{
-    double duration;
-    double slope;
-    double end;
-    double near;
-    bool result;
-    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    end = v + 0.5 * a * duration;
-    near = v + (1.0 - saving(axis)) * (0.5 * a * duration);
-    result = is_beyond(end, end, 1.0, axis) && (!is_beyond(near, near, 1.0, axis));
-    return result;
-}
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d rest;
-    int64_t first;
-    int64_t last;
-    double spent;
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double duration;
-    double y;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    rest = span_row(&work, INT64_C(60));
-    first = INT64_C(0);
-    last = INT64_C(0);
-    spent = 0.0;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    if (((span_floor_mod(variant, INT64_C(2)) == INT64_C(1)) && (a == 0.0)) || ((variant >= INT64_C(2)) && (b == 0.0)))
-    {
-        (*result_0_0001) = -INT64_C(3);
-        (*result_1) = 0.0;
-        return 0;
-    }
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        brake(&first, &duration, &y, &v, v, a, axis, trial, work);
-        if (first < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(1);
-            (*result_1) = 0.0;
-            return 0;
-        }
-        spent = duration;
-        distance = distance - y;
-        a = 0.0;
-    }
-    if (variant >= INT64_C(2))
-    {
-        reverse_axis(axis);
-        brake(&last, &duration, &y, &w, w, -b, axis, trial, work);
-        reverse_axis(axis);
-        if (last < INT64_C(0))
-        {
-            (*result_0_0001) = -INT64_C(2);
-            (*result_1) = 0.0;
-            return 0;
-        }
-        spent = spent + duration;
-        distance = distance - y;
-        b = 0.0;
-    }
-    (*cspan_at(&rest, INT64_C(0))) = v;
-    (*cspan_at(&rest, INT64_C(1))) = a;
-    (*cspan_at(&rest, INT64_C(2))) = w;
-    (*cspan_at(&rest, INT64_C(3))) = b;
-    (*cspan_at(&rest, INT64_C(4))) = distance;
-    (*cspan_at(&rest, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5))) - spent;
-    (*result_0_0001) = first + last;
-    (*result_1) = spent;
-    return 0;
-}
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_2d trial;
-    double v;
-    int64_t first;
-    double duration;
-    double y;
-    double end;
-    int64_t j;
-    int64_t i;
-    int64_t column;
-    double w;
-    int64_t last;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    if (span_floor_mod(variant, INT64_C(2)) == INT64_C(1))
-    {
-        v = (*cspan_at(&problem, INT64_C(0)));
-        brake(&first, &duration, &y, &end, v, (*cspan_at(&problem, INT64_C(1))), axis, trial, work);
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
-        {
-            i = count - INT64_C(1) - j;
-            for (column = INT64_C(0); column < INT64_C(5); column += INT64_C(1))
-            {
-                (*cspan_at(&phases, first + i, column)) = (*cspan_at(&phases, i, column));
-            }
-        }
-        copy_phases(trial, phases, first);
-        count = first + count;
-    }
-    if (variant >= INT64_C(2))
-    {
-        w = (*cspan_at(&problem, INT64_C(2)));
-        reverse_axis(axis);
-        brake(&last, &duration, &y, &end, w, -(*cspan_at(&problem, INT64_C(3))), axis, trial, work);
-        reverse_axis(axis);
-        reverse_phases(trial, INT64_C(0), last);
-        count = join_phases(trial, last, phases, count);
-    }
-    return count;
-}
-static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d family;
-    int64_t branch;
-    int64_t member;
-    int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    family = span_row(&work, INT64_C(98));
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        if (same_members(branch, problem, family))
-        {
-            continue;
-        }
-        set_family(branch, problem, axis, family);
-        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
-        {
-            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
-            count = tempered_form(trial, family, axis);
-            if (count < INT64_C(0))
-            {
-                break;
-            }
-            keep_nearest(count, problem, axis, cell, work);
-        }
-    }
-}
-static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double v;
-    double w;
-    double distance;
-    double middle;
-    int64_t count;
-    double y;
-    double hold;
-    double edge;
-    double y_edge;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    v = (*cspan_at(&problem, INT64_C(0)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
-    {
-        keep_nearest(count, problem, axis, cell, work);
-        edge = cruise_range(trial, middle, y, hold, problem, axis);
-        y_edge = keep_cruise(edge, problem, axis, cell, work);
-        if (is_enclosed(work))
-        {
-            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
-        }
-    }
-}
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    usual_cruise(problem, axis, cell, work);
-    if (!is_enclosed(work))
-    {
-        scan_cruises(problem, axis, cell, work);
-    }
-    if (!is_enclosed(work))
-    {
-        timed_merged(problem, axis, cell, work);
-    }
-}
-static void note_known(array_double_2d work)
-{
-    array_double_1d nearest;
-    nearest = span_row(&work, INT64_C(58));
-    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
-    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
-    }
-    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
-    }
-}
-static void clear_nearest(array_double_2d work)
-{
-    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
-    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
-}
-static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
-{
-    double distance;
-    double below;
-    double above;
-    double target;
-    double speed;
-    double tiny;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    below = (*cspan_at(&nearest, INT64_C(1)));
-    above = (*cspan_at(&nearest, INT64_C(3)));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    speed = speed_bound(1.0, target, problem, axis);
-    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
-    tiny = 1e-14 * (fabs(distance) + speed * target);
-    if (above - distance <= tiny)
-    {
-        return 1.0;
-    }
-    if (distance - below > tiny)
-    {
-        return (distance - below) / (above - below);
-    }
-    return 0.0;
 }
 static void append_level(double sign, double time, array_double_2d work)
 {
@@ -17214,766 +18727,6 @@ static double timed_dipped(array_double_1d axis, array_double_2d cell, array_dou
     }
     return -1.0;
 }
-static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d passing;
-    double duration;
-    int64_t i;
-    double acceleration;
-    int64_t q;
-    passing = span_row(&work, INT64_C(101));
-    duration = (*cspan_at(&problem, INT64_C(5)));
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
-    {
-        (*cspan_at(&passing, i)) = 0.0;
-    }
-    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(38)));
-    (*cspan_at(&passing, INT64_C(2))) = pace;
-    (*cspan_at(&passing, INT64_C(3))) = duration;
-    acceleration = top_acceleration(axis);
-    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(13))));
-    (*cspan_at(&passing, INT64_C(4))) = acceleration;
-    (*cspan_at(&passing, INT64_C(5))) = duration;
-    (*cspan_at(&passing, INT64_C(6))) = sign;
-    q = (int64_t)((*cspan_at(&axis, INT64_C(38)))) + INT64_C(2);
-    set_alternating(sign, 0.6 * duration / q, work);
-}
-static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    int64_t count;
-    int64_t end;
-    set_extreme(sign, pace, problem, axis, work);
-    if (!solve_sequence(problem, axis, work))
-    {
-        (*result_0) = INT64_C(0);
-        (*result_1_0001) = 0.0;
-        return 0;
-    }
-    keep_sequence(INT64_C(158), work);
-    if (!tighten(1e+300, problem, axis, work))
-    {
-        (*result_0) = INT64_C(0);
-        (*result_1_0001) = 0.0;
-        return 0;
-    }
-    count = write_sequence(phases, problem, axis, work);
-    end = INT64_C(102) + (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(1);
-    (*result_0) = count;
-    (*result_1_0001) = (*cspan_at(&work, end, INT64_C(0)));
-    return 0;
-}
-static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_1d problem;
-    array_double_1d nearest;
-    double distance;
-    double known;
-    int64_t i;
-    double sign;
-    int64_t found;
-    array_double_2d phases;
-    int64_t attempt;
-    double pace;
-    int64_t count;
-    double reached;
-    problem = span_row(&work, INT64_C(59));
-    nearest = span_row(&work, INT64_C(58));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    known = (*cspan_at(&nearest, INT64_C(4)));
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        sign = 2.0 * i - 1.0;
-        if (known < 0.0)
-        {
-            sign = -sign;
-        }
-        found = INT64_C(0);
-        phases = span_rows(&cell, INT64_C(0), INT64_C(33));
-        if (sign > 0.0)
-        {
-            found = INT64_C(2);
-            phases = span_rows(&cell, INT64_C(33), INT64_C(66));
-        }
-        (*cspan_at(&nearest, found)) = 0.0;
-        for (attempt = INT64_C(0); attempt < INT64_C(3); attempt += INT64_C(1))
-        {
-            pace = 1.0 - 0.2 * attempt;
-            extreme_form(&count, &reached, sign, pace, phases, problem, axis, work);
-            if ((count > INT64_C(0)) && (sign * reached >= sign * distance))
-            {
-                (*cspan_at(&nearest, found)) = count;
-                (*cspan_at(&nearest, found + INT64_C(1))) = reached;
-                break;
-            }
-            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(38))) < 1.5))
-            {
-                return 0;
-            }
-        }
-        if (((*cspan_at(&nearest, found)) == 0.0) && (sign != known))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
-{
-    int64_t place;
-    int64_t j;
-    int64_t i;
-    if (duration <= after)
-    {
-        return count;
-    }
-    place = count;
-    while((place > INT64_C(0)) && ((*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) > duration))
-    {
-        place = place - INT64_C(1);
-    }
-    if ((place > INT64_C(0)) && (duration - (*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) <= 1e-10 * duration))
-    {
-        return count;
-    }
-    count = span_min_int(count + INT64_C(1), ends.shape[INT64_C(0)]);
-    for (j = INT64_C(0); j < count - INT64_C(1) - place; j += INT64_C(1))
-    {
-        i = count - INT64_C(1) - j;
-        (*cspan_at(&ends, i, INT64_C(0))) = (*cspan_at(&ends, i - INT64_C(1), INT64_C(0)));
-    }
-    if (place < count)
-    {
-        (*cspan_at(&ends, place, INT64_C(0))) = duration;
-    }
-    return count;
-}
-static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double rest;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = 1e+300;
-        (*result_1_0001) = 1e+300;
-        return 0;
-    }
-    rest = (*cspan_at(&problem, INT64_C(4))) - y;
-    if (rest * cruise <= 0.0)
-    {
-        (*result_0) = duration;
-        (*result_1_0001) = 1e+300;
-        return 0;
-    }
-    (*result_0) = duration;
-    (*result_1_0001) = duration + rest / cruise;
-    return 0;
-}
-static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
-{
-    double duration;
-    double covered;
-    cruise_times(&duration, &covered, cruise, problem, axis, phases);
-    if (covering)
-    {
-        return covered;
-    }
-    return duration;
-}
-static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
-{
-    double shrink;
-    double p;
-    double q;
-    double t_p;
-    double t_q;
-    int64_t i;
-    shrink = 0.6180339887498949;
-    p = upper - shrink * (upper - lower);
-    q = lower + shrink * (upper - lower);
-    t_p = cruise_time(p, covering, problem, axis, phases);
-    t_q = cruise_time(q, covering, problem, axis, phases);
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        if (t_p <= t_q)
-        {
-            upper = q;
-            q = p;
-            t_q = t_p;
-            p = upper - shrink * (upper - lower);
-            t_p = cruise_time(p, covering, problem, axis, phases);
-        }
-        else
-        {
-            lower = p;
-            p = q;
-            t_p = t_q;
-            q = lower + shrink * (upper - lower);
-            t_q = cruise_time(q, covering, problem, axis, phases);
-        }
-    }
-    return span_min(t_p, t_q);
-}
-static double cruise_sample(int64_t sample, double fastest, double backwards)
-{
-    double share;
-    share = 2.0 * sample / INT64_C(24) - 1.0;
-    if (share < 0.0)
-    {
-        return backwards * share;
-    }
-    return fastest * share;
-}
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
-{
-    array_double_2d phases;
-    array_double_2d ends;
-    double lower;
-    double upper;
-    double turn;
-    int64_t result;
-    if (spent + least <= after)
-    {
-        return count;
-    }
-    phases = span_rows(&work, INT64_C(0), INT64_C(21));
-    ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), fastest, backwards);
-    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), fastest, backwards);
-    turn = turning_time(lower, upper, covering, problem, axis, phases);
-    result = insert_end(spent + span_min(turn, least), after, count, ends);
-    return result;
-}
-static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
-{
-    array_double_2d phases;
-    double first;
-    double second;
-    double first_covered;
-    double second_covered;
-    double fastest;
-    double backwards;
-    int64_t i;
-    double third;
-    double third_covered;
-    double cruise;
-    phases = span_rows(&work, INT64_C(0), INT64_C(21));
-    first = 1e+300;
-    second = 1e+300;
-    first_covered = 1e+300;
-    second_covered = 1e+300;
-    fastest = speed_bound(1.0, 4.0 * after, problem, axis);
-    backwards = speed_bound(-1.0, 4.0 * after, problem, axis);
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
-    {
-        third = 1e+300;
-        third_covered = 1e+300;
-        if (i < INT64_C(25))
-        {
-            cruise = cruise_sample(i, fastest, backwards);
-            cruise_times(&third, &third_covered, cruise, problem, axis, phases);
-        }
-        if ((second < 1e+300) && (first >= second) && (third >= second))
-        {
-            count = insert_turn(i - INT64_C(1), 0, second, spent, after, fastest, backwards, problem, axis, work, count);
-        }
-        if ((second_covered < 1e+300) && (first_covered >= second_covered))
-        {
-            if (third_covered >= second_covered)
-            {
-                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, fastest, backwards, problem, axis, work, count);
-            }
-        }
-        first = second;
-        second = third;
-        first_covered = second_covered;
-        second_covered = third_covered;
-    }
-    return count;
-}
-static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends)
-{
-    double duration;
-    int64_t result;
-    if (taken <= INT64_C(0))
-    {
-        return count;
-    }
-    duration = valid_duration(phases, taken, problem, axis);
-    if (duration < 0.0)
-    {
-        return count;
-    }
-    result = insert_end(spent + duration, after, count, ends);
-    return result;
-}
-static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
-{
-    array_double_2d phases;
-    array_double_2d ends;
-    array_double_1d family;
-    double usual;
-    int64_t form;
-    int64_t taken;
-    double cruise;
-    int64_t branch;
-    int64_t member;
-    phases = span_rows(&work, INT64_C(0), INT64_C(21));
-    ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    family = span_row(&work, INT64_C(98));
-    usual = usual_duration(problem, axis);
-    for (form = INT64_C(0); form < INT64_C(5); form += INT64_C(1))
-    {
-        if (form == INT64_C(0))
-        {
-            taken = slower_cruise(phases, problem, axis);
-        }
-        else if (form < INT64_C(3))
-        {
-            cruise = (*cspan_at(&axis, INT64_C(2)));
-            if (form == INT64_C(2))
-            {
-                cruise = -(*cspan_at(&axis, INT64_C(9)));
-            }
-            taken = with_cruise(phases, cruise, problem, axis);
-        }
-        else
-        {
-            taken = direct_form(phases, form == INT64_C(3), problem, axis);
-        }
-        count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
-    }
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        if (same_members(branch, problem, family))
-        {
-            continue;
-        }
-        set_family(branch, problem, axis, family);
-        for (member = INT64_C(0); member < INT64_C(4); member += INT64_C(1))
-        {
-            set_member(member, usual, 0, family);
-            taken = tempered_form(phases, family, axis);
-            if (taken < INT64_C(0))
-            {
-                break;
-            }
-            count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
-        }
-    }
-    return count;
-}
-static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
-{
-    array_double_2d ends;
-    double longest;
-    int64_t arc;
-    int64_t sample;
-    double duration;
-    ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    longest = usual_duration(problem, axis);
-    for (arc = INT64_C(0); arc < INT64_C(5); arc += INT64_C(1))
-    {
-        sample = INT64_C(0);
-        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
-        {
-            next_loop(&sample, &duration, arc, sample, longest, problem, axis, work);
-            if (duration >= 0.0)
-            {
-                count = insert_end(duration, after, count, ends);
-            }
-        }
-    }
-    return count;
-}
-static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
-{
-    array_double_1d rest;
-    array_double_2d between;
-    array_double_2d ends;
-    int64_t i;
-    double spent;
-    int64_t used;
-    double duration;
-    rest = span_row(&work, INT64_C(61));
-    between = span_rows(&work, INT64_C(65), INT64_C(98));
-    ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    if (!set_both_dips(0.0, problem, axis, work))
-    {
-        return count;
-    }
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        spent = problem_between(0.25 * i, problem, axis, rest, work);
-        used = profile_between(rest, axis, work);
-        if (used >= INT64_C(0))
-        {
-            duration = spent + total_duration(between, used);
-            count = insert_end(duration, after, count, ends);
-        }
-    }
-    return count;
-}
-static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d rest;
-    int64_t count;
-    int64_t variant;
-    int64_t taken;
-    double spent;
-    int64_t result;
-    rest = span_row(&work, INT64_C(60));
-    count = INT64_C(0);
-    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
-    {
-        braked(&taken, &spent, variant, problem, axis, work);
-        if (taken < INT64_C(0))
-        {
-            continue;
-        }
-        if ((variant == INT64_C(0)) && ((after < 1.1 * shortest) || (!snap_is_last(axis))))
-        {
-            count = loop_ends(after, rest, axis, work, count);
-        }
-        count = covering_ends(spent, after, rest, axis, work, count);
-        count = turning_ends(spent, after, rest, axis, work, count);
-    }
-    result = dip_ends(after, problem, axis, work, count);
-    return result;
-}
-static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
-{
-    double duration;
-    double a;
-    double square;
-    double y;
-    double v;
-    double b;
-    double third;
-    double fourth;
-    double fifth;
-    double first;
-    double second;
-    double inner;
-    double root;
-    double low;
-    double high;
-    double last;
-    int64_t i;
-    double s;
-    double curve;
-    duration = (*cspan_at(&problem, INT64_C(5)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    square = duration * duration;
-    y = (*cspan_at(&problem, INT64_C(4))) - ((*cspan_at(&problem, INT64_C(0))) + 0.5 * a * duration) * duration;
-    v = ((*cspan_at(&problem, INT64_C(2))) - (*cspan_at(&problem, INT64_C(0))) - a * duration) * duration;
-    b = ((*cspan_at(&problem, INT64_C(3))) - a) * square;
-    third = 10.0 * y - 4.0 * v + 0.5 * b;
-    fourth = (-15.0) * y + 7.0 * v - b;
-    fifth = 6.0 * y - 3.0 * v + 0.5 * b;
-    first = 1.0 / 3.0;
-    second = 2.0 / 3.0;
-    inner = 4.0 * fourth * fourth - 10.0 * third * fifth;
-    if (inner > 0.0)
-    {
-        root = 2.0 * fourth + sqrt(inner);
-        if (fourth < 0.0)
-        {
-            root = 2.0 * fourth - sqrt(inner);
-        }
-        low = (-third) / root;
-        high = 2.0;
-        if (fifth != 0.0)
-        {
-            high = (-0.1) * root / fifth;
-        }
-        if (low > high)
-        {
-            last = low;
-            low = high;
-            high = last;
-        }
-        if ((low > 0.0) && (low < 1.0))
-        {
-            first = low;
-            second = 0.5 * (1.0 + low);
-        }
-        if ((high > 0.0) && (high < 1.0))
-        {
-            second = high;
-            if (!((low > 0.0) && (low < 1.0)))
-            {
-                first = 0.5 * high;
-            }
-        }
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        s = first;
-        if (i == INT64_C(1))
-        {
-            s = second;
-        }
-        curve = s * (6.0 * third + s * (12.0 * fourth + s * 20.0 * fifth));
-        (*cspan_at(&gentle, INT64_C(0) + i)) = a + curve / square;
-    }
-}
-static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis)
-{
-    double top;
-    double hold;
-    top = side_limit(INT64_C(2), level, axis);
-    if (fabs(level) <= top)
-    {
-        (*result_0_0001) = level;
-        (*result_1) = 0.0;
-        return 0;
-    }
-    hold = 0.5 * (*cspan_at(&problem, INT64_C(5))) * (fabs(level) / top - 1.0);
-    if (level < 0.0)
-    {
-        (*result_0_0001) = -top;
-        (*result_1) = hold;
-        return 0;
-    }
-    (*result_0_0001) = top;
-    (*result_1) = hold;
-    return 0;
-}
-static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
-{
-    double hold;
-    double total;
-    double a;
-    int64_t i;
-    double b;
-    double held;
-    double duration;
-    double slope;
-    hold = 0.0;
-    total = 0.0;
-    a = (*cspan_at(&problem, INT64_C(1)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        b = (*cspan_at(&problem, INT64_C(3)));
-        held = 0.0;
-        if (i < INT64_C(2))
-        {
-            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
-        }
-        segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
-        (*cspan_at(&gentle, INT64_C(4) + i)) = b;
-        (*cspan_at(&gentle, INT64_C(7) + i)) = held;
-        (*cspan_at(&gentle, INT64_C(10) + i)) = duration;
-        total = total + duration;
-        hold = hold + held;
-        a = b;
-    }
-    (*cspan_at(&gentle, INT64_C(13))) = 0.0;
-    if (total > 0.0)
-    {
-        (*cspan_at(&gentle, INT64_C(13))) = ((*cspan_at(&problem, INT64_C(5))) - hold) / total;
-    }
-}
-static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
-{
-    double v;
-    double y;
-    double a;
-    int64_t i;
-    double b;
-    double held;
-    double basis;
-    double duration;
-    double result;
-    gentle_ramps(problem, axis, gentle);
-    v = (*cspan_at(&problem, INT64_C(0)));
-    y = 0.0;
-    a = (*cspan_at(&problem, INT64_C(1)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        b = (*cspan_at(&gentle, INT64_C(4) + i));
-        held = (*cspan_at(&gentle, INT64_C(7) + i));
-        basis = (*cspan_at(&gentle, INT64_C(10) + i));
-        duration = basis * (*cspan_at(&gentle, INT64_C(13)));
-        if (duration > 0.0)
-        {
-            y = y + ramp_distance(v, a, b, duration, basis, axis);
-            v = v + 0.5 * (a + b) * duration;
-        }
-        y = y + (v + 0.5 * b * held) * held;
-        v = v + b * held;
-        a = b;
-    }
-    (*cspan_at(&gentle, INT64_C(14))) = v - (*cspan_at(&problem, INT64_C(2)));
-    (*cspan_at(&gentle, INT64_C(15))) = (y - (*cspan_at(&problem, INT64_C(4)))) / (*cspan_at(&problem, INT64_C(5)));
-    result = fabs((*cspan_at(&gentle, INT64_C(14)))) + fabs((*cspan_at(&gentle, INT64_C(15))));
-    return result;
-}
-static double usual_speed(array_double_1d problem, array_double_1d axis)
-{
-    double duration;
-    double speed;
-    double result;
-    duration = (*cspan_at(&problem, INT64_C(5)));
-    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    speed = speed + (fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))))) * duration;
-    result = span_min(fastest_velocity(axis), speed + fabs((*cspan_at(&problem, INT64_C(4)))) / duration);
-    return result;
-}
-static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
-{
-    double gain;
-    double excess;
-    double change;
-    int64_t i;
-    double kept;
-    gain = (*cspan_at(&gentle, INT64_C(14)));
-    excess = (*cspan_at(&gentle, INT64_C(15)));
-    change = 1e-07 * span_max(fabs((*cspan_at(&gentle, INT64_C(0)))), fabs((*cspan_at(&gentle, INT64_C(0) + INT64_C(1)))));
-    if (change == 0.0)
-    {
-        return 0;
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        kept = (*cspan_at(&gentle, INT64_C(0) + i));
-        (*cspan_at(&gentle, INT64_C(0) + i)) = kept + change;
-        gentle_errors(problem, axis, gentle);
-        (*cspan_at(&gentle, INT64_C(0) + i)) = kept;
-        (*cspan_at(&gentle, INT64_C(16) + i)) = ((*cspan_at(&gentle, INT64_C(14))) - gain) / change;
-        (*cspan_at(&gentle, INT64_C(18) + i)) = ((*cspan_at(&gentle, INT64_C(15))) - excess) / change;
-    }
-    (*cspan_at(&gentle, INT64_C(14))) = gain;
-    (*cspan_at(&gentle, INT64_C(15))) = excess;
-    return 1;
-}
-static bool gentle_step(array_double_1d gentle)
-{
-    double gain;
-    double excess;
-    double g1;
-    double g2;
-    double e1;
-    double e2;
-    double determinant;
-    gain = (*cspan_at(&gentle, INT64_C(14)));
-    excess = (*cspan_at(&gentle, INT64_C(15)));
-    g1 = (*cspan_at(&gentle, INT64_C(16)));
-    g2 = (*cspan_at(&gentle, INT64_C(16) + INT64_C(1)));
-    e1 = (*cspan_at(&gentle, INT64_C(18)));
-    e2 = (*cspan_at(&gentle, INT64_C(18) + INT64_C(1)));
-    determinant = g1 * e2 - g2 * e1;
-    if (!(fabs(determinant) > 1e-09 * (fabs(g1 * e2) + fabs(g2 * e1))))
-    {
-        return 0;
-    }
-    (*cspan_at(&gentle, INT64_C(2))) = (g2 * excess - e2 * gain) / determinant;
-    (*cspan_at(&gentle, INT64_C(2) + INT64_C(1))) = (e1 * gain - g1 * excess) / determinant;
-    return 1;
-}
-static void spread_levels(int64_t attempt, array_double_1d gentle)
-{
-    double middle;
-    double half;
-    double factor;
-    middle = 0.5 * ((*cspan_at(&gentle, INT64_C(0))) + (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))));
-    half = 0.5 * ((*cspan_at(&gentle, INT64_C(0))) - (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))));
-    factor = 1.5 * attempt + 1.0;
-    if (span_floor_mod(attempt, INT64_C(2)) == INT64_C(0))
-    {
-        factor = -factor;
-    }
-    half = factor * half;
-    (*cspan_at(&gentle, INT64_C(0))) = middle + half;
-    (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))) = middle - half;
-}
-static void take_levels(double share, array_double_1d gentle)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&gentle, INT64_C(0) + i)) = (*cspan_at(&gentle, INT64_C(0) + i)) + share * (*cspan_at(&gentle, INT64_C(2) + i));
-    }
-}
-static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
-{
-    double error;
-    double speed;
-    double close;
-    int64_t i;
-    double share;
-    double reached;
-    int64_t j;
-    polynomial_levels(problem, gentle);
-    if (attempt > INT64_C(0))
-    {
-        spread_levels(attempt, gentle);
-    }
-    error = gentle_errors(problem, axis, gentle);
-    speed = usual_speed(problem, axis);
-    close = 0.0001 * speed;
-    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
-    {
-        if (((i == INT64_C(0)) || (error > close)) && (!gentle_slopes(problem, axis, gentle)))
-        {
-            return 0;
-        }
-        if (!gentle_step(gentle))
-        {
-            return 0;
-        }
-        share = 1.0;
-        reached = error;
-        for (j = INT64_C(0); j < INT64_C(4); j += INT64_C(1))
-        {
-            take_levels(share, gentle);
-            reached = gentle_errors(problem, axis, gentle);
-            if (reached < error)
-            {
-                break;
-            }
-            take_levels(-share, gentle);
-            share = 0.5 * share;
-        }
-        if (!(reached < error))
-        {
-            error = gentle_errors(problem, axis, gentle);
-            break;
-        }
-        error = reached;
-        if (error <= 2e-15 * speed)
-        {
-            break;
-        }
-    }
-    return error <= 1e-13 * speed;
-}
-static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
-{
-    double a;
-    int64_t i;
-    double b;
-    int64_t used;
-    int64_t count;
-    count = INT64_C(0);
-    a = (*cspan_at(&problem, INT64_C(1)));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        b = (*cspan_at(&gentle, INT64_C(4) + i));
-        used = append_change(phases, count, a, b, axis);
-        if (used > count)
-        {
-            (*cspan_at(&phases, count, INT64_C(0))) = (*cspan_at(&phases, count, INT64_C(1))) * (*cspan_at(&gentle, INT64_C(13)));
-        }
-        count = append_hold(phases, used, b, (*cspan_at(&gentle, INT64_C(7) + i)));
-        a = b;
-    }
-    return count;
-}
 static double sign_of(double value)
 {
     if (value < 0.0)
@@ -18526,6 +19279,3221 @@ static int64_t plain_profile(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 1.0;
     result = begun_profile(axis, phases, work);
     return result;
+}
+static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain)
+{
+    double top;
+    int64_t result;
+    top = (*cspan_at(&chain, INT64_C(3)));
+    result = append_velocity_change(phases, INT64_C(0), v, a, w, top, (*cspan_at(&chain, INT64_C(9) + INT64_C(1))), chain);
+    return result;
+}
+static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem)
+{
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, order + INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(2))) = 0.0;
+    (*cspan_at(&problem, INT64_C(3))) = 0.0;
+    (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
+}
+static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead)
+{
+    array_double_1d state;
+    array_double_2d phases;
+    int64_t smoothness;
+    array_double_1d chain;
+    array_double_1d problem;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
+    if (order == smoothness - INT64_C(1))
+    {
+        chain = span_row(&lead, INT64_C(54) + order - INT64_C(1));
+        if (free)
+        {
+            result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
+            return result;
+        }
+        result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
+        return result;
+    }
+    chain = span_row(&lead, INT64_C(54) + order);
+    if (free)
+    {
+        result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
+        return result;
+    }
+    problem = span_row(&lead, INT64_C(18));
+    set_stage_problem(order, end, state, problem);
+    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    return result;
+}
+static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    int64_t smoothness;
+    int64_t seen;
+    array_double_1d chain;
+    array_double_2d expansion;
+    array_double_1d now;
+    int64_t third;
+    array_double_2d phases;
+    int64_t i;
+    int64_t last;
+    state = span_row(&lead, INT64_C(8));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
+    seen = span_min_int(order, smoothness - INT64_C(2));
+    chain = span_row(&lead, INT64_C(54) + seen);
+    if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
+    {
+        return -INT64_C(1);
+    }
+    expansion = span_rows(&lead, INT64_C(301), INT64_C(305));
+    now = span_row(&expansion, INT64_C(1));
+    (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
+    (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
+    (*cspan_at(&now, INT64_C(2))) = (*cspan_at(&state, seen + INT64_C(2)));
+    third = seen + INT64_C(3);
+    (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
+    (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
+    lift_pieces(seen, row, last, state, timing, coefficients);
+    (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
+    (*cspan_at(&state, seen + INT64_C(1))) = (*cspan_at(&now, INT64_C(1)));
+    if (end <= 1e+299)
+    {
+        (*cspan_at(&state, order)) = end;
+    }
+    for (i = order + INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&now, INT64_C(8)));
+    return last;
+}
+static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double end;
+    int64_t count;
+    int64_t result;
+    end = (*cspan_at(&lead, INT64_C(13), order));
+    count = stage_phases(order, end, end > 1e+299, lead);
+    result = append_phases(order, end, count, row, lead, timing, coefficients);
+    return result;
+}
+static void drop_rounding(int64_t order, array_double_2d lead)
+{
+    array_double_1d state;
+    int64_t i;
+    double aim;
+    state = span_row(&lead, INT64_C(8));
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        aim = 0.0;
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(13), i)) < 1e+299))
+        {
+            aim = (*cspan_at(&lead, INT64_C(13), i));
+        }
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(12), i)))
+        {
+            (*cspan_at(&state, i)) = aim;
+        }
+    }
+}
+static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t i;
+    int64_t stage;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        stage = order + INT64_C(4) - INT64_C(2) * i;
+        if ((stage < smoothness) && (row >= INT64_C(0)))
+        {
+            drop_rounding(order, lead);
+            row = run_stage(stage, row, lead, timing, coefficients);
+        }
+    }
+    return row;
+}
+static double outside_by(double value, int64_t order, array_double_2d lead)
+{
+    double low;
+    double high;
+    low = (*cspan_at(&lead, INT64_C(4), order));
+    high = (*cspan_at(&lead, INT64_C(5), order));
+    return span_max(value - high, low - value) - 1e-13 * (high - low);
+}
+static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    int64_t smoothness;
+    double factorial;
+    int64_t i;
+    state = span_row(&lead, INT64_C(8));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
+    {
+        return -INT64_C(1);
+    }
+    if (length <= 0.0)
+    {
+        return row;
+    }
+    clear_piece(coefficients, row);
+    factorial = 1.0;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
+    }
+    (*cspan_at(&coefficients, row, smoothness + INT64_C(1))) = value / (factorial * (smoothness + INT64_C(1)));
+    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
+    (*cspan_at(&timing, row, INT64_C(1))) = length;
+    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, coefficients.shape[INT64_C(1)], length, i);
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + length;
+    return row + INT64_C(1);
+}
+static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    double top;
+    double length;
+    int64_t i;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    if (row < INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    if (order == (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
+    {
+        top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+        if (end < (*cspan_at(&state, order)))
+        {
+            top = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
+        }
+        length = (end - (*cspan_at(&state, order))) / top;
+        row = hold_highest(top, length, row, lead, timing, coefficients);
+        (*cspan_at(&state, order)) = end;
+        return row;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&state, i));
+        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+    }
+    (*cspan_at(&lead, INT64_C(13), order)) = end;
+    result = settle(order, row, lead, timing, coefficients);
+    return result;
+}
+static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients)
+{
+    array_double_2d check;
+    int64_t width;
+    double factorial;
+    int64_t i;
+    double value;
+    double largest;
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
+    width = coefficients.shape[INT64_C(1)];
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = evaluate_piece(coefficients, row, width, start, order + i);
+        (*cspan_at(&check, INT64_C(43), i)) = value / factorial;
+    }
+    bernstein_coefficients(check, INT64_C(43), width - order, length, check);
+    largest = -1e+300;
+    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+    {
+        largest = span_max(largest, outside_by((*cspan_at(&check, INT64_C(0), i)), order, lead));
+    }
+    return largest;
+}
+static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_2d check;
+    double low;
+    double high;
+    int64_t count;
+    int64_t row;
+    double length;
+    double slack;
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
+    low = (*cspan_at(&lead, INT64_C(4), order));
+    high = (*cspan_at(&lead, INT64_C(5), order));
+    count = coefficients.shape[INT64_C(1)] - order;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        if (part_hull(order, row, 0.0, length, lead, coefficients) > 0.0)
+        {
+            slack = 1e-10 * (high - low);
+            if (!within(check, count, low - slack, high + slack))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients)
+{
+    int64_t k;
+    double middle;
+    double value;
+    for (k = INT64_C(0); k < INT64_C(60); k += INT64_C(1))
+    {
+        middle = 0.5 * (lower + upper);
+        value = evaluate_piece(coefficients, row, coefficients.shape[INT64_C(1)], middle, order);
+        if (outside_by(value, order, lead) > 0.0)
+        {
+            lower = middle;
+        }
+        else
+        {
+            upper = middle;
+        }
+    }
+    return upper;
+}
+static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t width;
+    int64_t i;
+    int64_t row;
+    double length;
+    double upper;
+    double step;
+    double lower;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    for (i = INT64_C(0); i < last - first; i += INT64_C(1))
+    {
+        row = last - INT64_C(1) - i;
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        upper = length;
+        step = length;
+        while(upper > 0.0)
+        {
+            lower = span_max(upper - step, 0.0);
+            value = evaluate_piece(coefficients, row, width, lower, order);
+            if (part_hull(order, row, lower, upper - lower, lead, coefficients) <= 0.0)
+            {
+                upper = lower;
+                step = 2.0 * step;
+            }
+            else if (step > 0.001 * length)
+            {
+                step = 0.25 * step;
+            }
+            else if (outside_by(value, order, lead) > 0.0)
+            {
+                (*result_0_0001) = row;
+                (*result_1_0001) = time_crossed(order, row, lower, upper, lead, coefficients);
+                return 0;
+            }
+            else if (step > 1e-09 * length)
+            {
+                step = 0.25 * step;
+            }
+            else
+            {
+                upper = lower;
+            }
+        }
+    }
+    (*result_0_0001) = first;
+    (*result_1_0001) = 0.0;
+    return 0;
+}
+static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d turn;
+    int64_t smoothness;
+    double near;
+    double far;
+    int64_t first;
+    int64_t row;
+    int64_t i;
+    int64_t last;
+    double room;
+    double hold;
+    double local;
+    double result;
+    state = span_row(&lead, INT64_C(8));
+    turn = span_row(&lead, INT64_C(3));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    near = (*cspan_at(&lead, INT64_C(5), order));
+    far = (*cspan_at(&lead, INT64_C(4), order));
+    if (side < 0.0)
+    {
+        near = (*cspan_at(&lead, INT64_C(4), order));
+        far = (*cspan_at(&lead, INT64_C(5), order));
+    }
+    first = INT64_C(400);
+    row = first;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(2), i));
+    }
+    if (settled && (order + INT64_C(2) <= smoothness))
+    {
+        row = lead_to(order + INT64_C(2), 0.0, row, lead, timing, coefficients);
+    }
+    row = lead_to(order + INT64_C(1), level, row, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&turn, i)) = (*cspan_at(&state, i));
+    }
+    last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    room = side * ((*cspan_at(&state, order)) - far);
+    if (room < 0.0)
+    {
+        return -1.0;
+    }
+    if (level != 0.0)
+    {
+        hold = span_min(side * ((*cspan_at(&turn, order)) - near), room) / fabs(level);
+        for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+        {
+            (*cspan_at(&state, i)) = (*cspan_at(&turn, i));
+        }
+        row = hold_highest(0.0, hold, row, lead, timing, coefficients);
+        last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
+    }
+    if ((last < INT64_C(0)) || (outside_by((*cspan_at(&state, order)), order, lead) > 0.0))
+    {
+        return 1e+300;
+    }
+    for (i = order + INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        if (!stays_inside(i, first, last, lead, timing, coefficients))
+        {
+            return 1e+300;
+        }
+    }
+    inside_from(&row, &local, order, first, last, lead, timing, coefficients);
+    if ((last > first) && (!stays_inside(order, row + INT64_C(1), last, lead, timing, coefficients)))
+    {
+        return 1e+300;
+    }
+    (*cspan_at(&lead, INT64_C(6), INT64_C(2))) = last;
+    if (last == first)
+    {
+        result = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
+        return result;
+    }
+    result = (*cspan_at(&timing, row, INT64_C(0))) + local;
+    return result;
+}
+static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_2d check;
+    array_double_1d report;
+    int64_t width;
+    int64_t parts;
+    double step;
+    int64_t order;
+    int64_t part;
+    int64_t i;
+    double value;
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
+    report = span_row(&lead, INT64_C(6));
+    width = coefficients.shape[INT64_C(1)];
+    parts = INT64_C(8);
+    step = (*cspan_at(&timing, row, INT64_C(1))) / parts;
+    for (order = INT64_C(1); order < span_floor_div(width, INT64_C(2)) + INT64_C(2); order += INT64_C(1))
+    {
+        for (part = INT64_C(0); part < parts; part += INT64_C(1))
+        {
+            part_hull(order, row, part * step, step, lead, coefficients);
+            for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+            {
+                value = (*cspan_at(&check, INT64_C(0), i));
+                (*cspan_at(&report, INT64_C(11) + order)) = span_min((*cspan_at(&report, INT64_C(11) + order)), value);
+                (*cspan_at(&report, INT64_C(19) + order)) = span_max((*cspan_at(&report, INT64_C(19) + order)), value);
+            }
+        }
+    }
+}
+static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    array_double_1d reached;
+    int64_t width;
+    int64_t first;
+    int64_t count;
+    int64_t row;
+    double length;
+    int64_t i;
+    report = span_row(&lead, INT64_C(6));
+    reached = span_row(&lead, INT64_C(2));
+    width = coefficients.shape[INT64_C(1)];
+    first = INT64_C(2) * INT64_C(400);
+    count = (int64_t)((*cspan_at(&report, INT64_C(1))));
+    while((count > INT64_C(0)) && ((*cspan_at(&timing, first + count - INT64_C(1), INT64_C(0))) >= until))
+    {
+        count = count - INT64_C(1);
+    }
+    (*cspan_at(&report, INT64_C(1))) = count;
+    if (count > INT64_C(0))
+    {
+        row = first + count - INT64_C(1);
+        length = span_min((*cspan_at(&timing, row, INT64_C(1))), until - (*cspan_at(&timing, row, INT64_C(0))));
+        (*cspan_at(&timing, row, INT64_C(1))) = length;
+        for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+        {
+            (*cspan_at(&reached, i)) = evaluate_piece(coefficients, row, width, length, i);
+        }
+        (*cspan_at(&reached, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
+    }
+}
+static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    int64_t row;
+    int64_t target;
+    report = span_row(&lead, INT64_C(6));
+    for (row = INT64_C(400); row < last; row += INT64_C(1))
+    {
+        target = INT64_C(2) * INT64_C(400) + (int64_t)((*cspan_at(&report, INT64_C(1))));
+        if (((*cspan_at(&timing, row, INT64_C(0))) >= until) || (target >= INT64_C(1200)))
+        {
+            break;
+        }
+        copy_piece(timing, coefficients, row, timing, coefficients, target);
+        (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&report, INT64_C(1))) + 1.0;
+    }
+    end_brake(until, lead, timing, coefficients);
+}
+static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    int64_t width;
+    int64_t first;
+    int64_t last;
+    int64_t row;
+    double local;
+    int64_t i;
+    double factorial;
+    double value;
+    report = span_row(&lead, INT64_C(6));
+    width = coefficients.shape[INT64_C(1)];
+    first = INT64_C(2) * INT64_C(400);
+    last = first + (int64_t)((*cspan_at(&report, INT64_C(1))));
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        local = until - (*cspan_at(&timing, row, INT64_C(0)));
+        if ((local > 0.0) && (local < (*cspan_at(&timing, row, INT64_C(1)))) && (last < INT64_C(1200)))
+        {
+            for (i = INT64_C(0); i < last - row; i += INT64_C(1))
+            {
+                copy_piece(timing, coefficients, last - INT64_C(1) - i, timing, coefficients, last - i);
+            }
+            factorial = 1.0;
+            for (i = INT64_C(0); i < width; i += INT64_C(1))
+            {
+                if (i > INT64_C(0))
+                {
+                    factorial = factorial * i;
+                }
+                value = evaluate_piece(coefficients, row, width, local, i);
+                (*cspan_at(&coefficients, row + INT64_C(1), i)) = value / factorial;
+            }
+            (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))) = until;
+            (*cspan_at(&timing, row + INT64_C(1), INT64_C(1))) = (*cspan_at(&timing, row, INT64_C(1))) - local;
+            (*cspan_at(&timing, row, INT64_C(1))) = local;
+            (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&report, INT64_C(1))) + 1.0;
+            break;
+        }
+    }
+}
+static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t last;
+    int64_t i;
+    int64_t row;
+    double local;
+    double until;
+    first = INT64_C(2) * INT64_C(400);
+    last = first + (int64_t)((*cspan_at(&lead, INT64_C(6), INT64_C(1))));
+    until = 0.0;
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if (((*cspan_at(&limits, i - INT64_C(1))) > 0.0) && (last > first))
+        {
+            (*cspan_at(&lead, INT64_C(4), i)) = -lower_limit(i, limits, lead);
+            (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&limits, i - INT64_C(1)));
+            inside_from(&row, &local, i, first, last, lead, timing, coefficients);
+            until = span_max(until, (*cspan_at(&timing, row, INT64_C(0))) + local);
+        }
+    }
+    return until;
+}
+static double level_limit(int64_t order, double side, array_double_2d lead)
+{
+    double result;
+    if (side < 0.0)
+    {
+        result = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+        return result;
+    }
+    result = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
+    return result;
+}
+static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double edge;
+    double least;
+    double best;
+    double share;
+    double low;
+    double high;
+    int64_t i;
+    double time;
+    edge = level_limit(order, side, lead);
+    least = try_brake(order, side, edge, settled, lead, timing, coefficients);
+    best = edge;
+    share = 1.0;
+    if (least < 0.0)
+    {
+        least = 1e+300;
+        low = 0.0;
+        high = 1.0;
+        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        {
+            share = 0.5 * (low + high);
+            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
+            if (time < 0.0)
+            {
+                high = share;
+            }
+            else
+            {
+                low = share;
+                if (time < least)
+                {
+                    least = time;
+                    best = share * edge;
+                }
+            }
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        share = 0.5 * share;
+        if (i == INT64_C(5))
+        {
+            share = 0.0;
+        }
+        if (least > (*cspan_at(&lead, INT64_C(2), INT64_C(8))))
+        {
+            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
+            if ((time >= 0.0) && (time < least))
+            {
+                least = time;
+                best = share * edge;
+            }
+        }
+    }
+    (*result_0) = least;
+    (*result_1) = best;
+    return 0;
+}
+static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double level;
+    double time;
+    if (gentle > 0.0)
+    {
+        level = (1.0 - gentle) * level_limit(order, side, lead);
+        time = try_brake(order, side, level, settled, lead, timing, coefficients);
+        if ((time >= 0.0) && (time < 1e+299))
+        {
+            (*result_0) = time;
+            (*result_1) = level;
+            return 0;
+        }
+    }
+    best_level(result_0, result_1, order, side, settled, lead, timing, coefficients);
+    return 0;
+}
+static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d reached;
+    double low;
+    int64_t first;
+    int64_t i;
+    int64_t last;
+    double value;
+    state = span_row(&lead, INT64_C(8));
+    reached = span_row(&lead, INT64_C(2));
+    low = (*cspan_at(&lead, INT64_C(4), order));
+    first = INT64_C(400);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
+    }
+    last = lead_to(order + INT64_C(1), 0.0, first, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        value = (*cspan_at(&state, order));
+        if (i == INT64_C(1))
+        {
+            value = (*cspan_at(&reached, order));
+        }
+        if (outside_by(value, order, lead) > 0.0)
+        {
+            if (value > low)
+            {
+                return 1.0;
+            }
+            return -1.0;
+        }
+    }
+    if ((last >= INT64_C(0)) && stays_inside(order, first, last, lead, timing, coefficients))
+    {
+        return 0.0;
+    }
+    if ((*cspan_at(&reached, order + INT64_C(1))) > 0.0)
+    {
+        return 1.0;
+    }
+    return -1.0;
+}
+static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t order;
+    double value;
+    double end;
+    int64_t i;
+    int64_t last;
+    double until;
+    order = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    value = (*cspan_at(&lead, INT64_C(2), order));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
+    if (outside_by(value, order, lead) > 0.0)
+    {
+        for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+        {
+            (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(2), i));
+        }
+        last = lead_to(order, end, INT64_C(400), lead, timing, coefficients);
+        until = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+        append_pieces(until, last, lead, timing, coefficients);
+        (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
+    }
+    (*cspan_at(&lead, INT64_C(2), order)) = end;
+}
+static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    array_double_1d reached;
+    array_double_1d state;
+    double value;
+    double end;
+    int64_t i;
+    int64_t last;
+    double until;
+    first = INT64_C(400);
+    reached = span_row(&lead, INT64_C(2));
+    state = span_row(&lead, INT64_C(8));
+    value = (*cspan_at(&reached, order));
+    if (!(outside_by(value, order, lead) > 0.0))
+    {
+        return 0;
+    }
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
+    }
+    last = lead_to(order, end, first, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
+    {
+        if (!stays_inside(i, first, last, lead, timing, coefficients))
+        {
+            return 0;
+        }
+    }
+    until = (*cspan_at(&state, INT64_C(8)));
+    append_pieces(until, last, lead, timing, coefficients);
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        (*cspan_at(&reached, i)) = 0.0;
+    }
+    (*cspan_at(&reached, order)) = end;
+    (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
+    return 1;
+}
+static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d report;
+    array_double_1d reached;
+    double gentle;
+    double side;
+    double time;
+    double level;
+    bool settled;
+    int64_t i;
+    double start;
+    double low;
+    report = span_row(&lead, INT64_C(6));
+    reached = span_row(&lead, INT64_C(2));
+    gentle = (*cspan_at(&report, INT64_C(3) + order));
+    if ((gentle == 1.0) && bring_gently(order, lead, timing, coefficients))
+    {
+        return 1;
+    }
+    side = side_beyond(order, lead, timing, coefficients);
+    if ((side == 0.0) && (!whole))
+    {
+        return 1;
+    }
+    time = 1e+300;
+    level = 0.0;
+    settled = 0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if (time > 1e+299)
+        {
+            settled = i == INT64_C(1);
+            if (side == 0.0)
+            {
+                time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients);
+            }
+            else
+            {
+                level_time(&time, &level, order, side, gentle, settled, lead, timing, coefficients);
+            }
+        }
+    }
+    if (time > 1e+299)
+    {
+        return 0;
+    }
+    start = (*cspan_at(&reached, INT64_C(8)));
+    if (side != 0.0)
+    {
+        try_brake(order, side, level, settled, lead, timing, coefficients);
+    }
+    if (time > start)
+    {
+        (*cspan_at(&report, INT64_C(0))) = time;
+    }
+    else if (!whole)
+    {
+        return 1;
+    }
+    if (whole)
+    {
+        time = 1e+300;
+    }
+    append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
+    for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
+    {
+        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
+        {
+            if (whole && (i > order))
+            {
+                (*cspan_at(&reached, i)) = 0.0;
+            }
+            low = (*cspan_at(&lead, INT64_C(4), i));
+            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(5), i)));
+        }
+    }
+    return 1;
+}
+static void clip_reached(array_double_2d lead)
+{
+    int64_t i;
+    double value;
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(4), i)));
+        (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(5), i)));
+    }
+}
+static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    array_double_1d report;
+    int64_t i;
+    bool let_go;
+    int64_t order;
+    int64_t first;
+    int64_t row;
+    int64_t result;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    report = span_row(&lead, INT64_C(6));
+    (*cspan_at(&report, INT64_C(0))) = 0.0;
+    (*cspan_at(&report, INT64_C(1))) = 0.0;
+    for (i = INT64_C(0); i < smoothness + INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&report, INT64_C(11) + i)) = 0.0;
+        (*cspan_at(&report, INT64_C(19) + i)) = 0.0;
+    }
+    if (!set_box(steep, loose, limits, lead))
+    {
+        return -INT64_C(1);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    bring_highest(lead, timing, coefficients);
+    let_go = whole || (loose <= smoothness);
+    for (i = INT64_C(1); i < smoothness; i += INT64_C(1))
+    {
+        order = smoothness - i;
+        if (!bring_inside(order, let_go && (order == INT64_C(1)), lead, timing, coefficients))
+        {
+            return -INT64_C(1);
+        }
+    }
+    if (let_go)
+    {
+        if (loose <= smoothness)
+        {
+            (*cspan_at(&report, INT64_C(0))) = time_inside(limits, lead, timing, coefficients);
+        }
+        split_brake((*cspan_at(&report, INT64_C(0))), lead, timing, coefficients);
+        if (!whole)
+        {
+            end_brake((*cspan_at(&report, INT64_C(0))), lead, timing, coefficients);
+            clip_reached(lead);
+        }
+    }
+    first = INT64_C(2) * INT64_C(400);
+    for (row = first; row < first + (int64_t)((*cspan_at(&report, INT64_C(1)))); row += INT64_C(1))
+    {
+        if ((*cspan_at(&timing, row, INT64_C(0))) < (*cspan_at(&report, INT64_C(0))))
+        {
+            note_extremes(row, lead, timing, coefficients);
+        }
+    }
+    result = (int64_t)((*cspan_at(&report, INT64_C(1))));
+    return result;
+}
+static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t highest;
+    int64_t i;
+    double best;
+    double steep;
+    double chosen;
+    int64_t count;
+    double until;
+    highest = INT64_C(1);
+    for (i = INT64_C(0); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, i)) <= 0.0)
+        {
+            highest = INT64_C(8);
+        }
+    }
+    best = 1e+300;
+    steep = 1.0;
+    chosen = 0.0;
+    for (i = INT64_C(0); i < highest; i += INT64_C(1))
+    {
+        count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
+        until = (*cspan_at(&lead, INT64_C(6), INT64_C(0)));
+        if ((count >= INT64_C(0)) && (until == 0.0))
+        {
+            (*result_0_0001) = steep;
+            (*result_1) = 0.0;
+            return 0;
+        }
+        if ((count > INT64_C(0)) && (until < 0.997 * best))
+        {
+            best = until;
+            chosen = steep;
+        }
+        else if ((best < 1e+299) && (i > INT64_C(2)))
+        {
+            break;
+        }
+        steep = 10.0 * steep;
+    }
+    (*result_0_0001) = chosen;
+    (*result_1) = best;
+    return 0;
+}
+int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    array_double_1d report;
+    int64_t i;
+    int64_t loose;
+    double chosen;
+    double best;
+    int64_t order;
+    double steep;
+    double until;
+    double gentle;
+    int64_t count;
+    int64_t result;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    if ((smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
+    {
+        return -INT64_C(1);
+    }
+    report = span_row(&lead, INT64_C(6));
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+    {
+        (*cspan_at(&report, i)) = 0.0;
+    }
+    loose = smoothness + INT64_C(1);
+    best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
+    if (best == 0.0)
+    {
+        result = (int64_t)((*cspan_at(&report, INT64_C(1))));
+        return result;
+    }
+    for (i = INT64_C(0); i < smoothness - INT64_C(2); i += INT64_C(1))
+    {
+        order = smoothness - i;
+        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(0), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
+        {
+            best_steepness(&steep, &until, order, whole, limits, lead, timing, coefficients);
+            if ((steep > 0.0) && (until < 0.5 * best))
+            {
+                chosen = steep;
+                best = until;
+                loose = order;
+            }
+        }
+    }
+    if ((chosen == 0.0) && (smoothness > INT64_C(2)))
+    {
+        (*cspan_at(&report, INT64_C(3) + INT64_C(2))) = 0.5;
+        best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
+    }
+    if (chosen == 0.0)
+    {
+        return -INT64_C(1);
+    }
+    for (order = INT64_C(2); order < smoothness; order += INT64_C(1))
+    {
+        gentle = (*cspan_at(&report, INT64_C(3) + order));
+        for (i = INT64_C(1); i < INT64_C(5); i += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(3) + order)) = 0.25 * i;
+            count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+            if ((count > INT64_C(0)) && ((*cspan_at(&report, INT64_C(0))) < 0.999 * best))
+            {
+                best = (*cspan_at(&report, INT64_C(0)));
+                gentle = (*cspan_at(&report, INT64_C(3) + order));
+            }
+        }
+        (*cspan_at(&report, INT64_C(3) + order)) = gentle;
+    }
+    result = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+    return result;
+}
+static double end_rounding(void)
+{
+    return 1e-11;
+}
+static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end)
+{
+    int64_t width;
+    double length;
+    int64_t order;
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, last, INT64_C(1)));
+    for (order = INT64_C(0); order < INT64_C(3); order += INT64_C(1))
+    {
+        (*cspan_at(&end, order)) = evaluate_piece(coefficients, last, width, length, order);
+    }
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&timing, last, INT64_C(0))) + length;
+}
+static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end)
+{
+    double missed;
+    bool result;
+    missed = (*cspan_at(&end, INT64_C(1))) - velocity;
+    if (fabs(missed) > end_rounding() * (*cspan_at(&limits, INT64_C(0))))
+    {
+        return 0;
+    }
+    result = fabs((*cspan_at(&end, INT64_C(2)))) <= end_rounding() * (*cspan_at(&limits, INT64_C(1)));
+    return result;
+}
+void segfmu_plan_ends(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d ends)
+{
+    int64_t axis;
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        write_end((*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1), timing, coefficients, span_row(&ends, axis));
+    }
+}
+bool segfmu_are_at_velocities(array_double_2d targets, array_double_2d limits, array_double_2d ends)
+{
+    int64_t axis;
+    double velocity;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        velocity = (*cspan_at(&targets, axis, INT64_C(1)));
+        if (!is_at_velocity(velocity, span_row(&limits, axis), span_row(&ends, axis)))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static int64_t level_order(int64_t order, array_double_2d lead)
+{
+    int64_t seen;
+    int64_t above;
+    seen = INT64_C(2) - order;
+    above = (int64_t)((*cspan_at(&lead, INT64_C(54) + seen, INT64_C(38))));
+    if (above == INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    return seen + INT64_C(2) + above;
+}
+static double lead_end(int64_t order, array_double_2d lead)
+{
+    double result;
+    if (order == INT64_C(1))
+    {
+        result = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+        return result;
+    }
+    result = (*cspan_at(&lead, INT64_C(17), INT64_C(4)));
+    return result;
+}
+static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d level;
+    int64_t seen;
+    array_double_1d chain;
+    array_double_1d problem;
+    array_double_2d phases;
+    array_double_2d plan;
+    array_double_2d ramps;
+    array_double_1d passing;
+    double end;
+    double longest;
+    int64_t count;
+    int64_t third;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    level = span_row(&lead, INT64_C(9));
+    seen = INT64_C(2) - order;
+    chain = span_row(&lead, INT64_C(54) + seen);
+    problem = span_row(&lead, INT64_C(18));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    plan = span_rows(&lead, INT64_C(61), INT64_C(301));
+    ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
+    passing = span_row(&plan, INT64_C(101));
+    end = lead_end(order, lead);
+    (*cspan_at(&lead, INT64_C(13), seen + INT64_C(2))) = 1e+300;
+    if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    longest = (*cspan_at(&state, INT64_C(8))) - (*cspan_at(&level, INT64_C(8)));
+    set_stage_problem(seen, end, state, problem);
+    count = shortest_ramps(problem, chain, phases, plan);
+    if (count <= INT64_C(0))
+    {
+        return INT64_C(0);
+    }
+    copy_phases(phases, ramps, count);
+    longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
+    set_stage_problem(seen, end, level, problem);
+    (*cspan_at(&passing, INT64_C(11))) = 1.0;
+    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, level_order(order, lead)));
+    third = seen + INT64_C(3);
+    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, third));
+    result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
+    return result;
+}
+static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d level;
+    int64_t stage;
+    int64_t i;
+    int64_t count;
+    int64_t seen;
+    int64_t result;
+    state = span_row(&lead, INT64_C(8));
+    level = span_row(&lead, INT64_C(9));
+    stage = level_order(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+    }
+    (*cspan_at(&lead, INT64_C(13), stage)) = end;
+    row = settle(stage, row, lead, timing, coefficients);
+    if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
+    {
+        return -INT64_C(1);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&level, i)) = (*cspan_at(&state, i));
+    }
+    count = passing_phases(order, least, row, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = (*cspan_at(&level, i));
+    }
+    if (count == INT64_C(0))
+    {
+        return -INT64_C(1);
+    }
+    seen = INT64_C(2) - order;
+    end = lead_end(order, lead);
+    result = append_phases(seen, end, count, row, lead, timing, coefficients);
+    return result;
+}
+static void set_limits(double steep, array_double_2d lead)
+{
+    array_double_1d axis;
+    axis = span_row(&lead, INT64_C(52));
+    chain_limits(steep, axis, span_row(&lead, INT64_C(7)), span_row(&lead, INT64_C(11)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
+}
+static bool is_settled(array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, INT64_C(7), i)) != 0.0)
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void soonest_ends(int64_t order, array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+    }
+    if (order == INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+    }
+}
+static double profile_time(array_double_2d lead)
+{
+    array_double_1d state;
+    array_double_1d target;
+    array_double_1d problem;
+    array_double_1d axis;
+    array_double_2d phases;
+    int64_t order;
+    double value;
+    int64_t count;
+    int64_t i;
+    double duration;
+    state = span_row(&lead, INT64_C(8));
+    target = span_row(&lead, INT64_C(17));
+    problem = span_row(&lead, INT64_C(18));
+    axis = span_row(&lead, INT64_C(52));
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
+    {
+        value = (*cspan_at(&state, INT64_C(0) + order));
+        if (fabs(value) > side_limit(order, value, axis) * (1.0 + 1e-12))
+        {
+            return -1.0;
+        }
+    }
+    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, INT64_C(0) + INT64_C(1)));
+    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
+    (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
+    (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    if (count < INT64_C(0))
+    {
+        return -1.0;
+    }
+    duration = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
+    }
+    return duration;
+}
+static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t row;
+    int64_t i;
+    first = INT64_C(400);
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, row - first, i)) = (*cspan_at(&timing, row, i));
+        }
+        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, row - first, i)) = (*cspan_at(&coefficients, row, i));
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(10), i)) = (*cspan_at(&lead, INT64_C(8), i));
+        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
+    }
+    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = last - first;
+}
+static bool begins_now(array_double_2d lead, array_double_2d coefficients)
+{
+    int64_t width;
+    int64_t i;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    {
+        value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(11), i))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    double best;
+    array_double_2d check;
+    array_double_1d lower;
+    first = INT64_C(400);
+    best = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(15), INT64_C(3))))))
+    {
+        return 0;
+    }
+    check = span_rows(&lead, INT64_C(305), INT64_C(353));
+    lower = span_row(&lead, INT64_C(53));
+    if (last > first)
+    {
+        if (!begins_now(lead, coefficients))
+        {
+            return 0;
+        }
+        keep_inside(check);
+        if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 5e-10, check))
+        {
+            return 0;
+        }
+    }
+    keep_lead(last, time, lead, timing, coefficients);
+    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+    return 1;
+}
+static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double time;
+    double rest;
+    bool result;
+    last = settle(order, row, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 0;
+    }
+    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+    if (order == INT64_C(2))
+    {
+        rest = profile_time(lead);
+        if (rest < 0.0)
+        {
+            return 0;
+        }
+        time = time + rest;
+    }
+    result = keep_better(last, time, limits, lead, timing, coefficients);
+    return result;
+}
+static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double time;
+    last = settle_over_level(order, level, least, INT64_C(400), lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+    keep_better(last, time, limits, lead, timing, coefficients);
+    return time;
+}
+static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    int64_t i;
+    bool result;
+    bound = (*cspan_at(&lead, INT64_C(11), stage));
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(13), i)) = (*cspan_at(&lead, INT64_C(14), i));
+    }
+    (*cspan_at(&lead, INT64_C(13), stage)) = span_min(span_max(end, -bound), bound);
+    result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+    return result;
+}
+static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    int64_t i;
+    double step;
+    double end;
+    bound = (*cspan_at(&lead, INT64_C(11), stage));
+    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    {
+        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
+    }
+    step = 0.125 * bound;
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        end = (*cspan_at(&lead, INT64_C(14), stage));
+        if (end > 1e+299)
+        {
+            break;
+        }
+        if (!try_end(order, stage, end + step, limits, lead, timing, coefficients))
+        {
+            if (!try_end(order, stage, end - step, limits, lead, timing, coefficients))
+            {
+                step = 0.5 * step;
+            }
+        }
+    }
+}
+static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d first;
+    int64_t i;
+    double level;
+    first = span_row(&lead, INT64_C(19));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        if ((*cspan_at(&first, INT64_C(4))) > 0.5)
+        {
+            break;
+        }
+        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
+        if (!try_end(order, stage, level, limits, lead, timing, coefficients))
+        {
+            break;
+        }
+    }
+}
+static int64_t first_free_stage(int64_t order)
+{
+    if (order == INT64_C(1))
+    {
+        return order + INT64_C(2);
+    }
+    return order;
+}
+static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t first_free;
+    int64_t sweep;
+    int64_t i;
+    int64_t stage;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    first_free = first_free_stage(order);
+    for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            stage = first_free + INT64_C(2) * i;
+            if (stage < smoothness)
+            {
+                if (i == INT64_C(0))
+                {
+                    follow_profile(order, stage, limits, lead, timing, coefficients);
+                }
+                search_end(order, stage, limits, lead, timing, coefficients);
+            }
+        }
+        if (first_free + INT64_C(2) >= smoothness)
+        {
+            break;
+        }
+    }
+}
+static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    soonest_ends(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
+    }
+    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+    if (!is_settled(lead))
+    {
+        improve_ends(order, limits, lead, timing, coefficients);
+    }
+}
+static double near_zero(double i)
+{
+    double share;
+    if (i == 0.0)
+    {
+        return 0.0;
+    }
+    share = pow(0.7, (12.0 - fabs(i)));
+    if (i < 0.0)
+    {
+        share = -share;
+    }
+    return share;
+}
+static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    int64_t stage;
+    int64_t earlier;
+    int64_t i;
+    int64_t j;
+    bool free;
+    double end;
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    stage = first_free_stage(order);
+    earlier = stage + INT64_C(2);
+    for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
+    {
+        for (j = -INT64_C(12); j < INT64_C(14); j += INT64_C(1))
+        {
+            free = j == INT64_C(13);
+            if ((!free) && (earlier >= smoothness))
+            {
+                continue;
+            }
+            soonest_ends(order, lead);
+            (*cspan_at(&lead, INT64_C(13), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(11), stage));
+            if (!free)
+            {
+                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(11), earlier));
+                (*cspan_at(&lead, INT64_C(13), earlier)) = end;
+            }
+            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+        }
+    }
+}
+static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t stage;
+    double kept;
+    double least;
+    int64_t count;
+    int64_t i;
+    double level;
+    double time;
+    double found;
+    stage = level_order(order, lead);
+    kept = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+    least = 1e+300;
+    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
+    {
+        least = 1.2 * (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    }
+    found = 1e+300;
+    count = INT64_C(6);
+    if ((*cspan_at(&lead, INT64_C(52), INT64_C(0))) > 4.5)
+    {
+        count = INT64_C(24);
+    }
+    for (i = (-count) - INT64_C(1); i < count + INT64_C(1); i += INT64_C(1))
+    {
+        level = kept;
+        if (i >= -count)
+        {
+            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(11), stage));
+        }
+        time = try_level(order, level, least, limits, lead, timing, coefficients);
+        if (time < least)
+        {
+            least = time;
+            found = time;
+            (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
+        }
+    }
+    return found;
+}
+static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double bound;
+    double step;
+    int64_t i;
+    double around;
+    int64_t side;
+    double level;
+    double time;
+    bound = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
+    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(15), INT64_C(2)))) + 0.005 * bound;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        around = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
+            time = try_level(order, level, least, limits, lead, timing, coefficients);
+            if (time < least)
+            {
+                least = time;
+                (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
+            }
+        }
+        if ((*cspan_at(&lead, INT64_C(15), INT64_C(2))) == around)
+        {
+            step = 0.5 * step;
+        }
+    }
+}
+static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double steep;
+    double found;
+    double highest;
+    int64_t i;
+    double before;
+    double level;
+    steep = 1.0;
+    found = 1e+300;
+    highest = (*cspan_at(&lead, INT64_C(52), INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = (*cspan_at(&lead, INT64_C(7), level_order(order, lead)));
+    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        set_limits(steep, lead);
+        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
+        {
+            found = search_grid(order, limits, lead, timing, coefficients);
+        }
+        else
+        {
+            level = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
+        }
+        if (found < 1e+299)
+        {
+            improve_level(order, found, limits, lead, timing, coefficients);
+        }
+        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) == before))
+        {
+            break;
+        }
+        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
+        steep = 10.0 * steep;
+    }
+}
+static bool permits_levels(int64_t order, array_double_2d lead)
+{
+    array_double_1d target;
+    bool resting;
+    target = span_row(&lead, INT64_C(17));
+    if (((*cspan_at(&lead, INT64_C(52), INT64_C(0))) < 3.5) || is_settled(lead))
+    {
+        return 0;
+    }
+    if (level_order(order, lead) == INT64_C(0))
+    {
+        return 0;
+    }
+    resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
+    return (order == INT64_C(1)) || resting;
+}
+static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double steep;
+    int64_t i;
+    double before;
+    int64_t j;
+    bool gained;
+    steep = 1.0;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        set_limits(steep, lead);
+        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        if (before >= 0.0)
+        {
+            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(13), j)) = (*cspan_at(&lead, INT64_C(14), j));
+            }
+            gained = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+            if ((i > INT64_C(1)) && (!gained))
+            {
+                break;
+            }
+        }
+        search_ends(order, limits, lead, timing, coefficients);
+        steep = 10.0 * steep;
+    }
+    if (((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0) && (!is_settled(lead)))
+    {
+        search_pairs(order, limits, lead, timing, coefficients);
+        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
+        {
+            improve_ends(order, limits, lead, timing, coefficients);
+        }
+    }
+}
+static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    int64_t width;
+    double length;
+    int64_t i;
+    bool settled;
+    state = span_row(&lead, INT64_C(7));
+    width = coefficients.shape[INT64_C(1)];
+    length = (*cspan_at(&timing, row, INT64_C(1)));
+    settled = 1;
+    for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
+    {
+        if (row + INT64_C(1) < last)
+        {
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, i);
+        }
+        else
+        {
+            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
+        }
+        if (i > INT64_C(2))
+        {
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(11), i)))
+            {
+                settled = 0;
+            }
+            (*cspan_at(&state, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
+    return settled;
+}
+static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t first;
+    int64_t last;
+    int64_t tried;
+    int64_t row;
+    int64_t place;
+    int64_t i;
+    first = (*cspan_at(&plan_offsets, axis));
+    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
+    tried = INT64_C(0);
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        place = INT64_C(400) + row - first;
+        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(400), INT64_C(4))) || (tried >= INT64_C(8)))
+        {
+            break;
+        }
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&timing, place, i)) = (*cspan_at(&plan_timing, row, i));
+        }
+        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&coefficients, place, i)) = (*cspan_at(&plan_coefficients, row, i));
+        }
+        if (settled_end(row, last, lead, plan_timing, plan_coefficients))
+        {
+            tried = tried + INT64_C(1);
+            for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+            }
+            if (order == INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+            }
+            try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
+        }
+    }
+}
+static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
+{
+    int64_t i;
+    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(52)));
+    set_lower(span_row(&lead, INT64_C(53)), span_row(&lead, INT64_C(52)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(52))), span_row(&lead, INT64_C(52)), span_rows(&lead, INT64_C(54), INT64_C(61))))
+    {
+        return 0;
+    }
+    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    return 1;
+}
+static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    double time;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    time = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
+    {
+        search_levels(order, limits, lead, timing, coefficients);
+    }
+}
+static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t count;
+    int64_t i;
+    int64_t row;
+    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
+    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
+    {
+        return;
+    }
+    if (count + steps > INT64_C(400))
+    {
+        (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
+        return;
+    }
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        row = count - INT64_C(1) - i;
+        copy_piece(timing, coefficients, row, timing, coefficients, row + steps);
+    }
+    for (row = INT64_C(0); row < steps; row += INT64_C(1))
+    {
+        copy_piece(timing, coefficients, INT64_C(2) * INT64_C(400) + row, timing, coefficients, row);
+    }
+    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = count + steps;
+}
+static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    int64_t repeat;
+    int64_t steps;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
+    }
+    for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
+        {
+            steps = segfmu_find_brake(repeat == INT64_C(1), limits, lead, timing, coefficients);
+            if (steps > INT64_C(0))
+            {
+                for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+                {
+                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(2), i));
+                }
+                if (start_search(shape, limits, lead))
+                {
+                    search_stages(order, limits, lead, timing, coefficients);
+                    improve_lead(order, within_0001, limits, lead, timing, coefficients);
+                }
+                for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+                {
+                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(1), i));
+                }
+                prepend_brake(steps, lead, timing, coefficients);
+            }
+        }
+    }
+}
+static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    bool brakes;
+    int64_t smoothness;
+    int64_t shape;
+    bool result;
+    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = 0.0;
+    brakes = (*cspan_at(&lead, INT64_C(16), INT64_C(3))) > 0.5;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
+    {
+        return 0;
+    }
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(2))));
+    if ((!brakes) || (!is_outside(limits, lead)))
+    {
+        if (start_search(shape, limits, lead))
+        {
+            search_stages(order, limits, lead, timing, coefficients);
+            (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+            follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+            improve_lead(order, within_0001, limits, lead, timing, coefficients);
+        }
+    }
+    if (brakes && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0))
+    {
+        search_braked(order, within_0001, shape, limits, lead, timing, coefficients);
+    }
+    result = (*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0;
+    return result;
+}
+static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(0), i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < span_min_int(start.shape[INT64_C(1)], INT64_C(9)); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&start, axis, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(53), i)) = (*cspan_at(&lower, axis, i));
+    }
+}
+static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead)
+{
+    (*cspan_at(&lead, INT64_C(17), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(17), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(17), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
+}
+static int64_t latest_axis(array_double_2d ends)
+{
+    double longest;
+    int64_t axis;
+    int64_t latest;
+    latest = -INT64_C(1);
+    longest = -1.0;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        if (((*cspan_at(&ends, axis, INT64_C(6))) < 0.5) && ((*cspan_at(&ends, axis, INT64_C(4))) > longest))
+        {
+            latest = axis;
+            longest = (*cspan_at(&ends, axis, INT64_C(4)));
+        }
+    }
+    return latest;
+}
+static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    int64_t found;
+    int64_t row;
+    int64_t count;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(10), i));
+    }
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(10), INT64_C(8)));
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    (*cspan_at(&end, INT64_C(5))) = 0.0;
+    found = timing.shape[INT64_C(0)] - INT64_C(1200);
+    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
+    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    {
+        copy_piece(timing, coefficients, found + row, timing, coefficients, first + row);
+    }
+    return count;
+}
+static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t first;
+    int64_t last;
+    array_double_1d reached;
+    double velocity;
+    int64_t i;
+    int64_t row;
+    int64_t target;
+    first = (*cspan_at(&plan_offsets, axis));
+    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
+    if (last == first)
+    {
+        return;
+    }
+    reached = span_row(&lead, INT64_C(8));
+    write_end(last - INT64_C(1), plan_timing, plan_coefficients, reached);
+    velocity = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+    if (!((*cspan_at(&reached, INT64_C(3))) < (*cspan_at(&end, INT64_C(4)))))
+    {
+        return;
+    }
+    if (!is_at_velocity(velocity, limits, reached))
+    {
+        return;
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&end, i)) = (*cspan_at(&reached, i));
+    }
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&end, INT64_C(3)));
+    (*cspan_at(&end, INT64_C(5))) = 1.0;
+    for (row = first; row < last; row += INT64_C(1))
+    {
+        target = row + axis * INT64_C(400);
+        copy_piece(plan_timing, plan_coefficients, row, timing, coefficients, target);
+    }
+    (*cspan_at(&offsets, axis + INT64_C(1))) = last - first;
+}
+static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t used;
+    int64_t axis;
+    int64_t first;
+    int64_t row;
+    used = INT64_C(0);
+    (*cspan_at(&offsets, INT64_C(0))) = INT64_C(0);
+    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
+    {
+        first = (*cspan_at(&plan_offsets, axis)) + axis * INT64_C(400);
+        for (row = INT64_C(0); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(timing, coefficients, first + row, timing, coefficients, used);
+            used = used + INT64_C(1);
+        }
+        (*cspan_at(&offsets, axis + INT64_C(1))) = used;
+    }
+}
+int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_double_2d lower, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_2d ends, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
+{
+    int64_t axes;
+    int64_t order;
+    double latest;
+    bool waits;
+    int64_t rows;
+    int64_t found;
+    double longest;
+    int64_t attempt;
+    int64_t first;
+    int64_t axis;
+    axes = limits.shape[INT64_C(0)];
+    order = INT64_C(2);
+    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == INT64_C(1))
+    {
+        order = INT64_C(1);
+    }
+    latest = (*cspan_at(&lead, INT64_C(16), INT64_C(1)));
+    waits = (latest >= 0.0) && (axes > INT64_C(1));
+    rows = timing.shape[INT64_C(0)];
+    found = rows - INT64_C(1200);
+    longest = span_max(latest, 0.0);
+    if (waits)
+    {
+        longest = 1e+300;
+    }
+    for (attempt = INT64_C(0); attempt < INT64_C(2) * axes; attempt += INT64_C(1))
+    {
+        axis = attempt;
+        if (attempt >= axes)
+        {
+            axis = latest_axis(ends);
+            if ((!waits) || (axis < INT64_C(0)) || ((*cspan_at(&ends, axis, INT64_C(4))) <= latest))
+            {
+                break;
+            }
+            longest = latest;
+        }
+        else
+        {
+            (*cspan_at(&ends, axis, INT64_C(6))) = 0.0;
+        }
+        set_start(axis, span_matrix(&states, INT64_C(0)), lower, lead);
+        set_target(axis, span_matrix(&states, INT64_C(1)), lead);
+        if (find_lead(order, longest, axis, plan_offsets, plan_timing, plan_coefficients, span_row(&limits, axis), lead, span_rows(&timing, found, rows), span_rows(&coefficients, found, rows)))
+        {
+            first = (*cspan_at(&plan_offsets, axis)) + axis * INT64_C(400);
+            (*cspan_at(&offsets, axis + INT64_C(1))) = take_lead(first, span_row(&ends, axis), lead, timing, coefficients);
+        }
+        else if (attempt < axes)
+        {
+            (*cspan_at(&offsets, axis + INT64_C(1))) = INT64_C(0);
+            (*cspan_at(&ends, axis, INT64_C(4))) = 1e+300;
+        }
+        if (order == INT64_C(1))
+        {
+            follow_whole(axis, span_row(&limits, axis), plan_offsets, plan_timing, plan_coefficients, span_row(&ends, axis), lead, timing, coefficients, offsets);
+        }
+        if ((*cspan_at(&ends, axis, INT64_C(4))) == 1e+300)
+        {
+            return axis;
+        }
+        if (attempt >= axes)
+        {
+            latest = span_max(latest, (*cspan_at(&ends, axis, INT64_C(4))));
+            (*cspan_at(&ends, axis, INT64_C(6))) = 1.0;
+        }
+    }
+    pack_leads(plan_offsets, timing, coefficients, offsets);
+    return -INT64_C(1);
+}
+bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t axis;
+    int64_t count;
+    int64_t i;
+    bool found;
+    found = 0;
+    for (axis = INT64_C(0); axis < start.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        set_start(axis, start, lower, lead);
+        count = segfmu_find_brake(0, span_row(&limits, axis), lead, timing, coefficients);
+        for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+        {
+            (*cspan_at(&brakes, axis, i)) = 0.0;
+            if (count > INT64_C(0))
+            {
+                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(6), i));
+            }
+        }
+        if ((*cspan_at(&brakes, axis, INT64_C(0))) > 0.0)
+        {
+            found = 1;
+        }
+    }
+    return found;
+}
+static void clear_lead(array_double_2d lead)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(0); row < lead.shape[INT64_C(0)]; row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < lead.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&lead, row, i)) = 0.0;
+        }
+    }
+}
+static void set_lead(int64_t order, int64_t shape, double meeting, array_double_2d lead)
+{
+    clear_lead(lead);
+    (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = order;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = meeting;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = shape;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0;
+}
+static bool lead_between(int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    int64_t first;
+    int64_t place;
+    int64_t failed;
+    first = source * INT64_C(4);
+    place = slot * INT64_C(4);
+    failed = segfmu_find_leads(states, limits, lower, span_part(&offsets, first, first + INT64_C(4)), span_matrix(&timing, source), span_matrix(&coefficients, source), ends, lead, span_matrix(&timing, slot), span_matrix(&coefficients, slot), span_part(&offsets, place, place + INT64_C(4)));
+    return failed < INT64_C(0);
+}
+static void set_motion(array_double_2d operation, array_double_3d states)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(14) + axis, i));
+            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
+        }
+    }
+}
+static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    int64_t axis;
+    double wish;
+    bool result;
+    set_motion(operation, states);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        wish = (*cspan_at(&operation, INT64_C(17), axis)) * (*cspan_at(&operation, INT64_C(11), axis));
+        (*cspan_at(&states, INT64_C(1), axis, INT64_C(1))) = wish;
+    }
+    set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
+    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(21), INT64_C(24)), limits, span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, lead);
+    return result;
+}
+static bool reach_and_stop(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    array_double_2d reached;
+    int64_t axis;
+    int64_t i;
+    array_double_2d stopped;
+    bool result;
+    if (!reach_velocities(operation, limits, timing, coefficients, offsets, states, lead))
+    {
+        return 0;
+    }
+    reached = span_rows(&operation, INT64_C(21), INT64_C(24));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(0), axis, i)) = 0.0;
+            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
+        }
+        (*cspan_at(&states, INT64_C(0), axis, INT64_C(0))) = (*cspan_at(&reached, axis, INT64_C(0)));
+        (*cspan_at(&states, INT64_C(0), axis, INT64_C(1))) = (*cspan_at(&reached, axis, INT64_C(1)));
+    }
+    stopped = span_rows(&operation, INT64_C(24), INT64_C(27));
+    set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
+    clear_plan(INT64_C(5), offsets);
+    result = lead_between(INT64_C(5), INT64_C(3), stopped, limits, span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, lead);
+    return result;
+}
+static double way_left(int64_t axis, double velocity, double rest, array_double_2d known)
+{
+    double result;
+    if (velocity > 0.0)
+    {
+        result = high_end(axis, known) - rest;
+        return result;
+    }
+    if (velocity < 0.0)
+    {
+        result = rest - low_end(axis, known);
+        return result;
+    }
+    return 1e+300;
+}
+static double room_left(int64_t axis, array_double_2d operation, array_double_2d known)
+{
+    double result;
+    result = way_left(axis, (*cspan_at(&operation, INT64_C(21) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(24) + axis, INT64_C(0))), known);
+    return result;
+}
+static bool narrow_shares(array_double_2d operation, array_double_2d known, bool first)
+{
+    int64_t axis;
+    double share;
+    bool fits_in;
+    bool wrong;
+    wrong = 0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        share = (*cspan_at(&operation, INT64_C(11), axis));
+        fits_in = room_left(axis, operation, known) >= 0.0;
+        if (first)
+        {
+            (*cspan_at(&operation, INT64_C(12), axis)) = 0.0;
+            (*cspan_at(&operation, INT64_C(13), axis)) = share;
+            if (fits_in)
+            {
+                (*cspan_at(&operation, INT64_C(12), axis)) = share;
+            }
+        }
+        else if (fits_in)
+        {
+            (*cspan_at(&operation, INT64_C(12), axis)) = span_max(share, (*cspan_at(&operation, INT64_C(12), axis)));
+        }
+        else
+        {
+            (*cspan_at(&operation, INT64_C(13), axis)) = span_min(share, (*cspan_at(&operation, INT64_C(13), axis)));
+        }
+        wrong = wrong || ((*cspan_at(&operation, INT64_C(12), axis)) < (*cspan_at(&operation, INT64_C(13), axis)));
+    }
+    return wrong;
+}
+static void hold_shares(array_double_2d operation, array_double_2d known)
+{
+    array_double_1d command;
+    double until;
+    int64_t axis;
+    array_double_1d held;
+    double velocity;
+    double delay;
+    double longest;
+    double hold;
+    command = span_row(&operation, INT64_C(0));
+    until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(8) + axis);
+        velocity = (*cspan_at(&operation, INT64_C(17), axis)) * (*cspan_at(&operation, INT64_C(11), axis));
+        delay = (*cspan_at(&operation, INT64_C(21) + axis, INT64_C(3)));
+        (*cspan_at(&held, INT64_C(0))) = velocity;
+        (*cspan_at(&held, INT64_C(1))) = delay;
+        (*cspan_at(&held, INT64_C(2))) = 0.0;
+        if (fabs(velocity) > 0.0)
+        {
+            longest = span_max(room_left(axis, operation, known), 0.0) / fabs(velocity);
+            hold = span_max(until - delay, 0.0);
+            if (hold < longest)
+            {
+                (*cspan_at(&held, INT64_C(2))) = 1.0;
+            }
+            (*cspan_at(&held, INT64_C(1))) = delay + span_min(hold, longest);
+        }
+    }
+}
+static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients)
+{
+    (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) + later;
+    (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) + way;
+}
+static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t rows;
+    int64_t tried;
+    int64_t target;
+    int64_t axis;
+    array_double_1d reached;
+    array_double_1d held;
+    double hold;
+    int64_t leads;
+    int64_t row;
+    int64_t behind;
+    double way;
+    rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets) + INT64_C(3);
+    if (rows > INT64_C(1200))
+    {
+        return 0;
+    }
+    tried = INT64_C(4) * INT64_C(4);
+    target = INT64_C(0);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, tried + axis)) = target;
+        reached = span_row(&operation, INT64_C(21) + axis);
+        held = span_row(&operation, INT64_C(8) + axis);
+        hold = (*cspan_at(&held, INT64_C(1))) - (*cspan_at(&reached, INT64_C(3)));
+        leads = INT64_C(2) * INT64_C(4) + axis;
+        for (row = (*cspan_at(&offsets, leads)); row < (*cspan_at(&offsets, leads + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), row, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), target);
+            target = target + INT64_C(1);
+        }
+        clear_piece(span_matrix(&coefficients, INT64_C(4)), target);
+        (*cspan_at(&coefficients, INT64_C(4), target, INT64_C(0))) = (*cspan_at(&reached, INT64_C(0)));
+        (*cspan_at(&coefficients, INT64_C(4), target, INT64_C(1))) = (*cspan_at(&reached, INT64_C(1)));
+        (*cspan_at(&timing, INT64_C(4), target, INT64_C(0))) = (*cspan_at(&reached, INT64_C(3)));
+        (*cspan_at(&timing, INT64_C(4), target, INT64_C(1))) = hold;
+        target = target + INT64_C(1);
+        behind = INT64_C(3) * INT64_C(4) + axis;
+        (*cspan_at(&held, INT64_C(3))) = (*cspan_at(&offsets, behind + INT64_C(1))) - (*cspan_at(&offsets, behind));
+        way = (*cspan_at(&reached, INT64_C(1))) * hold;
+        for (row = (*cspan_at(&offsets, behind)); row < (*cspan_at(&offsets, behind + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), row, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), target);
+            shift_row(target, (*cspan_at(&held, INT64_C(1))), way, timing, coefficients);
+            target = target + INT64_C(1);
+        }
+    }
+    (*cspan_at(&offsets, tried + INT64_C(3))) = target;
+    return 1;
+}
+static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    int64_t i;
+    int64_t axis;
+    double least;
+    bool result;
+    if (!reach_and_stop(operation, limits, timing, coefficients, offsets, states, lead))
+    {
+        return 0;
+    }
+    if (narrow_shares(operation, known, 1))
+    {
+        for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+        {
+            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+            {
+                least = (*cspan_at(&operation, INT64_C(12), axis));
+                if (i < INT64_C(6))
+                {
+                    least = 0.5 * (least + (*cspan_at(&operation, INT64_C(13), axis)));
+                }
+                (*cspan_at(&operation, INT64_C(11), axis)) = least;
+            }
+            if (!reach_and_stop(operation, limits, timing, coefficients, offsets, states, lead))
+            {
+                return 0;
+            }
+            narrow_shares(operation, known, 0);
+        }
+    }
+    hold_shares(operation, known);
+    result = join_held(operation, timing, coefficients, offsets);
+    return result;
+}
+static bool holds_long_enough(double elapsed, array_double_2d operation)
+{
+    array_double_1d command;
+    double until;
+    int64_t axis;
+    array_double_1d held;
+    command = span_row(&operation, INT64_C(0));
+    until = elapsed + (*cspan_at(&command, INT64_C(1))) + 0.5 * (*cspan_at(&command, INT64_C(14)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(5) + axis);
+        if (((*cspan_at(&held, INT64_C(2))) > 0.5) && ((*cspan_at(&held, INT64_C(1))) < until))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    array_double_1d command;
+    double until;
+    int64_t axis;
+    array_double_1d held;
+    int64_t i;
+    double before;
+    double velocity;
+    int64_t last;
+    int64_t first;
+    double rest;
+    double longest;
+    double longer;
+    int64_t row;
+    command = span_row(&operation, INT64_C(0));
+    until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
+    if (!has_room(INT64_C(4), offsets))
+    {
+        return 0;
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(8) + axis);
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&held, i)) = (*cspan_at(&operation, INT64_C(5) + axis, i));
+        }
+        before = (*cspan_at(&held, INT64_C(1))) - elapsed;
+        (*cspan_at(&held, INT64_C(1))) = before;
+        if ((*cspan_at(&held, INT64_C(2))) > 0.5)
+        {
+            if (before <= 0.0)
+            {
+                return 0;
+            }
+            velocity = (*cspan_at(&held, INT64_C(0)));
+            last = (*cspan_at(&offsets, INT64_C(4) * INT64_C(4) + axis + INT64_C(1)));
+            first = last - (int64_t)((*cspan_at(&held, INT64_C(3))));
+            rest = standstill(INT64_C(4), axis, timing, coefficients, offsets);
+            longest = span_max(way_left(axis, velocity, rest, known), 0.0) / fabs(velocity);
+            longer = span_max(until - before, 0.0);
+            if (longest <= longer)
+            {
+                longer = longest;
+                (*cspan_at(&held, INT64_C(2))) = 0.0;
+            }
+            (*cspan_at(&timing, INT64_C(4), first - INT64_C(1), INT64_C(1))) = (*cspan_at(&timing, INT64_C(4), first - INT64_C(1), INT64_C(1))) + longer;
+            (*cspan_at(&held, INT64_C(1))) = before + longer;
+            for (row = first; row < last; row += INT64_C(1))
+            {
+                shift_row(row, longer, velocity * longer, timing, coefficients);
+            }
+        }
+    }
+    return 1;
+}
+static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
+{
+    int64_t place;
+    int64_t j;
+    int64_t i;
+    if (duration <= after)
+    {
+        return count;
+    }
+    place = count;
+    while((place > INT64_C(0)) && ((*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) > duration))
+    {
+        place = place - INT64_C(1);
+    }
+    if ((place > INT64_C(0)) && (duration - (*cspan_at(&ends, place - INT64_C(1), INT64_C(0))) <= 1e-10 * duration))
+    {
+        return count;
+    }
+    count = span_min_int(count + INT64_C(1), ends.shape[INT64_C(0)]);
+    for (j = INT64_C(0); j < count - INT64_C(1) - place; j += INT64_C(1))
+    {
+        i = count - INT64_C(1) - j;
+        (*cspan_at(&ends, i, INT64_C(0))) = (*cspan_at(&ends, i - INT64_C(1), INT64_C(0)));
+    }
+    if (place < count)
+    {
+        (*cspan_at(&ends, place, INT64_C(0))) = duration;
+    }
+    return count;
+}
+static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double rest;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = 1e+300;
+        (*result_1_0001) = 1e+300;
+        return 0;
+    }
+    rest = (*cspan_at(&problem, INT64_C(4))) - y;
+    if (rest * cruise <= 0.0)
+    {
+        (*result_0) = duration;
+        (*result_1_0001) = 1e+300;
+        return 0;
+    }
+    (*result_0) = duration;
+    (*result_1_0001) = duration + rest / cruise;
+    return 0;
+}
+static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
+{
+    double duration;
+    double covered;
+    cruise_times(&duration, &covered, cruise, problem, axis, phases);
+    if (covering)
+    {
+        return covered;
+    }
+    return duration;
+}
+static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases)
+{
+    double shrink;
+    double p;
+    double q;
+    double t_p;
+    double t_q;
+    int64_t i;
+    shrink = 0.6180339887498949;
+    p = upper - shrink * (upper - lower);
+    q = lower + shrink * (upper - lower);
+    t_p = cruise_time(p, covering, problem, axis, phases);
+    t_q = cruise_time(q, covering, problem, axis, phases);
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (t_p <= t_q)
+        {
+            upper = q;
+            q = p;
+            t_q = t_p;
+            p = upper - shrink * (upper - lower);
+            t_p = cruise_time(p, covering, problem, axis, phases);
+        }
+        else
+        {
+            lower = p;
+            p = q;
+            t_p = t_q;
+            q = lower + shrink * (upper - lower);
+            t_q = cruise_time(q, covering, problem, axis, phases);
+        }
+    }
+    return span_min(t_p, t_q);
+}
+static double cruise_sample(int64_t sample, double fastest, double backwards)
+{
+    double share;
+    share = 2.0 * sample / INT64_C(24) - 1.0;
+    if (share < 0.0)
+    {
+        return backwards * share;
+    }
+    return fastest * share;
+}
+static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d phases;
+    array_double_2d ends;
+    double lower;
+    double upper;
+    double turn;
+    int64_t result;
+    if (spent + least <= after)
+    {
+        return count;
+    }
+    phases = span_rows(&work, INT64_C(0), INT64_C(21));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    lower = cruise_sample(span_max_int(sample - INT64_C(1), INT64_C(0)), fastest, backwards);
+    upper = cruise_sample(span_min_int(sample + INT64_C(1), INT64_C(24)), fastest, backwards);
+    turn = turning_time(lower, upper, covering, problem, axis, phases);
+    result = insert_end(spent + span_min(turn, least), after, count, ends);
+    return result;
+}
+static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d phases;
+    double first;
+    double second;
+    double first_covered;
+    double second_covered;
+    double fastest;
+    double backwards;
+    int64_t i;
+    double third;
+    double third_covered;
+    double cruise;
+    phases = span_rows(&work, INT64_C(0), INT64_C(21));
+    first = 1e+300;
+    second = 1e+300;
+    first_covered = 1e+300;
+    second_covered = 1e+300;
+    fastest = speed_bound(1.0, 4.0 * after, problem, axis);
+    backwards = speed_bound(-1.0, 4.0 * after, problem, axis);
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        third = 1e+300;
+        third_covered = 1e+300;
+        if (i < INT64_C(25))
+        {
+            cruise = cruise_sample(i, fastest, backwards);
+            cruise_times(&third, &third_covered, cruise, problem, axis, phases);
+        }
+        if ((second < 1e+300) && (first >= second) && (third >= second))
+        {
+            count = insert_turn(i - INT64_C(1), 0, second, spent, after, fastest, backwards, problem, axis, work, count);
+        }
+        if ((second_covered < 1e+300) && (first_covered >= second_covered))
+        {
+            if (third_covered >= second_covered)
+            {
+                count = insert_turn(i - INT64_C(1), 1, second_covered, spent, after, fastest, backwards, problem, axis, work, count);
+            }
+        }
+        first = second;
+        second = third;
+        first_covered = second_covered;
+        second_covered = third_covered;
+    }
+    return count;
+}
+static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends)
+{
+    double duration;
+    int64_t result;
+    if (taken <= INT64_C(0))
+    {
+        return count;
+    }
+    duration = valid_duration(phases, taken, problem, axis);
+    if (duration < 0.0)
+    {
+        return count;
+    }
+    result = insert_end(spent + duration, after, count, ends);
+    return result;
+}
+static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d phases;
+    array_double_2d ends;
+    array_double_1d family;
+    double usual;
+    int64_t form;
+    int64_t taken;
+    double cruise;
+    int64_t branch;
+    int64_t member;
+    phases = span_rows(&work, INT64_C(0), INT64_C(21));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    family = span_row(&work, INT64_C(98));
+    usual = usual_duration(problem, axis);
+    for (form = INT64_C(0); form < INT64_C(5); form += INT64_C(1))
+    {
+        if (form == INT64_C(0))
+        {
+            taken = slower_cruise(phases, problem, axis);
+        }
+        else if (form < INT64_C(3))
+        {
+            cruise = (*cspan_at(&axis, INT64_C(2)));
+            if (form == INT64_C(2))
+            {
+                cruise = -(*cspan_at(&axis, INT64_C(9)));
+            }
+            taken = with_cruise(phases, cruise, problem, axis);
+        }
+        else
+        {
+            taken = direct_form(phases, form == INT64_C(3), problem, axis);
+        }
+        count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
+    }
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        if (same_members(branch, problem, family))
+        {
+            continue;
+        }
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(4); member += INT64_C(1))
+        {
+            set_member(member, usual, 0, family);
+            taken = tempered_form(phases, family, axis);
+            if (taken < INT64_C(0))
+            {
+                break;
+            }
+            count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
+        }
+    }
+    return count;
+}
+static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d ends;
+    double longest;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    longest = usual_duration(problem, axis);
+    for (arc = INT64_C(0); arc < INT64_C(5); arc += INT64_C(1))
+    {
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            next_loop(&sample, &duration, arc, sample, longest, problem, axis, work);
+            if (duration >= 0.0)
+            {
+                count = insert_end(duration, after, count, ends);
+            }
+        }
+    }
+    return count;
+}
+static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_1d rest;
+    array_double_2d between;
+    array_double_2d ends;
+    int64_t i;
+    double spent;
+    int64_t used;
+    double duration;
+    rest = span_row(&work, INT64_C(61));
+    between = span_rows(&work, INT64_C(65), INT64_C(98));
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    if (!set_both_dips(0.0, problem, axis, work))
+    {
+        return count;
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        spent = problem_between(0.25 * i, problem, axis, rest, work);
+        used = profile_between(rest, axis, work);
+        if (used >= INT64_C(0))
+        {
+            duration = spent + total_duration(between, used);
+            count = insert_end(duration, after, count, ends);
+        }
+    }
+    return count;
+}
+static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d rest;
+    int64_t count;
+    int64_t variant;
+    int64_t taken;
+    double spent;
+    int64_t result;
+    rest = span_row(&work, INT64_C(60));
+    count = INT64_C(0);
+    for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
+    {
+        braked(&taken, &spent, variant, problem, axis, work);
+        if (taken < INT64_C(0))
+        {
+            continue;
+        }
+        if ((variant == INT64_C(0)) && ((after < 1.1 * shortest) || (!snap_is_last(axis))))
+        {
+            count = loop_ends(after, rest, axis, work, count);
+        }
+        count = covering_ends(spent, after, rest, axis, work, count);
+        count = turning_ends(spent, after, rest, axis, work, count);
+    }
+    result = dip_ends(after, problem, axis, work, count);
+    return result;
+}
+static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d passing;
+    double duration;
+    int64_t i;
+    double acceleration;
+    int64_t q;
+    passing = span_row(&work, INT64_C(101));
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&passing, i)) = 0.0;
+    }
+    (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(38)));
+    (*cspan_at(&passing, INT64_C(2))) = pace;
+    (*cspan_at(&passing, INT64_C(3))) = duration;
+    acceleration = top_acceleration(axis);
+    acceleration = span_min(acceleration, acceleration * duration / (*cspan_at(&axis, INT64_C(13))));
+    (*cspan_at(&passing, INT64_C(4))) = acceleration;
+    (*cspan_at(&passing, INT64_C(5))) = duration;
+    (*cspan_at(&passing, INT64_C(6))) = sign;
+    q = (int64_t)((*cspan_at(&axis, INT64_C(38)))) + INT64_C(2);
+    set_alternating(sign, 0.6 * duration / q, work);
+}
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    int64_t count;
+    int64_t end;
+    set_extreme(sign, pace, problem, axis, work);
+    if (!solve_sequence(problem, axis, work))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    keep_sequence(INT64_C(158), work);
+    if (!tighten(1e+300, problem, axis, work))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    count = write_sequence(phases, problem, axis, work);
+    end = INT64_C(102) + (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(1);
+    (*result_0) = count;
+    (*result_1_0001) = (*cspan_at(&work, end, INT64_C(0)));
+    return 0;
+}
+static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    array_double_1d nearest;
+    double distance;
+    double known;
+    int64_t i;
+    double sign;
+    int64_t found;
+    array_double_2d phases;
+    int64_t attempt;
+    double pace;
+    int64_t count;
+    double reached;
+    problem = span_row(&work, INT64_C(59));
+    nearest = span_row(&work, INT64_C(58));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    known = (*cspan_at(&nearest, INT64_C(4)));
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        sign = 2.0 * i - 1.0;
+        if (known < 0.0)
+        {
+            sign = -sign;
+        }
+        found = INT64_C(0);
+        phases = span_rows(&cell, INT64_C(0), INT64_C(33));
+        if (sign > 0.0)
+        {
+            found = INT64_C(2);
+            phases = span_rows(&cell, INT64_C(33), INT64_C(66));
+        }
+        (*cspan_at(&nearest, found)) = 0.0;
+        for (attempt = INT64_C(0); attempt < INT64_C(3); attempt += INT64_C(1))
+        {
+            pace = 1.0 - 0.2 * attempt;
+            extreme_form(&count, &reached, sign, pace, phases, problem, axis, work);
+            if ((count > INT64_C(0)) && (sign * reached >= sign * distance))
+            {
+                (*cspan_at(&nearest, found)) = count;
+                (*cspan_at(&nearest, found + INT64_C(1))) = reached;
+                break;
+            }
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(38))) < 1.5))
+            {
+                return 0;
+            }
+        }
+        if (((*cspan_at(&nearest, found)) == 0.0) && (sign != known))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void polynomial_levels(array_double_1d problem, array_double_1d gentle)
+{
+    double duration;
+    double a;
+    double square;
+    double y;
+    double v;
+    double b;
+    double third;
+    double fourth;
+    double fifth;
+    double first;
+    double second;
+    double inner;
+    double root;
+    double low;
+    double high;
+    double last;
+    int64_t i;
+    double s;
+    double curve;
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    a = (*cspan_at(&problem, INT64_C(1)));
+    square = duration * duration;
+    y = (*cspan_at(&problem, INT64_C(4))) - ((*cspan_at(&problem, INT64_C(0))) + 0.5 * a * duration) * duration;
+    v = ((*cspan_at(&problem, INT64_C(2))) - (*cspan_at(&problem, INT64_C(0))) - a * duration) * duration;
+    b = ((*cspan_at(&problem, INT64_C(3))) - a) * square;
+    third = 10.0 * y - 4.0 * v + 0.5 * b;
+    fourth = (-15.0) * y + 7.0 * v - b;
+    fifth = 6.0 * y - 3.0 * v + 0.5 * b;
+    first = 1.0 / 3.0;
+    second = 2.0 / 3.0;
+    inner = 4.0 * fourth * fourth - 10.0 * third * fifth;
+    if (inner > 0.0)
+    {
+        root = 2.0 * fourth + sqrt(inner);
+        if (fourth < 0.0)
+        {
+            root = 2.0 * fourth - sqrt(inner);
+        }
+        low = (-third) / root;
+        high = 2.0;
+        if (fifth != 0.0)
+        {
+            high = (-0.1) * root / fifth;
+        }
+        if (low > high)
+        {
+            last = low;
+            low = high;
+            high = last;
+        }
+        if ((low > 0.0) && (low < 1.0))
+        {
+            first = low;
+            second = 0.5 * (1.0 + low);
+        }
+        if ((high > 0.0) && (high < 1.0))
+        {
+            second = high;
+            if (!((low > 0.0) && (low < 1.0)))
+            {
+                first = 0.5 * high;
+            }
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        s = first;
+        if (i == INT64_C(1))
+        {
+            s = second;
+        }
+        curve = s * (6.0 * third + s * (12.0 * fourth + s * 20.0 * fifth));
+        (*cspan_at(&gentle, INT64_C(0) + i)) = a + curve / square;
+    }
+}
+static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis)
+{
+    double top;
+    double hold;
+    top = side_limit(INT64_C(2), level, axis);
+    if (fabs(level) <= top)
+    {
+        (*result_0_0001) = level;
+        (*result_1) = 0.0;
+        return 0;
+    }
+    hold = 0.5 * (*cspan_at(&problem, INT64_C(5))) * (fabs(level) / top - 1.0);
+    if (level < 0.0)
+    {
+        (*result_0_0001) = -top;
+        (*result_1) = hold;
+        return 0;
+    }
+    (*result_0_0001) = top;
+    (*result_1) = hold;
+    return 0;
+}
+static void gentle_ramps(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double hold;
+    double total;
+    double a;
+    int64_t i;
+    double b;
+    double held;
+    double duration;
+    double slope;
+    hold = 0.0;
+    total = 0.0;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        b = (*cspan_at(&problem, INT64_C(3)));
+        held = 0.0;
+        if (i < INT64_C(2))
+        {
+            gentle_hold(&b, &held, (*cspan_at(&gentle, INT64_C(0) + i)), problem, axis);
+        }
+        segfmu_ramp_duration(&duration, &slope, fabs(b - a), axis);
+        (*cspan_at(&gentle, INT64_C(4) + i)) = b;
+        (*cspan_at(&gentle, INT64_C(7) + i)) = held;
+        (*cspan_at(&gentle, INT64_C(10) + i)) = duration;
+        total = total + duration;
+        hold = hold + held;
+        a = b;
+    }
+    (*cspan_at(&gentle, INT64_C(13))) = 0.0;
+    if (total > 0.0)
+    {
+        (*cspan_at(&gentle, INT64_C(13))) = ((*cspan_at(&problem, INT64_C(5))) - hold) / total;
+    }
+}
+static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double v;
+    double y;
+    double a;
+    int64_t i;
+    double b;
+    double held;
+    double basis;
+    double duration;
+    double result;
+    gentle_ramps(problem, axis, gentle);
+    v = (*cspan_at(&problem, INT64_C(0)));
+    y = 0.0;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        b = (*cspan_at(&gentle, INT64_C(4) + i));
+        held = (*cspan_at(&gentle, INT64_C(7) + i));
+        basis = (*cspan_at(&gentle, INT64_C(10) + i));
+        duration = basis * (*cspan_at(&gentle, INT64_C(13)));
+        if (duration > 0.0)
+        {
+            y = y + ramp_distance(v, a, b, duration, basis, axis);
+            v = v + 0.5 * (a + b) * duration;
+        }
+        y = y + (v + 0.5 * b * held) * held;
+        v = v + b * held;
+        a = b;
+    }
+    (*cspan_at(&gentle, INT64_C(14))) = v - (*cspan_at(&problem, INT64_C(2)));
+    (*cspan_at(&gentle, INT64_C(15))) = (y - (*cspan_at(&problem, INT64_C(4)))) / (*cspan_at(&problem, INT64_C(5)));
+    result = fabs((*cspan_at(&gentle, INT64_C(14)))) + fabs((*cspan_at(&gentle, INT64_C(15))));
+    return result;
+}
+static double usual_speed(array_double_1d problem, array_double_1d axis)
+{
+    double duration;
+    double speed;
+    double result;
+    duration = (*cspan_at(&problem, INT64_C(5)));
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    speed = speed + (fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))))) * duration;
+    result = span_min(fastest_velocity(axis), speed + fabs((*cspan_at(&problem, INT64_C(4)))) / duration);
+    return result;
+}
+static bool gentle_slopes(array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double gain;
+    double excess;
+    double change;
+    int64_t i;
+    double kept;
+    gain = (*cspan_at(&gentle, INT64_C(14)));
+    excess = (*cspan_at(&gentle, INT64_C(15)));
+    change = 1e-07 * span_max(fabs((*cspan_at(&gentle, INT64_C(0)))), fabs((*cspan_at(&gentle, INT64_C(0) + INT64_C(1)))));
+    if (change == 0.0)
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        kept = (*cspan_at(&gentle, INT64_C(0) + i));
+        (*cspan_at(&gentle, INT64_C(0) + i)) = kept + change;
+        gentle_errors(problem, axis, gentle);
+        (*cspan_at(&gentle, INT64_C(0) + i)) = kept;
+        (*cspan_at(&gentle, INT64_C(16) + i)) = ((*cspan_at(&gentle, INT64_C(14))) - gain) / change;
+        (*cspan_at(&gentle, INT64_C(18) + i)) = ((*cspan_at(&gentle, INT64_C(15))) - excess) / change;
+    }
+    (*cspan_at(&gentle, INT64_C(14))) = gain;
+    (*cspan_at(&gentle, INT64_C(15))) = excess;
+    return 1;
+}
+static bool gentle_step(array_double_1d gentle)
+{
+    double gain;
+    double excess;
+    double g1;
+    double g2;
+    double e1;
+    double e2;
+    double determinant;
+    gain = (*cspan_at(&gentle, INT64_C(14)));
+    excess = (*cspan_at(&gentle, INT64_C(15)));
+    g1 = (*cspan_at(&gentle, INT64_C(16)));
+    g2 = (*cspan_at(&gentle, INT64_C(16) + INT64_C(1)));
+    e1 = (*cspan_at(&gentle, INT64_C(18)));
+    e2 = (*cspan_at(&gentle, INT64_C(18) + INT64_C(1)));
+    determinant = g1 * e2 - g2 * e1;
+    if (!(fabs(determinant) > 1e-09 * (fabs(g1 * e2) + fabs(g2 * e1))))
+    {
+        return 0;
+    }
+    (*cspan_at(&gentle, INT64_C(2))) = (g2 * excess - e2 * gain) / determinant;
+    (*cspan_at(&gentle, INT64_C(2) + INT64_C(1))) = (e1 * gain - g1 * excess) / determinant;
+    return 1;
+}
+static void spread_levels(int64_t attempt, array_double_1d gentle)
+{
+    double middle;
+    double half;
+    double factor;
+    middle = 0.5 * ((*cspan_at(&gentle, INT64_C(0))) + (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))));
+    half = 0.5 * ((*cspan_at(&gentle, INT64_C(0))) - (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))));
+    factor = 1.5 * attempt + 1.0;
+    if (span_floor_mod(attempt, INT64_C(2)) == INT64_C(0))
+    {
+        factor = -factor;
+    }
+    half = factor * half;
+    (*cspan_at(&gentle, INT64_C(0))) = middle + half;
+    (*cspan_at(&gentle, INT64_C(0) + INT64_C(1))) = middle - half;
+}
+static void take_levels(double share, array_double_1d gentle)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&gentle, INT64_C(0) + i)) = (*cspan_at(&gentle, INT64_C(0) + i)) + share * (*cspan_at(&gentle, INT64_C(2) + i));
+    }
+}
+static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double error;
+    double speed;
+    double close;
+    int64_t i;
+    double share;
+    double reached;
+    int64_t j;
+    polynomial_levels(problem, gentle);
+    if (attempt > INT64_C(0))
+    {
+        spread_levels(attempt, gentle);
+    }
+    error = gentle_errors(problem, axis, gentle);
+    speed = usual_speed(problem, axis);
+    close = 0.0001 * speed;
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
+    {
+        if (((i == INT64_C(0)) || (error > close)) && (!gentle_slopes(problem, axis, gentle)))
+        {
+            return 0;
+        }
+        if (!gentle_step(gentle))
+        {
+            return 0;
+        }
+        share = 1.0;
+        reached = error;
+        for (j = INT64_C(0); j < INT64_C(4); j += INT64_C(1))
+        {
+            take_levels(share, gentle);
+            reached = gentle_errors(problem, axis, gentle);
+            if (reached < error)
+            {
+                break;
+            }
+            take_levels(-share, gentle);
+            share = 0.5 * share;
+        }
+        if (!(reached < error))
+        {
+            error = gentle_errors(problem, axis, gentle);
+            break;
+        }
+        error = reached;
+        if (error <= 2e-15 * speed)
+        {
+            break;
+        }
+    }
+    return error <= 1e-13 * speed;
+}
+static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle)
+{
+    double a;
+    int64_t i;
+    double b;
+    int64_t used;
+    int64_t count;
+    count = INT64_C(0);
+    a = (*cspan_at(&problem, INT64_C(1)));
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        b = (*cspan_at(&gentle, INT64_C(4) + i));
+        used = append_change(phases, count, a, b, axis);
+        if (used > count)
+        {
+            (*cspan_at(&phases, count, INT64_C(0))) = (*cspan_at(&phases, count, INT64_C(1))) * (*cspan_at(&gentle, INT64_C(13)));
+        }
+        count = append_hold(phases, used, b, (*cspan_at(&gentle, INT64_C(7) + i)));
+        a = b;
+    }
+    return count;
 }
 static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
@@ -19607,6 +23575,546 @@ int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array
     }
     status = synchronize_plan(dwells, options, axes, cells, work);
     return status;
+}
+int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
+{
+    int64_t each;
+    int64_t i;
+    double phases;
+    int64_t total;
+    total = INT64_C(810) + axes.shape[INT64_C(0)] + cells.shape[INT64_C(0)];
+    each = segfmu_ramp_pieces(span_row(&axes, INT64_C(0)));
+    for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        phases = (*cspan_at(&cells, i, INT64_C(67), INT64_C(3)));
+        phases = phases + (*cspan_at(&cells, i, INT64_C(67), INT64_C(4)));
+        total = total + each * (int64_t)(phases);
+    }
+    return total;
+}
+static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target)
+{
+    int64_t width;
+    double factorial;
+    int64_t i;
+    double value;
+    width = coefficients.shape[INT64_C(1)];
+    factorial = 1.0;
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        if (i > INT64_C(0))
+        {
+            factorial = factorial * i;
+        }
+        value = evaluate_piece(coefficients, source, width, t, i) / factorial;
+        (*cspan_at(&coefficients, target, i)) = (*cspan_at(&coefficients, target, i)) + weight * value;
+    }
+}
+static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row)
+{
+    int64_t a;
+    int64_t b;
+    double t;
+    double t_a;
+    double t_b;
+    double rest_a;
+    double rest_b;
+    double step;
+    a = timing.shape[INT64_C(0)] - INT64_C(810);
+    b = middle;
+    t = now;
+    t_a = 0.0;
+    t_b = 0.0;
+    while((a < middle) && (b < last))
+    {
+        clear_piece(coefficients, row);
+        shift_piece(coefficients, a, t_a, 1.0 - weight, row);
+        shift_piece(coefficients, b, t_b, weight, row);
+        rest_a = (*cspan_at(&timing, a, INT64_C(1))) - t_a;
+        rest_b = (*cspan_at(&timing, b, INT64_C(1))) - t_b;
+        step = span_min(rest_a, rest_b);
+        (*cspan_at(&timing, row, INT64_C(0))) = t;
+        (*cspan_at(&timing, row, INT64_C(1))) = step;
+        t = t + step;
+        t_a = t_a + step;
+        t_b = t_b + step;
+        row = row + INT64_C(1);
+        if (rest_a <= step)
+        {
+            a = a + INT64_C(1);
+            t_a = 0.0;
+        }
+        if (rest_b <= step)
+        {
+            b = b + INT64_C(1);
+            t_b = 0.0;
+        }
+    }
+    return row;
+}
+static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    array_double_1d state;
+    int64_t count;
+    int64_t result;
+    state = span_row(&work, INT64_C(1));
+    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(68), INT64_C(0)));
+    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(66), INT64_C(0)));
+    (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&cell, INT64_C(66), INT64_C(1)));
+    (*cspan_at(&state, INT64_C(3))) = 0.0;
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(68), INT64_C(1)));
+    if (second)
+    {
+        count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(4))));
+        result = segfmu_expand_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), count, axis, timing, coefficients, row, work);
+        return result;
+    }
+    count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
+    result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), count, axis, timing, coefficients, row, work);
+    return result;
+}
+static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
+{
+    double weight;
+    int64_t spare;
+    int64_t middle;
+    int64_t last;
+    double now;
+    int64_t result;
+    weight = (*cspan_at(&cell, INT64_C(67), INT64_C(2)));
+    if ((weight <= 0.0) || (weight >= 1.0))
+    {
+        result = expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work);
+        return result;
+    }
+    spare = timing.shape[INT64_C(0)] - INT64_C(810);
+    middle = expand_profile(cell, 0, axis, timing, coefficients, spare, work);
+    last = expand_profile(cell, 1, axis, timing, coefficients, middle, work);
+    now = (*cspan_at(&cell, INT64_C(68), INT64_C(1)));
+    result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
+    return result;
+}
+int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+{
+    int64_t points;
+    int64_t count;
+    int64_t axis;
+    double now;
+    int64_t j;
+    double a;
+    array_double_2d cell;
+    int64_t row;
+    points = states.shape[INT64_C(0)];
+    count = axes.shape[INT64_C(0)];
+    row = INT64_C(0);
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, axis)) = row;
+        now = 0.0;
+        for (j = INT64_C(0); j < points; j += INT64_C(1))
+        {
+            (*cspan_at(&times, j, axis)) = now;
+            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == points - INT64_C(1)) && (row == (*cspan_at(&offsets, axis)))))
+            {
+                clear_piece(coefficients, row);
+                a = (*cspan_at(&states, j, axis, INT64_C(2)));
+                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
+                (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&states, j, axis, INT64_C(1)));
+                (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * a;
+                (*cspan_at(&timing, row, INT64_C(0))) = now;
+                (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
+                now = now + (*cspan_at(&dwells, j));
+                row = row + INT64_C(1);
+            }
+            if (j < points - INT64_C(1))
+            {
+                cell = span_matrix(&cells, j * count + axis);
+                (*cspan_at(&cell, INT64_C(68), INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
+                (*cspan_at(&cell, INT64_C(68), INT64_C(1))) = now + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+                row = expand_cell(cell, span_row(&axes, axis), timing, coefficients, row, work);
+                now = now + (*cspan_at(&cell, INT64_C(67), INT64_C(1)));
+            }
+        }
+        (*cspan_at(&times, points, axis)) = now;
+    }
+    (*cspan_at(&offsets, count)) = row;
+    return row;
+}
+static void set_place(array_double_2d operation, array_double_3d states)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
+        }
+        (*cspan_at(&states, INT64_C(1), axis, INT64_C(0))) = (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis));
+    }
+}
+static void set_ends(array_double_2d operation, array_double_3d states)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(0), axis, i)) = 0.0;
+        }
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(21) + axis, i));
+        }
+    }
+    set_place(operation, states);
+}
+static void set_options(array_double_2d known, array_double_2d work)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(85), i)) = (*cspan_at(&known, INT64_C(4), i));
+    }
+    (*cspan_at(&work, INT64_C(85), INT64_C(3))) = 0.0;
+    (*cspan_at(&work, INT64_C(85), INT64_C(4))) = 0.0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(84), i)) = 0.0;
+    }
+}
+static bool is_too_fast(array_double_2d operation, array_double_2d limits)
+{
+    int64_t axis;
+    double velocity;
+    double slowed;
+    bool faster;
+    faster = 0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        velocity = (*cspan_at(&operation, INT64_C(14) + axis, INT64_C(1)));
+        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(18) + axis, INT64_C(0))));
+        (*cspan_at(&operation, INT64_C(17), axis)) = slowed;
+        (*cspan_at(&operation, INT64_C(11), axis)) = 1.0;
+        if (fabs(velocity - slowed) > 1e-09 * (*cspan_at(&limits, axis, INT64_C(0))))
+        {
+            faster = 1;
+        }
+    }
+    return faster;
+}
+static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
+{
+    array_double_1d options;
+    double meeting;
+    bool result;
+    options = span_row(&work, INT64_C(85));
+    meeting = 0.0;
+    if ((int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(0))
+    {
+        meeting = -1.0;
+    }
+    set_motion(operation, states);
+    set_place(operation, states);
+    set_lead(INT64_C(2), (int64_t)((*cspan_at(&options, INT64_C(1)))), meeting, lead);
+    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(21), INT64_C(24)), limits, span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, lead);
+    return result;
+}
+static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
+{
+    array_double_1d dwells;
+    array_double_2d axes;
+    int64_t status;
+    int64_t place;
+    dwells = span_row(&work, INT64_C(84));
+    axes = span_rows(&work, INT64_C(86), INT64_C(89));
+    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, INT64_C(85)), axes, cells, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    if ((status < INT64_C(0)) || (segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(1)]))
+    {
+        return 0;
+    }
+    place = INT64_C(3) * INT64_C(4);
+    segfmu_expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, place, place + INT64_C(4)), span_rows(&work, INT64_C(81), INT64_C(84)), span_rows(&lead, INT64_C(301), INT64_C(305)));
+    return 1;
+}
+static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t leads;
+    int64_t behind;
+    int64_t tried;
+    leads = INT64_C(2) * INT64_C(4);
+    behind = INT64_C(3) * INT64_C(4);
+    tried = INT64_C(4) * INT64_C(4);
+    segfmu_join_plans(span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, leads, leads + INT64_C(4)), span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, behind, behind + INT64_C(4)), span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, tried, tried + INT64_C(4)));
+}
+static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
+{
+    bool found;
+    int64_t rows;
+    int64_t axis;
+    int64_t i;
+    set_options(known, work);
+    found = 0;
+    if (is_too_fast(operation, span_matrix(&limits, INT64_C(1))))
+    {
+        set_lower_of(INT64_C(0), operation, limits, known);
+        found = reach_velocities(operation, span_matrix(&limits, INT64_C(0)), timing, coefficients, offsets, states, lead);
+        set_lower_of(INT64_C(1), operation, limits, known);
+    }
+    else
+    {
+        found = lead_to_target(operation, span_matrix(&limits, INT64_C(1)), timing, coefficients, offsets, states, lead, work);
+    }
+    if (!found)
+    {
+        return 0;
+    }
+    set_ends(operation, states);
+    found = plan_target(span_matrix(&limits, INT64_C(1)), span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, cells, lead, work);
+    rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets);
+    if ((!found) || (rows > INT64_C(1200)))
+    {
+        return 0;
+    }
+    join_behind(timing, coefficients, offsets);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(8) + axis, i)) = 0.0;
+        }
+    }
+    return 1;
+}
+void segfmu_begin_operation(double time, array_double_2d operation)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(1); row < INT64_C(27); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < operation.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&operation, row, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = time;
+    (*cspan_at(&operation, INT64_C(2), INT64_C(0))) = -1.0;
+}
+static bool is_taken(array_double_2d operation)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        if ((*cspan_at(&operation, INT64_C(1), i)) != (*cspan_at(&operation, INT64_C(2), i)))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t present;
+    int64_t rest;
+    int64_t width;
+    int64_t axis;
+    int64_t row;
+    int64_t order;
+    present = INT64_C(0) * INT64_C(4);
+    rest = INT64_C(1) * INT64_C(4);
+    segfmu_cut_plan(span_max(elapsed, 0.0), span_matrix(&timing, INT64_C(0)), span_matrix(&coefficients, INT64_C(0)), span_part(&offsets, present, present + INT64_C(4)), span_matrix(&timing, INT64_C(1)), span_matrix(&coefficients, INT64_C(1)), span_part(&offsets, rest, rest + INT64_C(4)));
+    width = coefficients.shape[INT64_C(2)];
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        row = (*cspan_at(&offsets, rest + axis));
+        for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(14) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
+        }
+    }
+}
+static bool is_stop(array_double_1d aim)
+{
+    double fastest;
+    int64_t axis;
+    bool result;
+    fastest = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        fastest = span_max(fastest, fabs((*cspan_at(&aim, INT64_C(1) + axis))));
+    }
+    result = ((*cspan_at(&aim, INT64_C(0))) < 0.5) && (fastest == 0.0);
+    return result;
+}
+static void note_taken(int64_t attempt, array_double_2d operation)
+{
+    array_double_1d command;
+    int64_t i;
+    double retry;
+    command = span_row(&operation, INT64_C(0));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(2), i)) = (*cspan_at(&operation, INT64_C(1), i));
+    }
+    (*cspan_at(&operation, INT64_C(3), INT64_C(3))) = attempt;
+    retry = (*cspan_at(&command, INT64_C(0)));
+    if (!is_stop(span_row(&operation, INT64_C(1))))
+    {
+        retry = retry + 0.5 * (*cspan_at(&command, INT64_C(14)));
+    }
+    (*cspan_at(&operation, INT64_C(3), INT64_C(4))) = retry;
+}
+static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    array_double_1d progress;
+    int64_t axis;
+    int64_t i;
+    progress = span_row(&operation, INT64_C(3));
+    copy_plan(INT64_C(4), INT64_C(0), timing, coefficients, offsets);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(5) + axis, i)) = (*cspan_at(&operation, INT64_C(8) + axis, i));
+        }
+    }
+    (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
+    (*cspan_at(&progress, INT64_C(6))) = (*cspan_at(&progress, INT64_C(6))) + 1.0;
+    (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
+    if (attempt > INT64_C(0))
+    {
+        (*cspan_at(&progress, INT64_C(1))) = INT64_C(1);
+    }
+    note_taken(attempt, operation);
+}
+static bool keeps_stopping(int64_t attempt, array_double_2d operation)
+{
+    double stopping;
+    bool result;
+    if (attempt < first_stop())
+    {
+        return 0;
+    }
+    stopping = (*cspan_at(&operation, INT64_C(3), INT64_C(3)));
+    if ((first_stop() <= stopping) && (stopping < most_attempts()))
+    {
+        result = is_taken(operation);
+        return result;
+    }
+    return 0;
+}
+static int64_t rank(int64_t attempt, array_double_1d aim)
+{
+    if ((attempt <= INT64_C(2)) || is_stop(aim))
+    {
+        return INT64_C(0);
+    }
+    return attempt;
+}
+static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d progress;
+    array_double_1d aim;
+    int64_t failed;
+    int64_t attempt;
+    bool found;
+    int64_t axis;
+    int64_t status;
+    progress = span_row(&operation, INT64_C(3));
+    aim = span_row(&operation, INT64_C(1));
+    failed = INT64_C(0);
+    for (attempt = INT64_C(0); attempt < most_attempts(); attempt += INT64_C(1))
+    {
+        if ((!is_worth(attempt, failed, aim)) || keeps_stopping(attempt, operation))
+        {
+            continue;
+        }
+        (*cspan_at(&progress, INT64_C(7))) = (*cspan_at(&progress, INT64_C(7))) + 1.0;
+        set_attempt(attempt, operation, limits, known);
+        found = 0;
+        if (((*cspan_at(&aim, INT64_C(0))) > 0.5) && (attempt < first_stop()))
+        {
+            found = seek_target(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work);
+        }
+        else
+        {
+            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+            {
+                (*cspan_at(&operation, INT64_C(17), axis)) = (*cspan_at(&aim, INT64_C(1) + axis));
+                (*cspan_at(&operation, INT64_C(11), axis)) = share_of(attempt, axis);
+            }
+            found = seek_velocity(operation, span_matrix(&limits, INT64_C(1)), known, timing, coefficients, offsets, states, lead);
+        }
+        status = INT64_C(2);
+        if (found)
+        {
+            status = prove_plan(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack);
+        }
+        if (status == INT64_C(0))
+        {
+            take_plan(rank(attempt, aim), operation, timing, coefficients, offsets);
+            return 1;
+        }
+        if (failed == INT64_C(0))
+        {
+            (*cspan_at(&progress, INT64_C(2))) = status;
+        }
+        failed = status;
+    }
+    if (failed > INT64_C(0))
+    {
+        (*cspan_at(&progress, INT64_C(1))) = (*cspan_at(&progress, INT64_C(2)));
+    }
+    note_taken(most_attempts(), operation);
+    return 0;
+}
+bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d command;
+    array_double_1d progress;
+    double elapsed;
+    bool taken;
+    int64_t status;
+    bool result;
+    command = span_row(&operation, INT64_C(0));
+    progress = span_row(&operation, INT64_C(3));
+    if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
+    {
+        return 0;
+    }
+    write_aim(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets);
+    elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
+    taken = is_taken(operation);
+    if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0))
+    {
+        if (holds_long_enough(elapsed, operation))
+        {
+            return 0;
+        }
+    }
+    else if (taken && ((*cspan_at(&command, INT64_C(0))) < (*cspan_at(&progress, INT64_C(4)))))
+    {
+        return 0;
+    }
+    note_present(elapsed, operation, timing, coefficients, offsets);
+    if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0))
+    {
+        copy_plan(INT64_C(1), INT64_C(4), timing, coefficients, offsets);
+        if (prolong_holds(elapsed, operation, known, timing, coefficients, offsets))
+        {
+            (*cspan_at(&progress, INT64_C(7))) = (*cspan_at(&progress, INT64_C(7))) + 1.0;
+            status = prove_plan(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack);
+            if (status == INT64_C(0))
+            {
+                take_plan(INT64_C(0), operation, timing, coefficients, offsets);
+                return 1;
+            }
+            (*cspan_at(&progress, INT64_C(2))) = status;
+        }
+    }
+    result = attempt_plans(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work, stack);
+    return result;
 }
 static int64_t check_limits(array_double_2d limits, array_double_1d report)
 {
@@ -21824,2996 +26332,6 @@ int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, d
         }
     }
     return INT64_C(0);
-}
-static double shortest_scale(int64_t order, array_double_1d limits)
-{
-    int64_t below;
-    double scale;
-    scale = (*cspan_at(&limits, order - INT64_C(1))) / (*cspan_at(&limits, order));
-    for (below = INT64_C(1); below < order - INT64_C(1); below += INT64_C(1))
-    {
-        scale = span_min(scale, pow(((*cspan_at(&limits, below)) / (*cspan_at(&limits, order))), (1.0 / (order - below))));
-    }
-    return scale;
-}
-static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits)
-{
-    double below;
-    int64_t highest;
-    int64_t top;
-    int64_t above;
-    double bound;
-    int64_t given;
-    double growth;
-    double result;
-    below = (*cspan_at(&limits, order - INT64_C(1)));
-    highest = (int64_t)((*cspan_at(&axis, INT64_C(0)))) + INT64_C(1);
-    top = INT64_C(2);
-    for (above = order + INT64_C(1); above < highest + INT64_C(1); above += INT64_C(1))
-    {
-        bound = (*cspan_at(&axis, INT64_C(2) + above - INT64_C(1)));
-        if (bound > 0.0)
-        {
-            return 2.0 * below * pow((bound / below), (1.0 / (above - order + INT64_C(1))));
-        }
-    }
-    for (given = INT64_C(3); given < order; given += INT64_C(1))
-    {
-        if ((*cspan_at(&axis, INT64_C(2) + given - INT64_C(1))) > 0.0)
-        {
-            top = given;
-        }
-    }
-    growth = pow(steep, (1.0 / (highest - top))) / usual_share(axis);
-    result = growth * below / shortest_scale(order - INT64_C(1), limits);
-    return result;
-}
-static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits)
-{
-    int64_t smoothness;
-    int64_t order;
-    double bound;
-    double room;
-    double needed;
-    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
-    for (order = INT64_C(1); order < smoothness + INT64_C(2); order += INT64_C(1))
-    {
-        (*cspan_at(&limits, order)) = (*cspan_at(&axis, INT64_C(2) + order - INT64_C(1)));
-        if ((*cspan_at(&limits, order)) <= 0.0)
-        {
-            bound = natural_limit(order, steep, axis, limits);
-            if (order <= smoothness)
-            {
-                bound = span_max(bound, 2.0 * fabs((*cspan_at(&state, order))));
-            }
-            room = (*cspan_at(&limits, order - INT64_C(2))) - fabs((*cspan_at(&state, order - INT64_C(2))));
-            needed = (*cspan_at(&state, order - INT64_C(1))) * (*cspan_at(&state, order - INT64_C(1)));
-            if (needed > room * bound)
-            {
-                bound = span_max(bound, span_min(needed / span_max(room, 1e-300), 10000.0 * bound));
-            }
-            (*cspan_at(&limits, order)) = bound;
-        }
-    }
-}
-static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains)
-{
-    int64_t smoothness;
-    int64_t order;
-    array_double_1d chain;
-    int64_t i;
-    smoothness = (int64_t)((*cspan_at(&axis, INT64_C(0))));
-    for (order = INT64_C(0); order < smoothness - INT64_C(1); order += INT64_C(1))
-    {
-        chain = span_row(&chains, order);
-        for (i = INT64_C(0); i < INT64_C(50); i += INT64_C(1))
-        {
-            (*cspan_at(&chain, i)) = 0.0;
-        }
-        (*cspan_at(&chain, INT64_C(0))) = smoothness - order;
-        (*cspan_at(&chain, INT64_C(1))) = INT64_C(1);
-        (*cspan_at(&chain, INT64_C(11))) = order;
-        for (i = INT64_C(0); i < smoothness - order + INT64_C(1); i += INT64_C(1))
-        {
-            (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&axis, INT64_C(2) + order + i));
-            if (i <= INT64_C(2))
-            {
-                (*cspan_at(&chain, INT64_C(2) + i)) = (*cspan_at(&limits, order + INT64_C(1) + i));
-            }
-        }
-        (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&chain, INT64_C(2)));
-        (*cspan_at(&chain, INT64_C(9) + INT64_C(1))) = (*cspan_at(&chain, INT64_C(3)));
-        if (order == INT64_C(0))
-        {
-            (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&axis, INT64_C(9)));
-            (*cspan_at(&chain, INT64_C(9) + INT64_C(1))) = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-        }
-        else if (order == INT64_C(1))
-        {
-            (*cspan_at(&chain, INT64_C(9))) = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-        }
-        segfmu_ramp_parameters(usual_share(chain) / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - INT64_C(1), smoothness + INT64_C(1)));
-    }
-}
-static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t width;
-    int64_t row;
-    int64_t j;
-    int64_t i;
-    double value;
-    int64_t m;
-    double factorial;
-    double length;
-    width = coefficients.shape[INT64_C(1)];
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < width - order; j += INT64_C(1))
-        {
-            i = width - INT64_C(1) - j;
-            value = (*cspan_at(&coefficients, row, i - order));
-            for (m = INT64_C(0); m < order; m += INT64_C(1))
-            {
-                value = value / (i - m);
-            }
-            (*cspan_at(&coefficients, row, i)) = value;
-        }
-        factorial = 1.0;
-        for (i = INT64_C(0); i < order; i += INT64_C(1))
-        {
-            if (i > INT64_C(0))
-            {
-                factorial = factorial * i;
-            }
-            (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
-        }
-        for (i = INT64_C(0); i < order; i += INT64_C(1))
-        {
-            length = (*cspan_at(&timing, row, INT64_C(1)));
-            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
-        }
-    }
-}
-static int64_t append_piece(double duration, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state)
-{
-    int64_t width;
-    int64_t order;
-    double factorial;
-    int64_t i;
-    int64_t used;
-    double y;
-    double v;
-    double a;
-    double jerk;
-    int64_t j;
-    width = coefficients.shape[INT64_C(1)];
-    order = span_floor_div(width, INT64_C(2)) + INT64_C(1);
-    (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&coefficients, row, INT64_C(0))) + (*cspan_at(&state, INT64_C(0)));
-    (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&coefficients, row, INT64_C(1))) + (*cspan_at(&state, INT64_C(1)));
-    factorial = 1.0;
-    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        factorial = factorial * i;
-        if ((*cspan_at(&state, i)) != 0.0)
-        {
-            (*cspan_at(&coefficients, row, i)) = (*cspan_at(&coefficients, row, i)) + (*cspan_at(&state, i)) / factorial;
-        }
-    }
-    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
-    (*cspan_at(&timing, row, INT64_C(1))) = duration;
-    used = width;
-    while((used > INT64_C(1)) && ((*cspan_at(&coefficients, row, used - INT64_C(1))) == 0.0))
-    {
-        used = used - INT64_C(1);
-    }
-    y = 0.0;
-    v = 0.0;
-    a = 0.0;
-    jerk = 0.0;
-    for (j = INT64_C(0); j < used; j += INT64_C(1))
-    {
-        i = used - INT64_C(1) - j;
-        y = y * duration + (*cspan_at(&coefficients, row, i));
-        if (i > INT64_C(0))
-        {
-            v = v * duration + i * (*cspan_at(&coefficients, row, i));
-        }
-        if (i > INT64_C(1))
-        {
-            a = a * duration + i * (i - INT64_C(1)) * (*cspan_at(&coefficients, row, i));
-        }
-        if (i > INT64_C(2))
-        {
-            jerk = jerk * duration + i * (i - INT64_C(1)) * (i - INT64_C(2)) * (*cspan_at(&coefficients, row, i));
-        }
-    }
-    (*cspan_at(&state, INT64_C(0))) = y;
-    (*cspan_at(&state, INT64_C(1))) = v;
-    (*cspan_at(&state, INT64_C(2))) = a;
-    (*cspan_at(&state, INT64_C(3))) = jerk;
-    for (i = INT64_C(4); i < order; i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, used, duration, i);
-    }
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + duration;
-    return row + INT64_C(1);
-}
-static void clear_piece(array_double_2d coefficients, int64_t row)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, row, i)) = 0.0;
-    }
-}
-static void set_held(int64_t above, double level, array_double_1d state)
-{
-    int64_t i;
-    (*cspan_at(&state, INT64_C(2) + above)) = level;
-    for (i = INT64_C(3) + above; i < INT64_C(8); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = 0.0;
-    }
-}
-static int64_t expand_plateau(array_double_1d phase, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
-{
-    array_double_1d state;
-    array_double_1d lengths;
-    array_double_1d peaks;
-    double duration;
-    double basis;
-    double peak;
-    int64_t first;
-    int64_t boxes;
-    double rise;
-    int64_t level;
-    double length;
-    int64_t count;
-    int64_t piece;
-    double sign;
-    int64_t held;
-    int64_t i;
-    state = span_row(&work, INT64_C(1));
-    lengths = span_row(&work, INT64_C(2));
-    peaks = span_row(&work, INT64_C(3));
-    duration = (*cspan_at(&phase, INT64_C(0)));
-    basis = (*cspan_at(&phase, INT64_C(1)));
-    peak = (*cspan_at(&phase, INT64_C(3)));
-    first = (int64_t)((*cspan_at(&phase, INT64_C(4))));
-    boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - first;
-    rise = basis;
-    for (level = INT64_C(0); level < boxes; level += INT64_C(1))
-    {
-        held_peak(&length, &peak, &rise, level, first, rise, peak, duration / basis, axis);
-        (*cspan_at(&lengths, level)) = length;
-        (*cspan_at(&peaks, level)) = peak;
-    }
-    count = rise_pieces(boxes);
-    for (piece = INT64_C(1); piece < count + INT64_C(1); piece += INT64_C(1))
-    {
-        held_level(&level, &sign, piece, boxes);
-        held = INT64_C(3) + first + level;
-        for (i = held; i < INT64_C(8); i += INT64_C(1))
-        {
-            (*cspan_at(&state, i)) = 0.0;
-        }
-        (*cspan_at(&state, held)) = sign * (*cspan_at(&peaks, level));
-        if ((*cspan_at(&lengths, level)) > 0.0)
-        {
-            clear_piece(coefficients, row);
-            row = append_piece((*cspan_at(&lengths, level)), timing, coefficients, row, state);
-        }
-    }
-    return row;
-}
-static bool is_unnoticed(array_double_1d phase, double time, array_double_1d axis)
-{
-    bool result;
-    if (((*cspan_at(&phase, INT64_C(4))) > 0.5) || ((*cspan_at(&phase, INT64_C(0))) > 1e-06 * time))
-    {
-        return 0;
-    }
-    result = fabs((*cspan_at(&phase, INT64_C(3)))) <= 1e-13 * (*cspan_at(&axis, INT64_C(3)));
-    return result;
-}
-int64_t segfmu_expand_phases(array_double_2d phases, int64_t count, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
-{
-    array_double_1d psi;
-    array_double_1d state;
-    int64_t order;
-    bool plateau;
-    int64_t i;
-    double a;
-    double change;
-    int64_t above;
-    bool ramp;
-    double duration;
-    int64_t j;
-    double scale;
-    psi = span_row(&work, INT64_C(0));
-    state = span_row(&work, INT64_C(1));
-    order = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(2);
-    plateau = (*cspan_at(&axis, INT64_C(14))) > 0.5;
-    if (!plateau)
-    {
-        transition_coefficients(order, psi);
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        a = (*cspan_at(&phases, i, INT64_C(2)));
-        change = (*cspan_at(&phases, i, INT64_C(3)));
-        above = (int64_t)((*cspan_at(&phases, i, INT64_C(4))));
-        set_held(above, a, state);
-        ramp = (change != 0.0) && (!is_unnoticed(span_row(&phases, i), (*cspan_at(&state, INT64_C(8))), axis));
-        if (plateau && ramp)
-        {
-            row = expand_plateau(span_row(&phases, i), axis, timing, coefficients, row, work);
-        }
-        else
-        {
-            duration = (*cspan_at(&phases, i, INT64_C(0)));
-            clear_piece(coefficients, row);
-            if (ramp)
-            {
-                for (j = order + INT64_C(1); j < INT64_C(2) * order + INT64_C(2); j += INT64_C(1))
-                {
-                    scale = change * (*cspan_at(&psi, j)) / ((j + 1.0) * (j + 2.0));
-                    (*cspan_at(&coefficients, row, INT64_C(2) + j)) = scale / pow(duration, (double)(j));
-                }
-            }
-            row = append_piece(duration, timing, coefficients, row, state);
-        }
-        set_held(above, a + change, state);
-    }
-    return row;
-}
-static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain)
-{
-    double top;
-    int64_t result;
-    top = (*cspan_at(&chain, INT64_C(3)));
-    result = append_velocity_change(phases, INT64_C(0), v, a, w, top, (*cspan_at(&chain, INT64_C(9) + INT64_C(1))), chain);
-    return result;
-}
-static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem)
-{
-    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, order + INT64_C(1)));
-    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, order + INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(2))) = 0.0;
-    (*cspan_at(&problem, INT64_C(3))) = 0.0;
-    (*cspan_at(&problem, INT64_C(4))) = end - (*cspan_at(&state, order));
-}
-static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead)
-{
-    array_double_1d state;
-    array_double_2d phases;
-    int64_t smoothness;
-    array_double_1d chain;
-    array_double_1d problem;
-    int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
-    if (order == smoothness - INT64_C(1))
-    {
-        chain = span_row(&lead, INT64_C(54) + order - INT64_C(1));
-        if (free)
-        {
-            result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
-            return result;
-        }
-        result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
-        return result;
-    }
-    chain = span_row(&lead, INT64_C(54) + order);
-    if (free)
-    {
-        result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
-        return result;
-    }
-    problem = span_row(&lead, INT64_C(18));
-    set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
-    return result;
-}
-static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    int64_t smoothness;
-    int64_t seen;
-    array_double_1d chain;
-    array_double_2d expansion;
-    array_double_1d now;
-    int64_t third;
-    array_double_2d phases;
-    int64_t i;
-    int64_t last;
-    state = span_row(&lead, INT64_C(8));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
-    seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(54) + seen);
-    if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
-    {
-        return -INT64_C(1);
-    }
-    expansion = span_rows(&lead, INT64_C(301), INT64_C(305));
-    now = span_row(&expansion, INT64_C(1));
-    (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
-    (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
-    (*cspan_at(&now, INT64_C(2))) = (*cspan_at(&state, seen + INT64_C(2)));
-    third = seen + INT64_C(3);
-    (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
-    (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
-    lift_pieces(seen, row, last, state, timing, coefficients);
-    (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
-    (*cspan_at(&state, seen + INT64_C(1))) = (*cspan_at(&now, INT64_C(1)));
-    if (end <= 1e+299)
-    {
-        (*cspan_at(&state, order)) = end;
-    }
-    for (i = order + INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = 0.0;
-    }
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&now, INT64_C(8)));
-    return last;
-}
-static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double end;
-    int64_t count;
-    int64_t result;
-    end = (*cspan_at(&lead, INT64_C(13), order));
-    count = stage_phases(order, end, end > 1e+299, lead);
-    result = append_phases(order, end, count, row, lead, timing, coefficients);
-    return result;
-}
-static void drop_rounding(int64_t order, array_double_2d lead)
-{
-    array_double_1d state;
-    int64_t i;
-    double aim;
-    state = span_row(&lead, INT64_C(8));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(13), i)) < 1e+299))
-        {
-            aim = (*cspan_at(&lead, INT64_C(13), i));
-        }
-        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(12), i)))
-        {
-            (*cspan_at(&state, i)) = aim;
-        }
-    }
-}
-static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t i;
-    int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
-    }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        stage = order + INT64_C(4) - INT64_C(2) * i;
-        if ((stage < smoothness) && (row >= INT64_C(0)))
-        {
-            drop_rounding(order, lead);
-            row = run_stage(stage, row, lead, timing, coefficients);
-        }
-    }
-    return row;
-}
-static double outside_by(double value, int64_t order, array_double_2d lead)
-{
-    double low;
-    double high;
-    low = (*cspan_at(&lead, INT64_C(4), order));
-    high = (*cspan_at(&lead, INT64_C(5), order));
-    return span_max(value - high, low - value) - 1e-13 * (high - low);
-}
-static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    int64_t smoothness;
-    double factorial;
-    int64_t i;
-    state = span_row(&lead, INT64_C(8));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
-    if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
-    {
-        return -INT64_C(1);
-    }
-    if (length <= 0.0)
-    {
-        return row;
-    }
-    clear_piece(coefficients, row);
-    factorial = 1.0;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        if (i > INT64_C(0))
-        {
-            factorial = factorial * i;
-        }
-        (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
-    }
-    (*cspan_at(&coefficients, row, smoothness + INT64_C(1))) = value / (factorial * (smoothness + INT64_C(1)));
-    (*cspan_at(&timing, row, INT64_C(0))) = (*cspan_at(&state, INT64_C(8)));
-    (*cspan_at(&timing, row, INT64_C(1))) = length;
-    for (i = INT64_C(0); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, coefficients.shape[INT64_C(1)], length, i);
-    }
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + length;
-    return row + INT64_C(1);
-}
-static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    double top;
-    double length;
-    int64_t i;
-    int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    if (row < INT64_C(0))
-    {
-        return -INT64_C(1);
-    }
-    if (order == (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
-    {
-        top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
-        if (end < (*cspan_at(&state, order)))
-        {
-            top = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
-        }
-        length = (end - (*cspan_at(&state, order))) / top;
-        row = hold_highest(top, length, row, lead, timing, coefficients);
-        (*cspan_at(&state, order)) = end;
-        return row;
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&state, i));
-        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
-    }
-    (*cspan_at(&lead, INT64_C(13), order)) = end;
-    result = settle(order, row, lead, timing, coefficients);
-    return result;
-}
-static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients)
-{
-    array_double_2d check;
-    int64_t width;
-    double factorial;
-    int64_t i;
-    double value;
-    double largest;
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    width = coefficients.shape[INT64_C(1)];
-    factorial = 1.0;
-    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
-    {
-        if (i > INT64_C(0))
-        {
-            factorial = factorial * i;
-        }
-        value = evaluate_piece(coefficients, row, width, start, order + i);
-        (*cspan_at(&check, INT64_C(43), i)) = value / factorial;
-    }
-    bernstein_coefficients(check, INT64_C(43), width - order, length, check);
-    largest = -1e+300;
-    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
-    {
-        largest = span_max(largest, outside_by((*cspan_at(&check, INT64_C(0), i)), order, lead));
-    }
-    return largest;
-}
-static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_2d check;
-    double low;
-    double high;
-    int64_t count;
-    int64_t row;
-    double length;
-    double slack;
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    low = (*cspan_at(&lead, INT64_C(4), order));
-    high = (*cspan_at(&lead, INT64_C(5), order));
-    count = coefficients.shape[INT64_C(1)] - order;
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        length = (*cspan_at(&timing, row, INT64_C(1)));
-        if (part_hull(order, row, 0.0, length, lead, coefficients) > 0.0)
-        {
-            slack = 1e-10 * (high - low);
-            if (!within(check, count, low - slack, high + slack))
-            {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients)
-{
-    int64_t k;
-    double middle;
-    double value;
-    for (k = INT64_C(0); k < INT64_C(60); k += INT64_C(1))
-    {
-        middle = 0.5 * (lower + upper);
-        value = evaluate_piece(coefficients, row, coefficients.shape[INT64_C(1)], middle, order);
-        if (outside_by(value, order, lead) > 0.0)
-        {
-            lower = middle;
-        }
-        else
-        {
-            upper = middle;
-        }
-    }
-    return upper;
-}
-static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t width;
-    int64_t i;
-    int64_t row;
-    double length;
-    double upper;
-    double step;
-    double lower;
-    double value;
-    width = coefficients.shape[INT64_C(1)];
-    for (i = INT64_C(0); i < last - first; i += INT64_C(1))
-    {
-        row = last - INT64_C(1) - i;
-        length = (*cspan_at(&timing, row, INT64_C(1)));
-        upper = length;
-        step = length;
-        while(upper > 0.0)
-        {
-            lower = span_max(upper - step, 0.0);
-            value = evaluate_piece(coefficients, row, width, lower, order);
-            if (part_hull(order, row, lower, upper - lower, lead, coefficients) <= 0.0)
-            {
-                upper = lower;
-                step = 2.0 * step;
-            }
-            else if (step > 0.001 * length)
-            {
-                step = 0.25 * step;
-            }
-            else if (outside_by(value, order, lead) > 0.0)
-            {
-                (*result_0_0001) = row;
-                (*result_1_0001) = time_crossed(order, row, lower, upper, lead, coefficients);
-                return 0;
-            }
-            else if (step > 1e-09 * length)
-            {
-                step = 0.25 * step;
-            }
-            else
-            {
-                upper = lower;
-            }
-        }
-    }
-    (*result_0_0001) = first;
-    (*result_1_0001) = 0.0;
-    return 0;
-}
-static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    array_double_1d turn;
-    int64_t smoothness;
-    double near;
-    double far;
-    int64_t first;
-    int64_t row;
-    int64_t i;
-    int64_t last;
-    double room;
-    double hold;
-    double local;
-    double result;
-    state = span_row(&lead, INT64_C(8));
-    turn = span_row(&lead, INT64_C(3));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
-    near = (*cspan_at(&lead, INT64_C(5), order));
-    far = (*cspan_at(&lead, INT64_C(4), order));
-    if (side < 0.0)
-    {
-        near = (*cspan_at(&lead, INT64_C(4), order));
-        far = (*cspan_at(&lead, INT64_C(5), order));
-    }
-    first = INT64_C(400);
-    row = first;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(2), i));
-    }
-    if (settled && (order + INT64_C(2) <= smoothness))
-    {
-        row = lead_to(order + INT64_C(2), 0.0, row, lead, timing, coefficients);
-    }
-    row = lead_to(order + INT64_C(1), level, row, lead, timing, coefficients);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&turn, i)) = (*cspan_at(&state, i));
-    }
-    last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
-    if (last < INT64_C(0))
-    {
-        return 1e+300;
-    }
-    room = side * ((*cspan_at(&state, order)) - far);
-    if (room < 0.0)
-    {
-        return -1.0;
-    }
-    if (level != 0.0)
-    {
-        hold = span_min(side * ((*cspan_at(&turn, order)) - near), room) / fabs(level);
-        for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-        {
-            (*cspan_at(&state, i)) = (*cspan_at(&turn, i));
-        }
-        row = hold_highest(0.0, hold, row, lead, timing, coefficients);
-        last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
-    }
-    if ((last < INT64_C(0)) || (outside_by((*cspan_at(&state, order)), order, lead) > 0.0))
-    {
-        return 1e+300;
-    }
-    for (i = order + INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
-    {
-        if (!stays_inside(i, first, last, lead, timing, coefficients))
-        {
-            return 1e+300;
-        }
-    }
-    inside_from(&row, &local, order, first, last, lead, timing, coefficients);
-    if ((last > first) && (!stays_inside(order, row + INT64_C(1), last, lead, timing, coefficients)))
-    {
-        return 1e+300;
-    }
-    (*cspan_at(&lead, INT64_C(6), INT64_C(2))) = last;
-    if (last == first)
-    {
-        result = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
-        return result;
-    }
-    result = (*cspan_at(&timing, row, INT64_C(0))) + local;
-    return result;
-}
-static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
-{
-    int64_t smoothness;
-    array_double_1d axis;
-    array_double_1d state;
-    int64_t i;
-    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    axis = span_row(&lead, INT64_C(52));
-    state = span_row(&lead, INT64_C(8));
-    segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
-    set_lower(span_row(&lead, INT64_C(53)), axis);
-    for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
-        {
-            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
-        }
-    }
-    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(54), INT64_C(61))))
-    {
-        return 0;
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = 0.0;
-    }
-    for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
-        if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
-        {
-            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
-        }
-    }
-    chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
-    for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
-        if (i <= INT64_C(2))
-        {
-            (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
-        }
-        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(11), i));
-    }
-    return 1;
-}
-static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
-{
-    double result;
-    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(53), order - INT64_C(1))) > 0.0))
-    {
-        result = (*cspan_at(&lead, INT64_C(53), order - INT64_C(1)));
-        return result;
-    }
-    result = (*cspan_at(&limits, order - INT64_C(1)));
-    return result;
-}
-static bool is_outside(array_double_1d limits, array_double_2d lead)
-{
-    int64_t i;
-    double value;
-    double bound;
-    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        value = (*cspan_at(&lead, INT64_C(0), i));
-        bound = (*cspan_at(&limits, i - INT64_C(1)));
-        if (value < 0.0)
-        {
-            bound = lower_limit(i, limits, lead);
-        }
-        if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
-static double end_derivative(int64_t row, int64_t last, int64_t order, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t width;
-    double length;
-    double largest;
-    double power;
-    int64_t i;
-    double start;
-    double value;
-    width = coefficients.shape[INT64_C(1)];
-    length = (*cspan_at(&timing, row, INT64_C(1)));
-    if ((row + INT64_C(1) < last) && (order <= span_floor_div(width, INT64_C(2))))
-    {
-        value = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
-        return value;
-    }
-    value = evaluate_piece(coefficients, row, width, length, order);
-    largest = 0.0;
-    power = 1.0;
-    for (i = order; i < width; i += INT64_C(1))
-    {
-        start = evaluate_piece(coefficients, row, width, 0.0, i);
-        largest = span_max(largest, fabs(start) * power);
-        power = power * length / (i - order + INT64_C(1));
-    }
-    if ((order > INT64_C(0)) && (fabs(value) <= 1e-13 * largest))
-    {
-        return 0.0;
-    }
-    return value;
-}
-static void cut_piece(int64_t row, int64_t last, double local, array_double_2d timing, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
-{
-    int64_t width;
-    double rest;
-    double factorial;
-    int64_t i;
-    double value;
-    int64_t j;
-    int64_t order;
-    double end;
-    width = coefficients.shape[INT64_C(1)];
-    rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
-    factorial = 1.0;
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
-    {
-        if (i > INT64_C(0))
-        {
-            factorial = factorial * i;
-        }
-        value = 0.0;
-        if (rest > local)
-        {
-            value = evaluate_piece(coefficients, row, width, local, i);
-        }
-        else
-        {
-            for (j = INT64_C(0); j < width - i; j += INT64_C(1))
-            {
-                order = width - INT64_C(1) - j;
-                end = end_derivative(row, last, order, timing, coefficients);
-                value = end - value * rest / (order - i + INT64_C(1));
-            }
-        }
-        (*cspan_at(&cut_coefficients, target, i)) = value / factorial;
-    }
-}
-static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target)
-{
-    double position;
-    double velocity;
-    double acceleration;
-    double fastest;
-    double steepest;
-    int64_t row;
-    position = (*cspan_at(&cut_coefficients, target, INT64_C(0)));
-    velocity = (*cspan_at(&cut_coefficients, target, INT64_C(1)));
-    acceleration = (*cspan_at(&cut_coefficients, target, INT64_C(2)));
-    fastest = 0.0;
-    steepest = 0.0;
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        fastest = span_max(fastest, fabs((*cspan_at(&coefficients, row, INT64_C(1)))));
-        steepest = span_max(steepest, fabs((*cspan_at(&coefficients, row, INT64_C(2)))));
-    }
-    clear_piece(cut_coefficients, target);
-    (*cspan_at(&cut_coefficients, target, INT64_C(0))) = position;
-    if (moves && (fabs(velocity) > 1e-09 * fastest))
-    {
-        (*cspan_at(&cut_coefficients, target, INT64_C(1))) = velocity;
-    }
-    if (moves && (fabs(acceleration) > 1e-09 * steepest))
-    {
-        (*cspan_at(&cut_coefficients, target, INT64_C(2))) = acceleration;
-    }
-}
-static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&target_timing, target, i)) = (*cspan_at(&timing, row, i));
-    }
-    for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-    {
-        (*cspan_at(&target_coefficients, target, i)) = (*cspan_at(&coefficients, row, i));
-    }
-}
-int64_t segfmu_cut_plan(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d cut_timing, array_double_2d cut_coefficients, array_int64_t_1d cut_offsets)
-{
-    int64_t axis;
-    int64_t last;
-    int64_t row;
-    double local;
-    double start;
-    double rest;
-    double end;
-    bool moves;
-    int64_t target;
-    target = INT64_C(0);
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        (*cspan_at(&cut_offsets, axis)) = target;
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = find_piece(time, timing, (*cspan_at(&offsets, axis)), last);
-        local = span_max(local_time(time, timing, row), 0.0);
-        start = 0.0;
-        rest = (*cspan_at(&timing, row, INT64_C(1))) - local;
-        cut_piece(row, last, local, timing, coefficients, cut_coefficients, target);
-        if ((row == last - INT64_C(1)) && (rest <= 1e-15 * time))
-        {
-            end = (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)));
-            moves = time - end <= 1e-15 * time;
-            settle_end(moves, (*cspan_at(&offsets, axis)), last, coefficients, cut_coefficients, target);
-            rest = 0.0;
-        }
-        while(row < last)
-        {
-            (*cspan_at(&cut_timing, target, INT64_C(0))) = start;
-            (*cspan_at(&cut_timing, target, INT64_C(1))) = rest;
-            start = start + rest;
-            target = target + INT64_C(1);
-            row = row + INT64_C(1);
-            if (row < last)
-            {
-                rest = (*cspan_at(&timing, row, INT64_C(1)));
-                copy_piece(timing, coefficients, row, cut_timing, cut_coefficients, target);
-            }
-        }
-    }
-    (*cspan_at(&cut_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
-    return target;
-}
-void segfmu_meet_ends(double clock, double dwell, array_double_2d timing, array_int64_t_1d offsets)
-{
-    double latest;
-    int64_t axis;
-    int64_t row;
-    double late;
-    int64_t longest;
-    int64_t i;
-    latest = 0.0;
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        row = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
-        latest = span_max(latest, (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))));
-    }
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        row = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
-        late = latest - ((*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1))));
-        if (late > 1e-12 * clock)
-        {
-            continue;
-        }
-        longest = row;
-        if ((dwell > 0.0) && (row > (*cspan_at(&offsets, axis))))
-        {
-            longest = row - INT64_C(1);
-        }
-        for (i = (*cspan_at(&offsets, axis)); i < longest; i += INT64_C(1))
-        {
-            if ((*cspan_at(&timing, i, INT64_C(1))) > (*cspan_at(&timing, longest, INT64_C(1))))
-            {
-                longest = i;
-            }
-        }
-        (*cspan_at(&timing, longest, INT64_C(1))) = (*cspan_at(&timing, longest, INT64_C(1))) + late;
-        for (i = longest + INT64_C(1); i < row + INT64_C(1); i += INT64_C(1))
-        {
-            (*cspan_at(&timing, i, INT64_C(0))) = (*cspan_at(&timing, i, INT64_C(0))) + late;
-        }
-    }
-}
-static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row)
-{
-    int64_t power;
-    double term;
-    int64_t i;
-    for (power = INT64_C(0); power < order + INT64_C(1); power += INT64_C(1))
-    {
-        term = value;
-        for (i = INT64_C(1); i < order - power + INT64_C(1); i += INT64_C(1))
-        {
-            term = (-term) * before / i;
-        }
-        for (i = INT64_C(1); i < power + INT64_C(1); i += INT64_C(1))
-        {
-            term = term / i;
-        }
-        (*cspan_at(&coefficients, row, power)) = (*cspan_at(&coefficients, row, power)) + term;
-    }
-}
-void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
-{
-    int64_t width;
-    int64_t axis;
-    int64_t last;
-    int64_t i;
-    int64_t row;
-    double length;
-    int64_t j;
-    int64_t order;
-    double wanted;
-    double rounding;
-    int64_t repeat;
-    double missed;
-    width = coefficients.shape[INT64_C(1)];
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        last = (*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1);
-        for (i = INT64_C(0); i < (*cspan_at(&offsets, axis + INT64_C(1))) - (*cspan_at(&offsets, axis)); i += INT64_C(1))
-        {
-            row = last - i;
-            length = (*cspan_at(&timing, row, INT64_C(1)));
-            for (j = INT64_C(0); j < span_floor_div(width, INT64_C(2)) + INT64_C(1); j += INT64_C(1))
-            {
-                order = span_floor_div(width, INT64_C(2)) - j;
-                wanted = 0.0;
-                rounding = 0.0;
-                if ((order > INT64_C(0)) && (order <= limits.shape[INT64_C(1)]))
-                {
-                    rounding = rounding_error(order, span_row(&limits, axis));
-                }
-                if (i > INT64_C(0))
-                {
-                    wanted = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, order);
-                }
-                else if (order < ends.shape[INT64_C(1)])
-                {
-                    wanted = (*cspan_at(&ends, axis, order));
-                }
-                for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
-                {
-                    missed = wanted - evaluate_piece(coefficients, row, width, length, order);
-                    if (fabs(missed) > rounding)
-                    {
-                        add_power(missed, order, length, coefficients, row);
-                    }
-                }
-            }
-        }
-    }
-}
-int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets)
-{
-    int64_t axis;
-    int64_t row;
-    int64_t target;
-    target = INT64_C(0);
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        (*cspan_at(&joined_offsets, axis)) = target;
-        for (row = (*cspan_at(&lead_offsets, axis)); row < (*cspan_at(&lead_offsets, axis + INT64_C(1))); row += INT64_C(1))
-        {
-            copy_piece(lead_timing, lead_coefficients, row, joined_timing, joined_coefficients, target);
-            target = target + INT64_C(1);
-        }
-        for (row = (*cspan_at(&offsets, axis)); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
-        {
-            copy_piece(timing, coefficients, row, joined_timing, joined_coefficients, target);
-            target = target + INT64_C(1);
-        }
-    }
-    (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
-    return target;
-}
-static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_2d check;
-    array_double_1d report;
-    int64_t width;
-    int64_t parts;
-    double step;
-    int64_t order;
-    int64_t part;
-    int64_t i;
-    double value;
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    report = span_row(&lead, INT64_C(6));
-    width = coefficients.shape[INT64_C(1)];
-    parts = INT64_C(8);
-    step = (*cspan_at(&timing, row, INT64_C(1))) / parts;
-    for (order = INT64_C(1); order < span_floor_div(width, INT64_C(2)) + INT64_C(2); order += INT64_C(1))
-    {
-        for (part = INT64_C(0); part < parts; part += INT64_C(1))
-        {
-            part_hull(order, row, part * step, step, lead, coefficients);
-            for (i = INT64_C(0); i < width - order; i += INT64_C(1))
-            {
-                value = (*cspan_at(&check, INT64_C(0), i));
-                (*cspan_at(&report, INT64_C(11) + order)) = span_min((*cspan_at(&report, INT64_C(11) + order)), value);
-                (*cspan_at(&report, INT64_C(19) + order)) = span_max((*cspan_at(&report, INT64_C(19) + order)), value);
-            }
-        }
-    }
-}
-static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d report;
-    array_double_1d reached;
-    int64_t width;
-    int64_t first;
-    int64_t count;
-    int64_t row;
-    double length;
-    int64_t i;
-    report = span_row(&lead, INT64_C(6));
-    reached = span_row(&lead, INT64_C(2));
-    width = coefficients.shape[INT64_C(1)];
-    first = INT64_C(2) * INT64_C(400);
-    count = (int64_t)((*cspan_at(&report, INT64_C(1))));
-    while((count > INT64_C(0)) && ((*cspan_at(&timing, first + count - INT64_C(1), INT64_C(0))) >= until))
-    {
-        count = count - INT64_C(1);
-    }
-    (*cspan_at(&report, INT64_C(1))) = count;
-    if (count > INT64_C(0))
-    {
-        row = first + count - INT64_C(1);
-        length = span_min((*cspan_at(&timing, row, INT64_C(1))), until - (*cspan_at(&timing, row, INT64_C(0))));
-        (*cspan_at(&timing, row, INT64_C(1))) = length;
-        for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
-        {
-            (*cspan_at(&reached, i)) = evaluate_piece(coefficients, row, width, length, i);
-        }
-        (*cspan_at(&reached, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
-    }
-}
-static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d report;
-    int64_t row;
-    int64_t target;
-    report = span_row(&lead, INT64_C(6));
-    for (row = INT64_C(400); row < last; row += INT64_C(1))
-    {
-        target = INT64_C(2) * INT64_C(400) + (int64_t)((*cspan_at(&report, INT64_C(1))));
-        if (((*cspan_at(&timing, row, INT64_C(0))) >= until) || (target >= INT64_C(1200)))
-        {
-            break;
-        }
-        copy_piece(timing, coefficients, row, timing, coefficients, target);
-        (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&report, INT64_C(1))) + 1.0;
-    }
-    end_brake(until, lead, timing, coefficients);
-}
-static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d report;
-    int64_t width;
-    int64_t first;
-    int64_t last;
-    int64_t row;
-    double local;
-    int64_t i;
-    double factorial;
-    double value;
-    report = span_row(&lead, INT64_C(6));
-    width = coefficients.shape[INT64_C(1)];
-    first = INT64_C(2) * INT64_C(400);
-    last = first + (int64_t)((*cspan_at(&report, INT64_C(1))));
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        local = until - (*cspan_at(&timing, row, INT64_C(0)));
-        if ((local > 0.0) && (local < (*cspan_at(&timing, row, INT64_C(1)))) && (last < INT64_C(1200)))
-        {
-            for (i = INT64_C(0); i < last - row; i += INT64_C(1))
-            {
-                copy_piece(timing, coefficients, last - INT64_C(1) - i, timing, coefficients, last - i);
-            }
-            factorial = 1.0;
-            for (i = INT64_C(0); i < width; i += INT64_C(1))
-            {
-                if (i > INT64_C(0))
-                {
-                    factorial = factorial * i;
-                }
-                value = evaluate_piece(coefficients, row, width, local, i);
-                (*cspan_at(&coefficients, row + INT64_C(1), i)) = value / factorial;
-            }
-            (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))) = until;
-            (*cspan_at(&timing, row + INT64_C(1), INT64_C(1))) = (*cspan_at(&timing, row, INT64_C(1))) - local;
-            (*cspan_at(&timing, row, INT64_C(1))) = local;
-            (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&report, INT64_C(1))) + 1.0;
-            break;
-        }
-    }
-}
-static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    int64_t last;
-    int64_t i;
-    int64_t row;
-    double local;
-    double until;
-    first = INT64_C(2) * INT64_C(400);
-    last = first + (int64_t)((*cspan_at(&lead, INT64_C(6), INT64_C(1))));
-    until = 0.0;
-    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        if (((*cspan_at(&limits, i - INT64_C(1))) > 0.0) && (last > first))
-        {
-            (*cspan_at(&lead, INT64_C(4), i)) = -lower_limit(i, limits, lead);
-            (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&limits, i - INT64_C(1)));
-            inside_from(&row, &local, i, first, last, lead, timing, coefficients);
-            until = span_max(until, (*cspan_at(&timing, row, INT64_C(0))) + local);
-        }
-    }
-    return until;
-}
-static double level_limit(int64_t order, double side, array_double_2d lead)
-{
-    double result;
-    if (side < 0.0)
-    {
-        result = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
-        return result;
-    }
-    result = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
-    return result;
-}
-static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double edge;
-    double least;
-    double best;
-    double share;
-    double low;
-    double high;
-    int64_t i;
-    double time;
-    edge = level_limit(order, side, lead);
-    least = try_brake(order, side, edge, settled, lead, timing, coefficients);
-    best = edge;
-    share = 1.0;
-    if (least < 0.0)
-    {
-        least = 1e+300;
-        low = 0.0;
-        high = 1.0;
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            share = 0.5 * (low + high);
-            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
-            if (time < 0.0)
-            {
-                high = share;
-            }
-            else
-            {
-                low = share;
-                if (time < least)
-                {
-                    least = time;
-                    best = share * edge;
-                }
-            }
-        }
-    }
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-    {
-        share = 0.5 * share;
-        if (i == INT64_C(5))
-        {
-            share = 0.0;
-        }
-        if (least > (*cspan_at(&lead, INT64_C(2), INT64_C(8))))
-        {
-            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
-            if ((time >= 0.0) && (time < least))
-            {
-                least = time;
-                best = share * edge;
-            }
-        }
-    }
-    (*result_0) = least;
-    (*result_1) = best;
-    return 0;
-}
-static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double level;
-    double time;
-    if (gentle > 0.0)
-    {
-        level = (1.0 - gentle) * level_limit(order, side, lead);
-        time = try_brake(order, side, level, settled, lead, timing, coefficients);
-        if ((time >= 0.0) && (time < 1e+299))
-        {
-            (*result_0) = time;
-            (*result_1) = level;
-            return 0;
-        }
-    }
-    best_level(result_0, result_1, order, side, settled, lead, timing, coefficients);
-    return 0;
-}
-static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    array_double_1d reached;
-    double low;
-    int64_t first;
-    int64_t i;
-    int64_t last;
-    double value;
-    state = span_row(&lead, INT64_C(8));
-    reached = span_row(&lead, INT64_C(2));
-    low = (*cspan_at(&lead, INT64_C(4), order));
-    first = INT64_C(400);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
-    }
-    last = lead_to(order + INT64_C(1), 0.0, first, lead, timing, coefficients);
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        value = (*cspan_at(&state, order));
-        if (i == INT64_C(1))
-        {
-            value = (*cspan_at(&reached, order));
-        }
-        if (outside_by(value, order, lead) > 0.0)
-        {
-            if (value > low)
-            {
-                return 1.0;
-            }
-            return -1.0;
-        }
-    }
-    if ((last >= INT64_C(0)) && stays_inside(order, first, last, lead, timing, coefficients))
-    {
-        return 0.0;
-    }
-    if ((*cspan_at(&reached, order + INT64_C(1))) > 0.0)
-    {
-        return 1.0;
-    }
-    return -1.0;
-}
-static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t order;
-    double value;
-    double end;
-    int64_t i;
-    int64_t last;
-    double until;
-    order = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
-    value = (*cspan_at(&lead, INT64_C(2), order));
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
-    if (outside_by(value, order, lead) > 0.0)
-    {
-        for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-        {
-            (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(2), i));
-        }
-        last = lead_to(order, end, INT64_C(400), lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
-        append_pieces(until, last, lead, timing, coefficients);
-        (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
-    }
-    (*cspan_at(&lead, INT64_C(2), order)) = end;
-}
-static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    array_double_1d reached;
-    array_double_1d state;
-    double value;
-    double end;
-    int64_t i;
-    int64_t last;
-    double until;
-    first = INT64_C(400);
-    reached = span_row(&lead, INT64_C(2));
-    state = span_row(&lead, INT64_C(8));
-    value = (*cspan_at(&reached, order));
-    if (!(outside_by(value, order, lead) > 0.0))
-    {
-        return 0;
-    }
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
-    }
-    last = lead_to(order, end, first, lead, timing, coefficients);
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
-    {
-        if (!stays_inside(i, first, last, lead, timing, coefficients))
-        {
-            return 0;
-        }
-    }
-    until = (*cspan_at(&state, INT64_C(8)));
-    append_pieces(until, last, lead, timing, coefficients);
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        (*cspan_at(&reached, i)) = 0.0;
-    }
-    (*cspan_at(&reached, order)) = end;
-    (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
-    return 1;
-}
-static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d report;
-    array_double_1d reached;
-    double gentle;
-    double side;
-    double time;
-    double level;
-    bool settled;
-    int64_t i;
-    double start;
-    double low;
-    report = span_row(&lead, INT64_C(6));
-    reached = span_row(&lead, INT64_C(2));
-    gentle = (*cspan_at(&report, INT64_C(3) + order));
-    if ((gentle == 1.0) && bring_gently(order, lead, timing, coefficients))
-    {
-        return 1;
-    }
-    side = side_beyond(order, lead, timing, coefficients);
-    if ((side == 0.0) && (!whole))
-    {
-        return 1;
-    }
-    time = 1e+300;
-    level = 0.0;
-    settled = 0;
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        if (time > 1e+299)
-        {
-            settled = i == INT64_C(1);
-            if (side == 0.0)
-            {
-                time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients);
-            }
-            else
-            {
-                level_time(&time, &level, order, side, gentle, settled, lead, timing, coefficients);
-            }
-        }
-    }
-    if (time > 1e+299)
-    {
-        return 0;
-    }
-    start = (*cspan_at(&reached, INT64_C(8)));
-    if (side != 0.0)
-    {
-        try_brake(order, side, level, settled, lead, timing, coefficients);
-    }
-    if (time > start)
-    {
-        (*cspan_at(&report, INT64_C(0))) = time;
-    }
-    else if (!whole)
-    {
-        return 1;
-    }
-    if (whole)
-    {
-        time = 1e+300;
-    }
-    append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
-    for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
-    {
-        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
-        {
-            if (whole && (i > order))
-            {
-                (*cspan_at(&reached, i)) = 0.0;
-            }
-            low = (*cspan_at(&lead, INT64_C(4), i));
-            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(5), i)));
-        }
-    }
-    return 1;
-}
-static void clip_reached(array_double_2d lead)
-{
-    int64_t i;
-    double value;
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(4), i)));
-        (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(5), i)));
-    }
-}
-static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    array_double_1d report;
-    int64_t i;
-    bool let_go;
-    int64_t order;
-    int64_t first;
-    int64_t row;
-    int64_t result;
-    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    report = span_row(&lead, INT64_C(6));
-    (*cspan_at(&report, INT64_C(0))) = 0.0;
-    (*cspan_at(&report, INT64_C(1))) = 0.0;
-    for (i = INT64_C(0); i < smoothness + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&report, INT64_C(11) + i)) = 0.0;
-        (*cspan_at(&report, INT64_C(19) + i)) = 0.0;
-    }
-    if (!set_box(steep, loose, limits, lead))
-    {
-        return -INT64_C(1);
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(0), i));
-    }
-    bring_highest(lead, timing, coefficients);
-    let_go = whole || (loose <= smoothness);
-    for (i = INT64_C(1); i < smoothness; i += INT64_C(1))
-    {
-        order = smoothness - i;
-        if (!bring_inside(order, let_go && (order == INT64_C(1)), lead, timing, coefficients))
-        {
-            return -INT64_C(1);
-        }
-    }
-    if (let_go)
-    {
-        if (loose <= smoothness)
-        {
-            (*cspan_at(&report, INT64_C(0))) = time_inside(limits, lead, timing, coefficients);
-        }
-        split_brake((*cspan_at(&report, INT64_C(0))), lead, timing, coefficients);
-        if (!whole)
-        {
-            end_brake((*cspan_at(&report, INT64_C(0))), lead, timing, coefficients);
-            clip_reached(lead);
-        }
-    }
-    first = INT64_C(2) * INT64_C(400);
-    for (row = first; row < first + (int64_t)((*cspan_at(&report, INT64_C(1)))); row += INT64_C(1))
-    {
-        if ((*cspan_at(&timing, row, INT64_C(0))) < (*cspan_at(&report, INT64_C(0))))
-        {
-            note_extremes(row, lead, timing, coefficients);
-        }
-    }
-    result = (int64_t)((*cspan_at(&report, INT64_C(1))));
-    return result;
-}
-static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t highest;
-    int64_t i;
-    double best;
-    double steep;
-    double chosen;
-    int64_t count;
-    double until;
-    highest = INT64_C(1);
-    for (i = INT64_C(0); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        if ((*cspan_at(&limits, i)) <= 0.0)
-        {
-            highest = INT64_C(8);
-        }
-    }
-    best = 1e+300;
-    steep = 1.0;
-    chosen = 0.0;
-    for (i = INT64_C(0); i < highest; i += INT64_C(1))
-    {
-        count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(6), INT64_C(0)));
-        if ((count >= INT64_C(0)) && (until == 0.0))
-        {
-            (*result_0_0001) = steep;
-            (*result_1) = 0.0;
-            return 0;
-        }
-        if ((count > INT64_C(0)) && (until < 0.997 * best))
-        {
-            best = until;
-            chosen = steep;
-        }
-        else if ((best < 1e+299) && (i > INT64_C(2)))
-        {
-            break;
-        }
-        steep = 10.0 * steep;
-    }
-    (*result_0_0001) = chosen;
-    (*result_1) = best;
-    return 0;
-}
-int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    array_double_1d report;
-    int64_t i;
-    int64_t loose;
-    double chosen;
-    double best;
-    int64_t order;
-    double steep;
-    double until;
-    double gentle;
-    int64_t count;
-    int64_t result;
-    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    if ((smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
-    {
-        return -INT64_C(1);
-    }
-    report = span_row(&lead, INT64_C(6));
-    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
-    {
-        (*cspan_at(&report, i)) = 0.0;
-    }
-    loose = smoothness + INT64_C(1);
-    best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
-    if (best == 0.0)
-    {
-        result = (int64_t)((*cspan_at(&report, INT64_C(1))));
-        return result;
-    }
-    for (i = INT64_C(0); i < smoothness - INT64_C(2); i += INT64_C(1))
-    {
-        order = smoothness - i;
-        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(0), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
-        {
-            best_steepness(&steep, &until, order, whole, limits, lead, timing, coefficients);
-            if ((steep > 0.0) && (until < 0.5 * best))
-            {
-                chosen = steep;
-                best = until;
-                loose = order;
-            }
-        }
-    }
-    if ((chosen == 0.0) && (smoothness > INT64_C(2)))
-    {
-        (*cspan_at(&report, INT64_C(3) + INT64_C(2))) = 0.5;
-        best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
-    }
-    if (chosen == 0.0)
-    {
-        return -INT64_C(1);
-    }
-    for (order = INT64_C(2); order < smoothness; order += INT64_C(1))
-    {
-        gentle = (*cspan_at(&report, INT64_C(3) + order));
-        for (i = INT64_C(1); i < INT64_C(5); i += INT64_C(1))
-        {
-            (*cspan_at(&report, INT64_C(3) + order)) = 0.25 * i;
-            count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
-            if ((count > INT64_C(0)) && ((*cspan_at(&report, INT64_C(0))) < 0.999 * best))
-            {
-                best = (*cspan_at(&report, INT64_C(0)));
-                gentle = (*cspan_at(&report, INT64_C(3) + order));
-            }
-        }
-        (*cspan_at(&report, INT64_C(3) + order)) = gentle;
-    }
-    result = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
-    return result;
-}
-static double end_rounding(void)
-{
-    return 1e-11;
-}
-static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end)
-{
-    int64_t width;
-    double length;
-    int64_t order;
-    width = coefficients.shape[INT64_C(1)];
-    length = (*cspan_at(&timing, last, INT64_C(1)));
-    for (order = INT64_C(0); order < INT64_C(3); order += INT64_C(1))
-    {
-        (*cspan_at(&end, order)) = evaluate_piece(coefficients, last, width, length, order);
-    }
-    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&timing, last, INT64_C(0))) + length;
-}
-static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end)
-{
-    double missed;
-    bool result;
-    missed = (*cspan_at(&end, INT64_C(1))) - velocity;
-    if (fabs(missed) > end_rounding() * (*cspan_at(&limits, INT64_C(0))))
-    {
-        return 0;
-    }
-    result = fabs((*cspan_at(&end, INT64_C(2)))) <= end_rounding() * (*cspan_at(&limits, INT64_C(1)));
-    return result;
-}
-void segfmu_plan_ends(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d ends)
-{
-    int64_t axis;
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        write_end((*cspan_at(&offsets, axis + INT64_C(1))) - INT64_C(1), timing, coefficients, span_row(&ends, axis));
-    }
-}
-bool segfmu_are_at_velocities(array_double_2d targets, array_double_2d limits, array_double_2d ends)
-{
-    int64_t axis;
-    double velocity;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        velocity = (*cspan_at(&targets, axis, INT64_C(1)));
-        if (!is_at_velocity(velocity, span_row(&limits, axis), span_row(&ends, axis)))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static int64_t level_order(int64_t order, array_double_2d lead)
-{
-    int64_t seen;
-    int64_t above;
-    seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(54) + seen, INT64_C(38))));
-    if (above == INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    return seen + INT64_C(2) + above;
-}
-static double lead_end(int64_t order, array_double_2d lead)
-{
-    double result;
-    if (order == INT64_C(1))
-    {
-        result = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
-        return result;
-    }
-    result = (*cspan_at(&lead, INT64_C(17), INT64_C(4)));
-    return result;
-}
-static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    array_double_1d level;
-    int64_t seen;
-    array_double_1d chain;
-    array_double_1d problem;
-    array_double_2d phases;
-    array_double_2d plan;
-    array_double_2d ramps;
-    array_double_1d passing;
-    double end;
-    double longest;
-    int64_t count;
-    int64_t third;
-    int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    level = span_row(&lead, INT64_C(9));
-    seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(54) + seen);
-    problem = span_row(&lead, INT64_C(18));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    plan = span_rows(&lead, INT64_C(61), INT64_C(301));
-    ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
-    passing = span_row(&plan, INT64_C(101));
-    end = lead_end(order, lead);
-    (*cspan_at(&lead, INT64_C(13), seen + INT64_C(2))) = 1e+300;
-    if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    longest = (*cspan_at(&state, INT64_C(8))) - (*cspan_at(&level, INT64_C(8)));
-    set_stage_problem(seen, end, state, problem);
-    count = shortest_ramps(problem, chain, phases, plan);
-    if (count <= INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    copy_phases(phases, ramps, count);
-    longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
-    set_stage_problem(seen, end, level, problem);
-    (*cspan_at(&passing, INT64_C(11))) = 1.0;
-    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, level_order(order, lead)));
-    third = seen + INT64_C(3);
-    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, third));
-    result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
-    return result;
-}
-static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    array_double_1d level;
-    int64_t stage;
-    int64_t i;
-    int64_t count;
-    int64_t seen;
-    int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    level = span_row(&lead, INT64_C(9));
-    stage = level_order(order, lead);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
-    }
-    (*cspan_at(&lead, INT64_C(13), stage)) = end;
-    row = settle(stage, row, lead, timing, coefficients);
-    if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
-    {
-        return -INT64_C(1);
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&level, i)) = (*cspan_at(&state, i));
-    }
-    count = passing_phases(order, least, row, lead, timing, coefficients);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&state, i)) = (*cspan_at(&level, i));
-    }
-    if (count == INT64_C(0))
-    {
-        return -INT64_C(1);
-    }
-    seen = INT64_C(2) - order;
-    end = lead_end(order, lead);
-    result = append_phases(seen, end, count, row, lead, timing, coefficients);
-    return result;
-}
-static void set_limits(double steep, array_double_2d lead)
-{
-    array_double_1d axis;
-    axis = span_row(&lead, INT64_C(52));
-    chain_limits(steep, axis, span_row(&lead, INT64_C(7)), span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
-}
-static bool is_settled(array_double_2d lead)
-{
-    int64_t i;
-    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&lead, INT64_C(7), i)) != 0.0)
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static void soonest_ends(int64_t order, array_double_2d lead)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
-    }
-    if (order == INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
-    }
-}
-static double profile_time(array_double_2d lead)
-{
-    array_double_1d state;
-    array_double_1d target;
-    array_double_1d problem;
-    array_double_1d axis;
-    array_double_2d phases;
-    int64_t order;
-    double value;
-    int64_t count;
-    int64_t i;
-    double duration;
-    state = span_row(&lead, INT64_C(8));
-    target = span_row(&lead, INT64_C(17));
-    problem = span_row(&lead, INT64_C(18));
-    axis = span_row(&lead, INT64_C(52));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
-    {
-        value = (*cspan_at(&state, INT64_C(0) + order));
-        if (fabs(value) > side_limit(order, value, axis) * (1.0 + 1e-12))
-        {
-            return -1.0;
-        }
-    }
-    (*cspan_at(&problem, INT64_C(0))) = (*cspan_at(&state, INT64_C(0) + INT64_C(1)));
-    (*cspan_at(&problem, INT64_C(1))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
-    (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
-    (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
-    if (count < INT64_C(0))
-    {
-        return -1.0;
-    }
-    duration = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    return duration;
-}
-static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    int64_t row;
-    int64_t i;
-    first = INT64_C(400);
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&timing, row - first, i)) = (*cspan_at(&timing, row, i));
-        }
-        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&coefficients, row - first, i)) = (*cspan_at(&coefficients, row, i));
-        }
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(10), i)) = (*cspan_at(&lead, INT64_C(8), i));
-        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
-    }
-    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = last - first;
-}
-static bool begins_now(array_double_2d lead, array_double_2d coefficients)
-{
-    int64_t width;
-    int64_t i;
-    double value;
-    width = coefficients.shape[INT64_C(1)];
-    for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
-    {
-        value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
-        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(11), i))))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    double best;
-    array_double_2d check;
-    array_double_1d lower;
-    first = INT64_C(400);
-    best = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(15), INT64_C(3))))))
-    {
-        return 0;
-    }
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    lower = span_row(&lead, INT64_C(53));
-    if (last > first)
-    {
-        if (!begins_now(lead, coefficients))
-        {
-            return 0;
-        }
-        keep_inside(check);
-        if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 5e-10, check))
-        {
-            return 0;
-        }
-    }
-    keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
-    return 1;
-}
-static bool try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t last;
-    double time;
-    double rest;
-    bool result;
-    last = settle(order, row, lead, timing, coefficients);
-    if (last < INT64_C(0))
-    {
-        return 0;
-    }
-    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
-    if (order == INT64_C(2))
-    {
-        rest = profile_time(lead);
-        if (rest < 0.0)
-        {
-            return 0;
-        }
-        time = time + rest;
-    }
-    result = keep_better(last, time, limits, lead, timing, coefficients);
-    return result;
-}
-static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t last;
-    double time;
-    last = settle_over_level(order, level, least, INT64_C(400), lead, timing, coefficients);
-    if (last < INT64_C(0))
-    {
-        return 1e+300;
-    }
-    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
-    keep_better(last, time, limits, lead, timing, coefficients);
-    return time;
-}
-static bool try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    int64_t i;
-    bool result;
-    bound = (*cspan_at(&lead, INT64_C(11), stage));
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(13), i)) = (*cspan_at(&lead, INT64_C(14), i));
-    }
-    (*cspan_at(&lead, INT64_C(13), stage)) = span_min(span_max(end, -bound), bound);
-    result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    return result;
-}
-static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    int64_t i;
-    double step;
-    double end;
-    bound = (*cspan_at(&lead, INT64_C(11), stage));
-    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
-    {
-        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
-    }
-    step = 0.125 * bound;
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
-    {
-        end = (*cspan_at(&lead, INT64_C(14), stage));
-        if (end > 1e+299)
-        {
-            break;
-        }
-        if (!try_end(order, stage, end + step, limits, lead, timing, coefficients))
-        {
-            if (!try_end(order, stage, end - step, limits, lead, timing, coefficients))
-            {
-                step = 0.5 * step;
-            }
-        }
-    }
-}
-static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d first;
-    int64_t i;
-    double level;
-    first = span_row(&lead, INT64_C(19));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        if ((*cspan_at(&first, INT64_C(4))) > 0.5)
-        {
-            break;
-        }
-        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
-        if (!try_end(order, stage, level, limits, lead, timing, coefficients))
-        {
-            break;
-        }
-    }
-}
-static int64_t first_free_stage(int64_t order)
-{
-    if (order == INT64_C(1))
-    {
-        return order + INT64_C(2);
-    }
-    return order;
-}
-static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t first_free;
-    int64_t sweep;
-    int64_t i;
-    int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
-    first_free = first_free_stage(order);
-    for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            stage = first_free + INT64_C(2) * i;
-            if (stage < smoothness)
-            {
-                if (i == INT64_C(0))
-                {
-                    follow_profile(order, stage, limits, lead, timing, coefficients);
-                }
-                search_end(order, stage, limits, lead, timing, coefficients);
-            }
-        }
-        if (first_free + INT64_C(2) >= smoothness)
-        {
-            break;
-        }
-    }
-}
-static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t i;
-    soonest_ends(order, lead);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
-    }
-    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    if (!is_settled(lead))
-    {
-        improve_ends(order, limits, lead, timing, coefficients);
-    }
-}
-static double near_zero(double i)
-{
-    double share;
-    if (i == 0.0)
-    {
-        return 0.0;
-    }
-    share = pow(0.7, (12.0 - fabs(i)));
-    if (i < 0.0)
-    {
-        share = -share;
-    }
-    return share;
-}
-static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t stage;
-    int64_t earlier;
-    int64_t i;
-    int64_t j;
-    bool free;
-    double end;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
-    stage = first_free_stage(order);
-    earlier = stage + INT64_C(2);
-    for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
-    {
-        for (j = -INT64_C(12); j < INT64_C(14); j += INT64_C(1))
-        {
-            free = j == INT64_C(13);
-            if ((!free) && (earlier >= smoothness))
-            {
-                continue;
-            }
-            soonest_ends(order, lead);
-            (*cspan_at(&lead, INT64_C(13), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(11), stage));
-            if (!free)
-            {
-                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(11), earlier));
-                (*cspan_at(&lead, INT64_C(13), earlier)) = end;
-            }
-            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-        }
-    }
-}
-static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t stage;
-    double kept;
-    double least;
-    int64_t count;
-    int64_t i;
-    double level;
-    double time;
-    double found;
-    stage = level_order(order, lead);
-    kept = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
-    least = 1e+300;
-    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
-    {
-        least = 1.2 * (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-    }
-    found = 1e+300;
-    count = INT64_C(6);
-    if ((*cspan_at(&lead, INT64_C(52), INT64_C(0))) > 4.5)
-    {
-        count = INT64_C(24);
-    }
-    for (i = (-count) - INT64_C(1); i < count + INT64_C(1); i += INT64_C(1))
-    {
-        level = kept;
-        if (i >= -count)
-        {
-            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(11), stage));
-        }
-        time = try_level(order, level, least, limits, lead, timing, coefficients);
-        if (time < least)
-        {
-            least = time;
-            found = time;
-            (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
-        }
-    }
-    return found;
-}
-static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double bound;
-    double step;
-    int64_t i;
-    double around;
-    int64_t side;
-    double level;
-    double time;
-    bound = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
-    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(15), INT64_C(2)))) + 0.005 * bound;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
-    {
-        around = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
-            time = try_level(order, level, least, limits, lead, timing, coefficients);
-            if (time < least)
-            {
-                least = time;
-                (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
-            }
-        }
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(2))) == around)
-        {
-            step = 0.5 * step;
-        }
-    }
-}
-static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double steep;
-    double found;
-    double highest;
-    int64_t i;
-    double before;
-    double level;
-    steep = 1.0;
-    found = 1e+300;
-    highest = (*cspan_at(&lead, INT64_C(52), INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = (*cspan_at(&lead, INT64_C(7), level_order(order, lead)));
-    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        set_limits(steep, lead);
-        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-        if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
-        {
-            found = search_grid(order, limits, lead, timing, coefficients);
-        }
-        else
-        {
-            level = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
-            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
-        }
-        if (found < 1e+299)
-        {
-            improve_level(order, found, limits, lead, timing, coefficients);
-        }
-        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) == before))
-        {
-            break;
-        }
-        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
-        steep = 10.0 * steep;
-    }
-}
-static bool permits_levels(int64_t order, array_double_2d lead)
-{
-    array_double_1d target;
-    bool resting;
-    target = span_row(&lead, INT64_C(17));
-    if (((*cspan_at(&lead, INT64_C(52), INT64_C(0))) < 3.5) || is_settled(lead))
-    {
-        return 0;
-    }
-    if (level_order(order, lead) == INT64_C(0))
-    {
-        return 0;
-    }
-    resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
-    return (order == INT64_C(1)) || resting;
-}
-static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double steep;
-    int64_t i;
-    double before;
-    int64_t j;
-    bool gained;
-    steep = 1.0;
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-        if (before >= 0.0)
-        {
-            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(13), j)) = (*cspan_at(&lead, INT64_C(14), j));
-            }
-            gained = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-            if ((i > INT64_C(1)) && (!gained))
-            {
-                break;
-            }
-        }
-        search_ends(order, limits, lead, timing, coefficients);
-        steep = 10.0 * steep;
-    }
-    if (((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0) && (!is_settled(lead)))
-    {
-        search_pairs(order, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
-        {
-            improve_ends(order, limits, lead, timing, coefficients);
-        }
-    }
-}
-static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    array_double_1d state;
-    int64_t width;
-    double length;
-    int64_t i;
-    bool settled;
-    state = span_row(&lead, INT64_C(7));
-    width = coefficients.shape[INT64_C(1)];
-    length = (*cspan_at(&timing, row, INT64_C(1)));
-    settled = 1;
-    for (i = INT64_C(0); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
-    {
-        if (row + INT64_C(1) < last)
-        {
-            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row + INT64_C(1), width, 0.0, i);
-        }
-        else
-        {
-            (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
-        }
-        if (i > INT64_C(2))
-        {
-            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(11), i)))
-            {
-                settled = 0;
-            }
-            (*cspan_at(&state, i)) = 0.0;
-        }
-    }
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&timing, row, INT64_C(0))) + length;
-    return settled;
-}
-static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t first;
-    int64_t last;
-    int64_t tried;
-    int64_t row;
-    int64_t place;
-    int64_t i;
-    first = (*cspan_at(&plan_offsets, axis));
-    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
-    tried = INT64_C(0);
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        place = INT64_C(400) + row - first;
-        if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(400), INT64_C(4))) || (tried >= INT64_C(8)))
-        {
-            break;
-        }
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            (*cspan_at(&timing, place, i)) = (*cspan_at(&plan_timing, row, i));
-        }
-        for (i = INT64_C(0); i < coefficients.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&coefficients, place, i)) = (*cspan_at(&plan_coefficients, row, i));
-        }
-        if (settled_end(row, last, lead, plan_timing, plan_coefficients))
-        {
-            tried = tried + INT64_C(1);
-            for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
-            }
-            if (order == INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
-            }
-            try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
-        }
-    }
-}
-static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
-{
-    int64_t i;
-    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(52)));
-    set_lower(span_row(&lead, INT64_C(53)), span_row(&lead, INT64_C(52)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(52))), span_row(&lead, INT64_C(52)), span_rows(&lead, INT64_C(54), INT64_C(61))))
-    {
-        return 0;
-    }
-    for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
-    }
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
-    }
-    return 1;
-}
-static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t i;
-    double time;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
-    }
-    time = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-    if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
-    {
-        search_levels(order, limits, lead, timing, coefficients);
-    }
-}
-static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t count;
-    int64_t i;
-    int64_t row;
-    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
-    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
-    {
-        return;
-    }
-    if (count + steps > INT64_C(400))
-    {
-        (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
-        return;
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        row = count - INT64_C(1) - i;
-        copy_piece(timing, coefficients, row, timing, coefficients, row + steps);
-    }
-    for (row = INT64_C(0); row < steps; row += INT64_C(1))
-    {
-        copy_piece(timing, coefficients, INT64_C(2) * INT64_C(400) + row, timing, coefficients, row);
-    }
-    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = count + steps;
-}
-static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t i;
-    int64_t repeat;
-    int64_t steps;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
-    }
-    for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
-    {
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
-        {
-            steps = segfmu_find_brake(repeat == INT64_C(1), limits, lead, timing, coefficients);
-            if (steps > INT64_C(0))
-            {
-                for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-                {
-                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(2), i));
-                }
-                if (start_search(shape, limits, lead))
-                {
-                    search_stages(order, limits, lead, timing, coefficients);
-                    improve_lead(order, within_0001, limits, lead, timing, coefficients);
-                }
-                for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-                {
-                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(1), i));
-                }
-                prepend_brake(steps, lead, timing, coefficients);
-            }
-        }
-    }
-}
-static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    bool brakes;
-    int64_t smoothness;
-    int64_t shape;
-    bool result;
-    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = 0.0;
-    brakes = (*cspan_at(&lead, INT64_C(16), INT64_C(3))) > 0.5;
-    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
-    {
-        return 0;
-    }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(2))));
-    if ((!brakes) || (!is_outside(limits, lead)))
-    {
-        if (start_search(shape, limits, lead))
-        {
-            search_stages(order, limits, lead, timing, coefficients);
-            (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
-            follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
-            improve_lead(order, within_0001, limits, lead, timing, coefficients);
-        }
-    }
-    if (brakes && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0))
-    {
-        search_braked(order, within_0001, shape, limits, lead, timing, coefficients);
-    }
-    result = (*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0;
-    return result;
-}
-static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(0), i)) = 0.0;
-    }
-    for (i = INT64_C(0); i < span_min_int(start.shape[INT64_C(1)], INT64_C(9)); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&start, axis, i));
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(53), i)) = (*cspan_at(&lower, axis, i));
-    }
-}
-static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead)
-{
-    (*cspan_at(&lead, INT64_C(17), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(17), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
-    (*cspan_at(&lead, INT64_C(17), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
-}
-static int64_t latest_axis(array_double_2d ends)
-{
-    double longest;
-    int64_t axis;
-    int64_t latest;
-    latest = -INT64_C(1);
-    longest = -1.0;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        if (((*cspan_at(&ends, axis, INT64_C(6))) < 0.5) && ((*cspan_at(&ends, axis, INT64_C(4))) > longest))
-        {
-            latest = axis;
-            longest = (*cspan_at(&ends, axis, INT64_C(4)));
-        }
-    }
-    return latest;
-}
-static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t i;
-    int64_t found;
-    int64_t row;
-    int64_t count;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(10), i));
-    }
-    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(10), INT64_C(8)));
-    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-    (*cspan_at(&end, INT64_C(5))) = 0.0;
-    found = timing.shape[INT64_C(0)] - INT64_C(1200);
-    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
-    for (row = INT64_C(0); row < count; row += INT64_C(1))
-    {
-        copy_piece(timing, coefficients, found + row, timing, coefficients, first + row);
-    }
-    return count;
-}
-static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
-{
-    int64_t first;
-    int64_t last;
-    array_double_1d reached;
-    double velocity;
-    int64_t i;
-    int64_t row;
-    int64_t target;
-    first = (*cspan_at(&plan_offsets, axis));
-    last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
-    if (last == first)
-    {
-        return;
-    }
-    reached = span_row(&lead, INT64_C(8));
-    write_end(last - INT64_C(1), plan_timing, plan_coefficients, reached);
-    velocity = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
-    if (!((*cspan_at(&reached, INT64_C(3))) < (*cspan_at(&end, INT64_C(4)))))
-    {
-        return;
-    }
-    if (!is_at_velocity(velocity, limits, reached))
-    {
-        return;
-    }
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        (*cspan_at(&end, i)) = (*cspan_at(&reached, i));
-    }
-    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&end, INT64_C(3)));
-    (*cspan_at(&end, INT64_C(5))) = 1.0;
-    for (row = first; row < last; row += INT64_C(1))
-    {
-        target = row + axis * INT64_C(400);
-        copy_piece(plan_timing, plan_coefficients, row, timing, coefficients, target);
-    }
-    (*cspan_at(&offsets, axis + INT64_C(1))) = last - first;
-}
-static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
-{
-    int64_t used;
-    int64_t axis;
-    int64_t first;
-    int64_t row;
-    used = INT64_C(0);
-    (*cspan_at(&offsets, INT64_C(0))) = INT64_C(0);
-    for (axis = INT64_C(0); axis < offsets.shape[INT64_C(0)] - INT64_C(1); axis += INT64_C(1))
-    {
-        first = (*cspan_at(&plan_offsets, axis)) + axis * INT64_C(400);
-        for (row = INT64_C(0); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
-        {
-            copy_piece(timing, coefficients, first + row, timing, coefficients, used);
-            used = used + INT64_C(1);
-        }
-        (*cspan_at(&offsets, axis + INT64_C(1))) = used;
-    }
-}
-int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_double_2d lower, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_2d ends, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets)
-{
-    int64_t axes;
-    int64_t order;
-    double latest;
-    bool waits;
-    int64_t rows;
-    int64_t found;
-    double longest;
-    int64_t attempt;
-    int64_t first;
-    int64_t axis;
-    axes = limits.shape[INT64_C(0)];
-    order = INT64_C(2);
-    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == INT64_C(1))
-    {
-        order = INT64_C(1);
-    }
-    latest = (*cspan_at(&lead, INT64_C(16), INT64_C(1)));
-    waits = (latest >= 0.0) && (axes > INT64_C(1));
-    rows = timing.shape[INT64_C(0)];
-    found = rows - INT64_C(1200);
-    longest = span_max(latest, 0.0);
-    if (waits)
-    {
-        longest = 1e+300;
-    }
-    for (attempt = INT64_C(0); attempt < INT64_C(2) * axes; attempt += INT64_C(1))
-    {
-        axis = attempt;
-        if (attempt >= axes)
-        {
-            axis = latest_axis(ends);
-            if ((!waits) || (axis < INT64_C(0)) || ((*cspan_at(&ends, axis, INT64_C(4))) <= latest))
-            {
-                break;
-            }
-            longest = latest;
-        }
-        else
-        {
-            (*cspan_at(&ends, axis, INT64_C(6))) = 0.0;
-        }
-        set_start(axis, span_matrix(&states, INT64_C(0)), lower, lead);
-        set_target(axis, span_matrix(&states, INT64_C(1)), lead);
-        if (find_lead(order, longest, axis, plan_offsets, plan_timing, plan_coefficients, span_row(&limits, axis), lead, span_rows(&timing, found, rows), span_rows(&coefficients, found, rows)))
-        {
-            first = (*cspan_at(&plan_offsets, axis)) + axis * INT64_C(400);
-            (*cspan_at(&offsets, axis + INT64_C(1))) = take_lead(first, span_row(&ends, axis), lead, timing, coefficients);
-        }
-        else if (attempt < axes)
-        {
-            (*cspan_at(&offsets, axis + INT64_C(1))) = INT64_C(0);
-            (*cspan_at(&ends, axis, INT64_C(4))) = 1e+300;
-        }
-        if (order == INT64_C(1))
-        {
-            follow_whole(axis, span_row(&limits, axis), plan_offsets, plan_timing, plan_coefficients, span_row(&ends, axis), lead, timing, coefficients, offsets);
-        }
-        if ((*cspan_at(&ends, axis, INT64_C(4))) == 1e+300)
-        {
-            return axis;
-        }
-        if (attempt >= axes)
-        {
-            latest = span_max(latest, (*cspan_at(&ends, axis, INT64_C(4))));
-            (*cspan_at(&ends, axis, INT64_C(6))) = 1.0;
-        }
-    }
-    pack_leads(plan_offsets, timing, coefficients, offsets);
-    return -INT64_C(1);
-}
-bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t axis;
-    int64_t count;
-    int64_t i;
-    bool found;
-    found = 0;
-    for (axis = INT64_C(0); axis < start.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        set_start(axis, start, lower, lead);
-        count = segfmu_find_brake(0, span_row(&limits, axis), lead, timing, coefficients);
-        for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
-        {
-            (*cspan_at(&brakes, axis, i)) = 0.0;
-            if (count > INT64_C(0))
-            {
-                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(6), i));
-            }
-        }
-        if ((*cspan_at(&brakes, axis, INT64_C(0))) > 0.0)
-        {
-            found = 1;
-        }
-    }
-    return found;
-}
-int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells)
-{
-    int64_t each;
-    int64_t i;
-    double phases;
-    int64_t total;
-    total = INT64_C(810) + axes.shape[INT64_C(0)] + cells.shape[INT64_C(0)];
-    each = segfmu_ramp_pieces(span_row(&axes, INT64_C(0)));
-    for (i = INT64_C(0); i < cells.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        phases = (*cspan_at(&cells, i, INT64_C(67), INT64_C(3)));
-        phases = phases + (*cspan_at(&cells, i, INT64_C(67), INT64_C(4)));
-        total = total + each * (int64_t)(phases);
-    }
-    return total;
-}
-static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target)
-{
-    int64_t width;
-    double factorial;
-    int64_t i;
-    double value;
-    width = coefficients.shape[INT64_C(1)];
-    factorial = 1.0;
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
-    {
-        if (i > INT64_C(0))
-        {
-            factorial = factorial * i;
-        }
-        value = evaluate_piece(coefficients, source, width, t, i) / factorial;
-        (*cspan_at(&coefficients, target, i)) = (*cspan_at(&coefficients, target, i)) + weight * value;
-    }
-}
-static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row)
-{
-    int64_t a;
-    int64_t b;
-    double t;
-    double t_a;
-    double t_b;
-    double rest_a;
-    double rest_b;
-    double step;
-    a = timing.shape[INT64_C(0)] - INT64_C(810);
-    b = middle;
-    t = now;
-    t_a = 0.0;
-    t_b = 0.0;
-    while((a < middle) && (b < last))
-    {
-        clear_piece(coefficients, row);
-        shift_piece(coefficients, a, t_a, 1.0 - weight, row);
-        shift_piece(coefficients, b, t_b, weight, row);
-        rest_a = (*cspan_at(&timing, a, INT64_C(1))) - t_a;
-        rest_b = (*cspan_at(&timing, b, INT64_C(1))) - t_b;
-        step = span_min(rest_a, rest_b);
-        (*cspan_at(&timing, row, INT64_C(0))) = t;
-        (*cspan_at(&timing, row, INT64_C(1))) = step;
-        t = t + step;
-        t_a = t_a + step;
-        t_b = t_b + step;
-        row = row + INT64_C(1);
-        if (rest_a <= step)
-        {
-            a = a + INT64_C(1);
-            t_a = 0.0;
-        }
-        if (rest_b <= step)
-        {
-            b = b + INT64_C(1);
-            t_b = 0.0;
-        }
-    }
-    return row;
-}
-static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
-{
-    array_double_1d state;
-    int64_t count;
-    int64_t result;
-    state = span_row(&work, INT64_C(1));
-    (*cspan_at(&state, INT64_C(0))) = (*cspan_at(&cell, INT64_C(68), INT64_C(0)));
-    (*cspan_at(&state, INT64_C(1))) = (*cspan_at(&cell, INT64_C(66), INT64_C(0)));
-    (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&cell, INT64_C(66), INT64_C(1)));
-    (*cspan_at(&state, INT64_C(3))) = 0.0;
-    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&cell, INT64_C(68), INT64_C(1)));
-    if (second)
-    {
-        count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(4))));
-        result = segfmu_expand_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), count, axis, timing, coefficients, row, work);
-        return result;
-    }
-    count = (int64_t)((*cspan_at(&cell, INT64_C(67), INT64_C(3))));
-    result = segfmu_expand_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), count, axis, timing, coefficients, row, work);
-    return result;
-}
-static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work)
-{
-    double weight;
-    int64_t spare;
-    int64_t middle;
-    int64_t last;
-    double now;
-    int64_t result;
-    weight = (*cspan_at(&cell, INT64_C(67), INT64_C(2)));
-    if ((weight <= 0.0) || (weight >= 1.0))
-    {
-        result = expand_profile(cell, weight >= 1.0, axis, timing, coefficients, row, work);
-        return result;
-    }
-    spare = timing.shape[INT64_C(0)] - INT64_C(810);
-    middle = expand_profile(cell, 0, axis, timing, coefficients, spare, work);
-    last = expand_profile(cell, 1, axis, timing, coefficients, middle, work);
-    now = (*cspan_at(&cell, INT64_C(68), INT64_C(1)));
-    result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
-    return result;
-}
-int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
-{
-    int64_t points;
-    int64_t count;
-    int64_t axis;
-    double now;
-    int64_t j;
-    double a;
-    array_double_2d cell;
-    int64_t row;
-    points = states.shape[INT64_C(0)];
-    count = axes.shape[INT64_C(0)];
-    row = INT64_C(0);
-    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
-    {
-        (*cspan_at(&offsets, axis)) = row;
-        now = 0.0;
-        for (j = INT64_C(0); j < points; j += INT64_C(1))
-        {
-            (*cspan_at(&times, j, axis)) = now;
-            if (((*cspan_at(&dwells, j)) > 0.0) || ((j == points - INT64_C(1)) && (row == (*cspan_at(&offsets, axis)))))
-            {
-                clear_piece(coefficients, row);
-                a = (*cspan_at(&states, j, axis, INT64_C(2)));
-                (*cspan_at(&coefficients, row, INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
-                (*cspan_at(&coefficients, row, INT64_C(1))) = (*cspan_at(&states, j, axis, INT64_C(1)));
-                (*cspan_at(&coefficients, row, INT64_C(2))) = 0.5 * a;
-                (*cspan_at(&timing, row, INT64_C(0))) = now;
-                (*cspan_at(&timing, row, INT64_C(1))) = (*cspan_at(&dwells, j));
-                now = now + (*cspan_at(&dwells, j));
-                row = row + INT64_C(1);
-            }
-            if (j < points - INT64_C(1))
-            {
-                cell = span_matrix(&cells, j * count + axis);
-                (*cspan_at(&cell, INT64_C(68), INT64_C(0))) = (*cspan_at(&states, j, axis, INT64_C(0)));
-                (*cspan_at(&cell, INT64_C(68), INT64_C(1))) = now + (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
-                row = expand_cell(cell, span_row(&axes, axis), timing, coefficients, row, work);
-                now = now + (*cspan_at(&cell, INT64_C(67), INT64_C(1)));
-            }
-        }
-        (*cspan_at(&times, points, axis)) = now;
-    }
-    (*cspan_at(&offsets, count)) = row;
-    return row;
 }
 int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {

@@ -2077,6 +2077,44 @@ static PyObject *call_begin_time(
     return answer;
 }
 
+static PyObject *call_keeps_drives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "keeps_drives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_known;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_known = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 131)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyBool_FromLong(segfmu_keeps_drives(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_ramp_duration(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2114,6 +2152,220 @@ static PyObject *call_ramp_pieces(
         && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
         answer = PyLong_FromLongLong(segfmu_ramp_pieces(
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_expand_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    Py_buffer *in_axis;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    int64_t in_row;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && (in_axis = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
+        && take_int(&call, 5, &in_row)
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
+        && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 4)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + (segfmu_ramp_pieces((array_double_1d){in_axis->buf, {in_axis->shape[0]}}) * in_count)))
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + (segfmu_ramp_pieces((array_double_1d){in_axis->buf, {in_axis->shape[0]}}) * in_count)))
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axis->buf)[0]))) {
+        answer = PyLong_FromLongLong(segfmu_expand_phases(
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            in_row,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_cut_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "cut_plan", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_cut_timing;
+    Py_buffer *in_cut_coefficients;
+    Py_buffer *in_cut_offsets;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_float(&call, 0, &in_time)
+        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_cut_timing = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_cut_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_cut_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "cut_coefficients", 1, in_cut_coefficients->shape[1], in_coefficients->shape[1])
+        && has_extent(&call, "cut_offsets", 0, in_cut_offsets->shape[0], in_offsets->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "cut_timing", 0, in_cut_timing->shape[0], (in_timing->shape[0] + in_offsets->shape[0]))
+        && has_at_least(&call, "cut_timing", 1, in_cut_timing->shape[1], 2)
+        && has_at_least(&call, "cut_coefficients", 0, in_cut_coefficients->shape[0], (in_timing->shape[0] + in_offsets->shape[0]))
+        && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_cut_plan(
+            in_time,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_cut_timing->buf, {in_cut_timing->shape[0], in_cut_timing->shape[1]}},
+            (array_double_2d){in_cut_coefficients->buf, {in_cut_coefficients->shape[0], in_cut_coefficients->shape[1]}},
+            (array_int64_t_1d){in_cut_offsets->buf, {in_cut_offsets->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_meet_ends(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "meet_ends", .values = values};
+    PyObject *answer = NULL;
+    double in_clock;
+    double in_dwell;
+    Py_buffer *in_timing;
+    Py_buffer *in_offsets;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_clock)
+        && take_float(&call, 1, &in_dwell)
+        && (in_timing = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
+        segfmu_meet_ends(
+            in_clock,
+            in_dwell,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_anchor_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "anchor_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_ends;
+    Py_buffer *in_limits;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_ends = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_ends->shape[0])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 1)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 1)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_anchor_plan(
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_join_plans(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "join_plans", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_lead_timing;
+    Py_buffer *in_lead_coefficients;
+    Py_buffer *in_lead_offsets;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_joined_timing;
+    Py_buffer *in_joined_coefficients;
+    Py_buffer *in_joined_offsets;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && (in_lead_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_lead_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_lead_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 5, 1, 'l', false)) != NULL
+        && (in_joined_timing = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_joined_coefficients = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_joined_offsets = take_array(&call, 8, 1, 'l', true)) != NULL
+        && has_at_least(&call, "lead_timing", 0, in_lead_timing->shape[0], 1)
+        && has_at_least(&call, "lead_coefficients", 1, in_lead_coefficients->shape[1], 1)
+        && has_at_least(&call, "lead_offsets", 0, in_lead_offsets->shape[0], 1)
+        && has_extent(&call, "lead_coefficients", 0, in_lead_coefficients->shape[0], in_lead_timing->shape[0])
+        && has_extent(&call, "timing", 0, in_timing->shape[0], in_lead_timing->shape[0])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_lead_timing->shape[0])
+        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_lead_coefficients->shape[1])
+        && has_extent(&call, "offsets", 0, in_offsets->shape[0], in_lead_offsets->shape[0])
+        && has_extent(&call, "joined_coefficients", 1, in_joined_coefficients->shape[1], in_lead_coefficients->shape[1])
+        && has_extent(&call, "joined_offsets", 0, in_joined_offsets->shape[0], in_lead_offsets->shape[0])
+        && has_at_least(&call, "lead_timing", 1, in_lead_timing->shape[1], 2)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "joined_timing", 0, in_joined_timing->shape[0], (2 * in_lead_timing->shape[0]))
+        && has_at_least(&call, "joined_timing", 1, in_joined_timing->shape[1], 2)
+        && has_at_least(&call, "joined_coefficients", 0, in_joined_coefficients->shape[0], (2 * in_lead_timing->shape[0]))
+        && has_pieces(&call, "lead_offsets", in_lead_offsets->buf, in_lead_offsets->shape[0], 0, in_lead_timing->shape[0])
+        && has_pieces(&call, "offsets", in_offsets->buf, in_lead_offsets->shape[0], 1, in_lead_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_join_plans(
+            (array_double_2d){in_lead_timing->buf, {in_lead_timing->shape[0], in_lead_timing->shape[1]}},
+            (array_double_2d){in_lead_coefficients->buf, {in_lead_coefficients->shape[0], in_lead_coefficients->shape[1]}},
+            (array_int64_t_1d){in_lead_offsets->buf, {in_lead_offsets->shape[0]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_joined_timing->buf, {in_joined_timing->shape[0], in_joined_timing->shape[1]}},
+            (array_double_2d){in_joined_coefficients->buf, {in_joined_coefficients->shape[0], in_joined_coefficients->shape[1]}},
+            (array_int64_t_1d){in_joined_offsets->buf, {in_joined_offsets->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -2245,6 +2497,219 @@ static PyObject *call_shortest_profile(
     return answer;
 }
 
+static PyObject *call_find_brake(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_brake", .values = values};
+    PyObject *answer = NULL;
+    bool in_whole;
+    Py_buffer *in_limits;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_bool(&call, 0, &in_whole)
+        && (in_limits = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_lead = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)) {
+        answer = PyLong_FromLongLong(segfmu_find_brake(
+            in_whole,
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_plan_ends(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plan_ends", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 3, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 4)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
+        segfmu_plan_ends(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_are_at_velocities(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "are_at_velocities", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_targets;
+    Py_buffer *in_limits;
+    Py_buffer *in_ends;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_targets = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_ends = take_array(&call, 2, 2, 'd', false)) != NULL
+        && has_at_least(&call, "targets", 0, in_targets->shape[0], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_targets->shape[0])
+        && has_extent(&call, "ends", 0, in_ends->shape[0], in_targets->shape[0])
+        && has_at_least(&call, "targets", 1, in_targets->shape[1], 2)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 4)) {
+        answer = PyBool_FromLong(segfmu_are_at_velocities(
+            (array_double_2d){in_targets->buf, {in_targets->shape[0], in_targets->shape[1]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_find_leads(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_leads", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
+    Py_buffer *in_plan_offsets;
+    Py_buffer *in_plan_timing;
+    Py_buffer *in_plan_coefficients;
+    Py_buffer *in_ends;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
+        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_ends = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 10, 1, 'l', true)) != NULL
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "states", 2, in_states->shape[2], 1)
+        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
+        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "limits", 1, in_limits->shape[1], in_states->shape[2])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
+        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
+        && has_extent(&call, "ends", 0, in_ends->shape[0], in_states->shape[1])
+        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
+        && has_at_least(&call, "states", 0, in_states->shape[0], 2)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
+        && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_states->shape[1] + 1), 0, in_plan_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_find_leads(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
+            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
+            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
+            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_find_brakes(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "find_brakes", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_start;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
+    Py_buffer *in_brakes;
+    Py_buffer *in_lead;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_start = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_brakes = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "start", 0, in_start->shape[0], 1)
+        && has_at_least(&call, "start", 1, in_start->shape[1], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_start->shape[0])
+        && has_extent(&call, "limits", 1, in_limits->shape[1], in_start->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_start->shape[0])
+        && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)) {
+        answer = PyBool_FromLong(segfmu_find_brakes(
+            (array_double_2d){in_start->buf, {in_start->shape[0], in_start->shape[1]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_double_2d){in_brakes->buf, {in_brakes->shape[0], in_brakes->shape[1]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_timed_profile(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2323,6 +2788,183 @@ static PyObject *call_plan_phases(
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_count_pieces(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "count_pieces", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)) {
+        answer = PyLong_FromLongLong(segfmu_count_pieces(
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_expand_plan(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "expand_plan", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_dwells;
+    Py_buffer *in_axes;
+    Py_buffer *in_cells;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_times;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 4)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axes->buf)[0 * in_axes->shape[1] + 0]))) {
+        answer = PyLong_FromLongLong(segfmu_expand_plan(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_begin_operation(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "begin_operation", .values = values};
+    PyObject *answer = NULL;
+    double in_time;
+    Py_buffer *in_operation;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_time)
+        && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 27)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)) {
+        segfmu_begin_operation(
+            in_time,
+            (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_operate(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "operate", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_operation;
+    Py_buffer *in_limits;
+    Py_buffer *in_known;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_states;
+    Py_buffer *in_cells;
+    Py_buffer *in_lead;
+    Py_buffer *in_work;
+    Py_buffer *in_stack;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
+        && (in_limits = take_array(&call, 1, 3, 'd', true)) != NULL
+        && (in_known = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 4, 3, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 5, 1, 'l', true)) != NULL
+        && (in_states = take_array(&call, 6, 3, 'd', true)) != NULL
+        && (in_cells = take_array(&call, 7, 3, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_stack = take_array(&call, 10, 3, 'd', true)) != NULL
+        && has_at_least(&call, "limits", 2, in_limits->shape[2], 1)
+        && has_extent(&call, "states", 2, in_states->shape[2], in_limits->shape[2])
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 27)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
+        && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
+        && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], ((2 * in_limits->shape[2]) - 2))
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
+        && has_at_least(&call, "states", 0, in_states->shape[0], 2)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], 3)
+        && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
+        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 131)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
+        && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
+        && has_at_least(&call, "stack", 2, in_stack->shape[2], ((4 * in_limits->shape[2]) - 7))) {
+        answer = PyBool_FromLong(segfmu_operate(
+            (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
+            (array_double_3d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1], in_limits->shape[2]}},
+            (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+            (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
+            (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}}));
     }
     release_arguments(&call);
     return answer;
@@ -3241,515 +3883,6 @@ static PyObject *call_is_elsewhere(
     return answer;
 }
 
-static PyObject *call_expand_phases(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "expand_phases", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_phases;
-    int64_t in_count;
-    Py_buffer *in_axis;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    int64_t in_row;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_count)
-        && (in_axis = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
-        && take_int(&call, 5, &in_row)
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
-        && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 4)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + (segfmu_ramp_pieces((array_double_1d){in_axis->buf, {in_axis->shape[0]}}) * in_count)))
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + (segfmu_ramp_pieces((array_double_1d){in_axis->buf, {in_axis->shape[0]}}) * in_count)))
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axis->buf)[0]))) {
-        answer = PyLong_FromLongLong(segfmu_expand_phases(
-            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            in_count,
-            (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            in_row,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_cut_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "cut_plan", .values = values};
-    PyObject *answer = NULL;
-    double in_time;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_cut_timing;
-    Py_buffer *in_cut_coefficients;
-    Py_buffer *in_cut_offsets;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && take_float(&call, 0, &in_time)
-        && (in_timing = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_cut_timing = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_cut_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_cut_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "cut_coefficients", 1, in_cut_coefficients->shape[1], in_coefficients->shape[1])
-        && has_extent(&call, "cut_offsets", 0, in_cut_offsets->shape[0], in_offsets->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "cut_timing", 0, in_cut_timing->shape[0], (in_timing->shape[0] + in_offsets->shape[0]))
-        && has_at_least(&call, "cut_timing", 1, in_cut_timing->shape[1], 2)
-        && has_at_least(&call, "cut_coefficients", 0, in_cut_coefficients->shape[0], (in_timing->shape[0] + in_offsets->shape[0]))
-        && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_cut_plan(
-            in_time,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_cut_timing->buf, {in_cut_timing->shape[0], in_cut_timing->shape[1]}},
-            (array_double_2d){in_cut_coefficients->buf, {in_cut_coefficients->shape[0], in_cut_coefficients->shape[1]}},
-            (array_int64_t_1d){in_cut_offsets->buf, {in_cut_offsets->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_meet_ends(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "meet_ends", .values = values};
-    PyObject *answer = NULL;
-    double in_clock;
-    double in_dwell;
-    Py_buffer *in_timing;
-    Py_buffer *in_offsets;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && take_float(&call, 0, &in_clock)
-        && take_float(&call, 1, &in_dwell)
-        && (in_timing = take_array(&call, 2, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 1)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_pieces(&call, "offsets", in_offsets->buf, in_offsets->shape[0], 1, in_timing->shape[0])) {
-        segfmu_meet_ends(
-            in_clock,
-            in_dwell,
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_anchor_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "anchor_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_ends;
-    Py_buffer *in_limits;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_ends = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_ends->shape[0])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_at_least(&call, "ends", 1, in_ends->shape[1], 1)
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 1)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        segfmu_anchor_plan(
-            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_join_plans(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "join_plans", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_lead_timing;
-    Py_buffer *in_lead_coefficients;
-    Py_buffer *in_lead_offsets;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_joined_timing;
-    Py_buffer *in_joined_coefficients;
-    Py_buffer *in_joined_offsets;
-    (void)self;
-    if (take_count(&call, count, 9)
-        && (in_lead_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_lead_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_lead_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && (in_timing = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 5, 1, 'l', false)) != NULL
-        && (in_joined_timing = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_joined_coefficients = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_joined_offsets = take_array(&call, 8, 1, 'l', true)) != NULL
-        && has_at_least(&call, "lead_timing", 0, in_lead_timing->shape[0], 1)
-        && has_at_least(&call, "lead_coefficients", 1, in_lead_coefficients->shape[1], 1)
-        && has_at_least(&call, "lead_offsets", 0, in_lead_offsets->shape[0], 1)
-        && has_extent(&call, "lead_coefficients", 0, in_lead_coefficients->shape[0], in_lead_timing->shape[0])
-        && has_extent(&call, "timing", 0, in_timing->shape[0], in_lead_timing->shape[0])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_lead_timing->shape[0])
-        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_lead_coefficients->shape[1])
-        && has_extent(&call, "offsets", 0, in_offsets->shape[0], in_lead_offsets->shape[0])
-        && has_extent(&call, "joined_coefficients", 1, in_joined_coefficients->shape[1], in_lead_coefficients->shape[1])
-        && has_extent(&call, "joined_offsets", 0, in_joined_offsets->shape[0], in_lead_offsets->shape[0])
-        && has_at_least(&call, "lead_timing", 1, in_lead_timing->shape[1], 2)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "joined_timing", 0, in_joined_timing->shape[0], (2 * in_lead_timing->shape[0]))
-        && has_at_least(&call, "joined_timing", 1, in_joined_timing->shape[1], 2)
-        && has_at_least(&call, "joined_coefficients", 0, in_joined_coefficients->shape[0], (2 * in_lead_timing->shape[0]))
-        && has_pieces(&call, "lead_offsets", in_lead_offsets->buf, in_lead_offsets->shape[0], 0, in_lead_timing->shape[0])
-        && has_pieces(&call, "offsets", in_offsets->buf, in_lead_offsets->shape[0], 1, in_lead_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_join_plans(
-            (array_double_2d){in_lead_timing->buf, {in_lead_timing->shape[0], in_lead_timing->shape[1]}},
-            (array_double_2d){in_lead_coefficients->buf, {in_lead_coefficients->shape[0], in_lead_coefficients->shape[1]}},
-            (array_int64_t_1d){in_lead_offsets->buf, {in_lead_offsets->shape[0]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_joined_timing->buf, {in_joined_timing->shape[0], in_joined_timing->shape[1]}},
-            (array_double_2d){in_joined_coefficients->buf, {in_joined_coefficients->shape[0], in_joined_coefficients->shape[1]}},
-            (array_int64_t_1d){in_joined_offsets->buf, {in_joined_offsets->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_find_brake(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "find_brake", .values = values};
-    PyObject *answer = NULL;
-    bool in_whole;
-    Py_buffer *in_limits;
-    Py_buffer *in_lead;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_bool(&call, 0, &in_whole)
-        && (in_limits = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_lead = take_array(&call, 2, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
-        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)) {
-        answer = PyLong_FromLongLong(segfmu_find_brake(
-            in_whole,
-            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
-            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_plan_ends(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "plan_ends", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 3, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_ends->shape[0] + 1))
-        && has_at_least(&call, "ends", 1, in_ends->shape[1], 4)
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_ends->shape[0] + 1), 1, in_timing->shape[0])) {
-        segfmu_plan_ends(
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_are_at_velocities(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "are_at_velocities", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_targets;
-    Py_buffer *in_limits;
-    Py_buffer *in_ends;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_targets = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_ends = take_array(&call, 2, 2, 'd', false)) != NULL
-        && has_at_least(&call, "targets", 0, in_targets->shape[0], 1)
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_targets->shape[0])
-        && has_extent(&call, "ends", 0, in_ends->shape[0], in_targets->shape[0])
-        && has_at_least(&call, "targets", 1, in_targets->shape[1], 2)
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 2)
-        && has_at_least(&call, "ends", 1, in_ends->shape[1], 4)) {
-        answer = PyBool_FromLong(segfmu_are_at_velocities(
-            (array_double_2d){in_targets->buf, {in_targets->shape[0], in_targets->shape[1]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_find_leads(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "find_leads", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_limits;
-    Py_buffer *in_lower;
-    Py_buffer *in_plan_offsets;
-    Py_buffer *in_plan_timing;
-    Py_buffer *in_plan_coefficients;
-    Py_buffer *in_ends;
-    Py_buffer *in_lead;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    (void)self;
-    if (take_count(&call, count, 11)
-        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_plan_offsets = take_array(&call, 3, 1, 'l', false)) != NULL
-        && (in_plan_timing = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_plan_coefficients = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_ends = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_lead = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 10, 1, 'l', true)) != NULL
-        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_at_least(&call, "states", 2, in_states->shape[2], 1)
-        && has_at_least(&call, "plan_timing", 0, in_plan_timing->shape[0], 1)
-        && has_at_least(&call, "plan_coefficients", 1, in_plan_coefficients->shape[1], 1)
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
-        && has_extent(&call, "limits", 1, in_limits->shape[1], in_states->shape[2])
-        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
-        && has_extent(&call, "plan_coefficients", 0, in_plan_coefficients->shape[0], in_plan_timing->shape[0])
-        && has_extent(&call, "ends", 0, in_ends->shape[0], in_states->shape[1])
-        && has_extent(&call, "coefficients", 1, in_coefficients->shape[1], in_plan_coefficients->shape[1])
-        && has_at_least(&call, "states", 0, in_states->shape[0], 2)
-        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
-        && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
-        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_pieces(&call, "plan_offsets", in_plan_offsets->buf, (in_states->shape[1] + 1), 0, in_plan_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_find_leads(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
-            (array_int64_t_1d){in_plan_offsets->buf, {in_plan_offsets->shape[0]}},
-            (array_double_2d){in_plan_timing->buf, {in_plan_timing->shape[0], in_plan_timing->shape[1]}},
-            (array_double_2d){in_plan_coefficients->buf, {in_plan_coefficients->shape[0], in_plan_coefficients->shape[1]}},
-            (array_double_2d){in_ends->buf, {in_ends->shape[0], in_ends->shape[1]}},
-            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_find_brakes(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "find_brakes", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_start;
-    Py_buffer *in_limits;
-    Py_buffer *in_lower;
-    Py_buffer *in_brakes;
-    Py_buffer *in_lead;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_start = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_brakes = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_lead = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "start", 0, in_start->shape[0], 1)
-        && has_at_least(&call, "start", 1, in_start->shape[1], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_start->shape[0])
-        && has_extent(&call, "limits", 1, in_limits->shape[1], in_start->shape[1])
-        && has_extent(&call, "lower", 0, in_lower->shape[0], in_start->shape[0])
-        && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
-        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
-        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1200)) {
-        answer = PyBool_FromLong(segfmu_find_brakes(
-            (array_double_2d){in_start->buf, {in_start->shape[0], in_start->shape[1]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
-            (array_double_2d){in_brakes->buf, {in_brakes->shape[0], in_brakes->shape[1]}},
-            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_count_pieces(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "count_pieces", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_axes;
-    Py_buffer *in_cells;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_cells = take_array(&call, 1, 3, 'd', false)) != NULL
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 1)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], 1)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
-        && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)) {
-        answer = PyLong_FromLongLong(segfmu_count_pieces(
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_expand_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "expand_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_dwells;
-    Py_buffer *in_axes;
-    Py_buffer *in_cells;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_times;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 9)
-        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
-        && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_cells = take_array(&call, 3, 3, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
-        && (in_times = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
-        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
-        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
-        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
-        && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
-        && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 4)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axes->buf)[0 * in_axes->shape[1] + 0]))) {
-        answer = PyLong_FromLongLong(segfmu_expand_plan(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_plan_motion(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3949,14 +4082,29 @@ static PyMethodDef methods[] = {
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
+    {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"ramp_pieces", (PyCFunction)(void (*)(void))call_ramp_pieces, METH_FASTCALL, NULL},
+    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
+    {"cut_plan", (PyCFunction)(void (*)(void))call_cut_plan, METH_FASTCALL, NULL},
+    {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
+    {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
+    {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
+    {"find_brake", (PyCFunction)(void (*)(void))call_find_brake, METH_FASTCALL, NULL},
+    {"plan_ends", (PyCFunction)(void (*)(void))call_plan_ends, METH_FASTCALL, NULL},
+    {"are_at_velocities", (PyCFunction)(void (*)(void))call_are_at_velocities, METH_FASTCALL, NULL},
+    {"find_leads", (PyCFunction)(void (*)(void))call_find_leads, METH_FASTCALL, NULL},
+    {"find_brakes", (PyCFunction)(void (*)(void))call_find_brakes, METH_FASTCALL, NULL},
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
+    {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
+    {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
+    {"begin_operation", (PyCFunction)(void (*)(void))call_begin_operation, METH_FASTCALL, NULL},
+    {"operate", (PyCFunction)(void (*)(void))call_operate, METH_FASTCALL, NULL},
     {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
     {"motion_scale", (PyCFunction)(void (*)(void))call_motion_scale, METH_FASTCALL, NULL},
     {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},
@@ -3990,18 +4138,6 @@ static PyMethodDef methods[] = {
     {"judge_start", (PyCFunction)(void (*)(void))call_judge_start, METH_FASTCALL, NULL},
     {"check_start_rope", (PyCFunction)(void (*)(void))call_check_start_rope, METH_FASTCALL, NULL},
     {"is_elsewhere", (PyCFunction)(void (*)(void))call_is_elsewhere, METH_FASTCALL, NULL},
-    {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
-    {"cut_plan", (PyCFunction)(void (*)(void))call_cut_plan, METH_FASTCALL, NULL},
-    {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
-    {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
-    {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
-    {"find_brake", (PyCFunction)(void (*)(void))call_find_brake, METH_FASTCALL, NULL},
-    {"plan_ends", (PyCFunction)(void (*)(void))call_plan_ends, METH_FASTCALL, NULL},
-    {"are_at_velocities", (PyCFunction)(void (*)(void))call_are_at_velocities, METH_FASTCALL, NULL},
-    {"find_leads", (PyCFunction)(void (*)(void))call_find_leads, METH_FASTCALL, NULL},
-    {"find_brakes", (PyCFunction)(void (*)(void))call_find_brakes, METH_FASTCALL, NULL},
-    {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
-    {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"plan_motion", (PyCFunction)(void (*)(void))call_plan_motion, METH_FASTCALL, NULL},
     {"expand_motion", (PyCFunction)(void (*)(void))call_expand_motion, METH_FASTCALL, NULL},
     {NULL, NULL, 0, NULL},

@@ -44,6 +44,13 @@ static inline array_double_2d span_rows(const array_double_2d *a, int64_t first,
     return rows;
 }
 
+/* a[first:last] */
+static inline array_int64_t_1d span_part(const array_int64_t_1d *a, int64_t first, int64_t last)
+{
+    array_int64_t_1d part = {a->data + first, {last - first}};
+    return part;
+}
+
 /* a[i, :, :] */
 static inline array_double_2d span_matrix(const array_double_3d *a, int64_t i)
 {

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
-from segfmu.crane import ActuatorBounds, Crane, Friction, plan_actuated
+from segfmu.crane import ActuatorBounds, Crane, Friction, Operator, plan_actuated
 from segfmu.errors import InputError
 from segfmu.planning import (
     Clearance,
@@ -208,6 +208,15 @@ class Mission(Table):
         trajectory = plan(points, limits, **options)
         clearance.require(trajectory, self.crane.gravity)
         return trajectory
+
+    def operator(self) -> Operator:
+        """The mission's crane under an operator's hand; at first it follows the mission's plan."""
+        trajectory = self.plan()
+        return Operator(
+            self.build_crane(), trajectory.limits, trajectory,
+            bounds=self.build_bounds() or ActuatorBounds(), clearance=self.build_clearance(),
+            shape=self.shape, synchronize=self.synchronization, friction=self.build_friction(),
+        )
 
 
 # what a mission is made of

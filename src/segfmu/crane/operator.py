@@ -1,0 +1,341 @@
+"""A crane under an operator's hand: commands at any time, plans while it runs."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from segfmu.crane.bounds import ActuatorBounds, require_bounds
+from segfmu.crane.bounds import uses as bound_uses
+from segfmu.crane.contacts import NONE, resistance
+from segfmu.crane.demand import peaks
+from segfmu.crane.equipment import Friction
+from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE, require_flat
+from segfmu.crane.limit_search import KEPT
+from segfmu.crane.operation import OperatedMotion
+from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import require_rope
+from segfmu.crane.variables import filled
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels import backend
+from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
+from segfmu.kernels.crane.records import FlatInverse as Results
+from segfmu.kernels.crane.records import RopeBounds
+from segfmu.kernels.operation.records import (
+    Command,
+    Known,
+    Operation,
+    OperationMode,
+    OperationStatus,
+    Progress,
+)
+from segfmu.kernels.planner.records import Lower, PlanOptions
+from segfmu.kernels.trajectory.records import Timing
+from segfmu.planning.arrays import FloatArray, finite_number, finite_vector, shown
+from segfmu.planning.clearance import Clearance
+from segfmu.planning.lead import Pieces
+from segfmu.planning.limits import Limits
+from segfmu.planning.request import checked_request, checked_smoothness
+from segfmu.planning.trajectory import Trajectory
+from segfmu.planning.waypoint import Waypoint
+
+MODES = tuple(name.lower() for name in OperationMode.items())
+STATUSES = tuple(name.lower() for name in OperationStatus.items())
+UNBOUNDED = ActuatorBounds()
+FREE = Clearance()
+# an end of the workspace [m] that is none
+FAR = 1e9
+# how long a velocity is held beyond the next command [s]
+HOLD = 0.1
+
+
+class Operator:
+    """A motion of a crane's load that follows commands.
+
+    Every plan is proved to keep the limits, the bounds of the drives, the workspace and the
+    obstacles until the load rests; where none for a command does, the one before goes on. Whatever
+    is commanded, the load's position and its derivatives up to the smoothness are continuous.
+
+    Parameters
+    ----------
+    crane : Crane
+    limits : Limits
+        Of the load in x, y and z.
+    start : array_like, shape (3,), or Trajectory
+        Where the load rests [m], or a plan that it follows at first, in the mode "mission".
+    bounds : ActuatorBounds, optional
+        Of the drives and of the sway.
+    clearance : Clearance, optional
+        Workspace and obstacles, 16 at most.
+    smoothness : int
+        4 to 6; that of the plan, if there is one.
+    shape, synchronize : str
+        Of the ways to a target, as for `plan`.
+    hold : float
+        How long a commanded velocity is held beyond the next step [s]; if nothing renews it, the
+        load stops then.
+    friction : Friction, optional
+        Of the axes, which the forces of the drives have room for.
+
+    Raises
+    ------
+    InputError
+        For invalid arguments.
+    InfeasibleError
+        If the load cannot be at the start.
+    """
+
+    def __init__(
+        self,
+        crane: Crane,
+        limits: Limits,
+        start: ArrayLike | Trajectory,
+        *,
+        bounds: ActuatorBounds = UNBOUNDED,
+        clearance: Clearance = FREE,
+        smoothness: int = 4,
+        shape: str = "plateau",
+        synchronize: str = "waypoints",
+        hold: float = HOLD,
+        friction: Friction = NONE,
+    ) -> None:
+        if isinstance(start, Trajectory):
+            smoothness = start.smoothness
+        smoothness = checked_smoothness(smoothness)
+        require_flat(crane, 3, smoothness)
+        if not isinstance(limits, Limits):
+            raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
+        require_bounds("bounds", bounds)
+        if not isinstance(clearance, Clearance):
+            kind = type(clearance).__name__
+            raise InputError(f"clearance must be a segfmu.Clearance, got {kind}")
+        if isinstance(start, Trajectory):
+            _require_plan(crane, start, bounds, clearance, friction)
+        given = finite_number("hold", hold)
+        if given <= 0.0:
+            raise InputError(f"hold must be a time > 0 s, got {shown(hold)}")
+        known = _known(crane, limits, bounds, clearance, friction)
+        asked = checked_request(
+            [Waypoint(np.zeros(3))] * 2, limits, smoothness, shape, synchronize, None, None, None,
+        ).problem.options
+        known[Known.OPTIONS, : PlanOptions.SIZE] = asked.vector
+        self.crane = crane
+        self._motion = OperatedMotion(limits.table(3, smoothness), known)
+        self._masses = np.array(crane.masses)
+        self._time = 0.0
+        self._motion.command[Command.HOLD], self._motion.command[Command.SCALE] = given, 1.0
+        self._begin(start, smoothness)
+
+    def _begin(self, start: ArrayLike | Trajectory, smoothness: int) -> None:
+        """Begin with the plan; or at rest, where a stop shows whether that is allowed."""
+        if isinstance(start, Trajectory):
+            pieces = start.timing, start.coefficients, start.offsets
+        else:
+            pieces = _resting(start, smoothness)
+        if not self._motion.begin(0.0, *pieces):
+            raise InputError(
+                f"start has {int(pieces[2][-1])} polynomial pieces, too many to be followed; plan "
+                "fewer waypoints"
+            )
+        if not isinstance(start, Trajectory):
+            self._motion.command[Command.MODE] = OperationMode.STOP
+            self._motion.operate(0.0, 0.0)
+            if self.status != "taken":
+                raise InfeasibleError(
+                    f"start: a load at rest there does not keep {self.refused}; move it, or widen "
+                    "that"
+                )
+        self._motion.command[Command.MODE] = OperationMode.MISSION
+
+    def __repr__(self) -> str:
+        at = ", ".join(f"{p:.4g}" for p in self.load[0])
+        return f"Operator({self.mode} at {self.time:.6g} s, load at ({at}) m, {self.status})"
+
+    def command(
+        self,
+        mode: str,
+        velocity: ArrayLike | None = None,
+        *,
+        target: ArrayLike | None = None,
+        distance: ArrayLike | None = None,
+        scale: float | None = None,
+    ) -> None:
+        """Command what the next steps follow; what is not given stays as it was.
+
+        Parameters
+        ----------
+        mode : {"mission", "target", "velocity", "stop", "inching"}
+            "mission" follows the plan that there is to its end.
+        velocity : array_like, shape (3,), optional
+            Of the load [m/s]; beyond the limits, the limits. In the mode "inching" its signs are
+            pushes: each change to one moves the target by the distance.
+        target : array_like, shape (3,), optional
+            Where to go [m].
+        distance : array_like, scalar or shape (3,), optional
+            Of a push [m].
+        scale : float, optional
+            Share of the velocity limits, 0 to 1; 0 stops the load.
+
+        Raises
+        ------
+        InputError
+            For invalid arguments.
+        """
+        if not isinstance(mode, str) or mode not in MODES:
+            raise InputError(f"mode must be one of {', '.join(MODES)}, got {shown(mode)}")
+        command = self._motion.command
+        if scale is not None:
+            given = finite_number("scale", scale)
+            if not 0.0 <= given <= 1.0:
+                raise InputError(f"scale must be from 0 to 1, got {shown(scale)}")
+            command[Command.SCALE] = given
+        for name, value, place in (
+            ("velocity", velocity, Command.VELOCITY), ("target", target, Command.TARGET),
+            ("distance", distance, Command.DISTANCE),
+        ):
+            if value is not None:
+                command[place : place + 3] = _triple(name, value, alike=name == "distance")
+        command[Command.MODE] = MODES.index(mode)
+        command[Command.GO] = float(mode == "target")
+
+    def step(self, duration: float) -> FloatArray:
+        """Follow the command for a time [s].
+
+        Returns
+        -------
+        ndarray, shape (5, 3)
+            Position of the load and its derivatives up to the snap, at the end.
+
+        Raises
+        ------
+        InputError
+            For a duration that is not above 0.
+        """
+        given = finite_number("duration", duration)
+        if given <= 0.0:
+            raise InputError(f"duration must be a time > 0 s, got {shown(duration)}")
+        self._motion.operate(self._time, given)
+        self._time += given
+        return self.load
+
+    @property
+    def time(self) -> float:
+        """Time since the start [s]."""
+        return self._time
+
+    @property
+    def mode(self) -> str:
+        """The mode of the command."""
+        return MODES[int(self._motion.command[Command.MODE])]
+
+    @property
+    def load(self) -> FloatArray:
+        """Position of the load and its derivatives up to the snap, shape (5, 3)."""
+        return self._motion.motion(self._time, ORDERS)
+
+    @property
+    def plan(self) -> Pieces:
+        """What is followed unless a command changes it: pieces from `plan_begins` on, to rest."""
+        timing, coefficients, offsets, _ = self._motion.pieces
+        used = int(offsets[-1])
+        return Pieces(timing[:used].copy(), coefficients[:used].copy(), offsets.copy())
+
+    @property
+    def plan_begins(self) -> float:
+        """Time at which the plan begins [s]."""
+        return self._motion.begins
+
+    @property
+    def rests_at(self) -> float:
+        """Time at which the load rests if nothing is commanded any more [s]."""
+        return self._motion.begins + float(self._motion.pieces[3].max())
+
+    @property
+    def status(self) -> str:
+        """What became of the last command that needed a plan.
+
+        "taken", "reduced" (slower, or some axes at rest), or what no plan for it keeps: "limits",
+        "rope", "workspace", "obstacle" or "drives"; then the plan before goes on.
+        """
+        return STATUSES[self._motion.status]
+
+    @property
+    def refused(self) -> str:
+        """What the last plan that was tried in vain does not keep, as `status`."""
+        return STATUSES[self._motion.refused]
+
+    @property
+    def plans(self) -> int:
+        """Number of the plans taken so far."""
+        return int(self._motion.record[Operation.PROGRESS, Progress.PLANS])
+
+    @property
+    def setpoints(self) -> FloatArray:
+        """Forces (3), state (10) and accelerations (5) of the crane, as `FlatInverse.evaluate`.
+
+        Without friction.
+        """
+        found = np.zeros(Results.SIZE)
+        backend.crane_flat_inverse(
+            self.load, self._masses, found[FORCE], found[STATE], found[ACCELERATION]
+        )
+        return found
+
+
+def _resting(start: ArrayLike, smoothness: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
+    """A plan that rests in a place."""
+    coefficients = np.zeros((3, 2 * smoothness))
+    coefficients[:, 0] = _triple("start", start)
+    return np.zeros((3, Timing.SIZE)), coefficients, np.arange(4, dtype=np.int64)
+
+
+def _triple(name: str, value: ArrayLike, *, alike: bool = False) -> FloatArray:
+    vector = finite_vector(name, value)
+    if vector.size != 3 and not (alike and vector.size == 1):
+        raise InputError(f"{name} must have 3 values, got {vector.size}")
+    return np.broadcast_to(vector, (3,))
+
+
+def _require_plan(
+    crane: Crane, plan: Trajectory, bounds: ActuatorBounds, clearance: Clearance,
+    friction: Friction,
+) -> None:
+    """Refuse a plan that does not keep what plans for commands keep."""
+    require_rope(crane, plan)
+    clearance.require(plan, crane.gravity)
+    for use in bound_uses(bounds, *peaks(crane, plan, friction)):
+        if use.use > KEPT:
+            raise InfeasibleError(
+                f"start: the plan uses {100.0 * use.use:.4g} % of the bound of the {use.name}; "
+                "plan it within the bounds"
+            )
+
+
+def _known(
+    crane: Crane, limits: Limits, bounds: ActuatorBounds, clearance: Clearance, friction: Friction
+) -> FloatArray:
+    """The record `Known`, without options."""
+    known = np.zeros((Known.SIZE, Known.COLUMNS))
+    given = resistance(crane, friction)
+    known[Known.CRANE, : given.size] = given
+    known[Known.ROPE, : RopeBounds.SIZE] = filled(RopeBounds, crane.values().__getitem__)
+    known[Known.BOUNDS, : bounds.record.size] = bounds.record
+    known[Known.LOWER : Known.OBSTACLES, : Lower.SIZE] = limits.lower(3)
+    space = known[Known.SPACE]
+    space[Space.GRAVITY] = crane.gravity
+    for place, value in (
+        (Space.WORKSPACE_MIN, clearance.minimum), (Space.WORKSPACE_MAX, clearance.maximum),
+        (Space.LOAD_SIZE, clearance.load_size), (Space.LOAD_CENTRE, clearance.load_centre),
+    ):
+        space[place : place + 3] = np.clip(value, -FAR, FAR)
+    if len(clearance.obstacles) > SpaceLimits.OBSTACLES:
+        raise InputError(
+            f"clearance has {len(clearance.obstacles)} obstacles, at most {SpaceLimits.OBSTACLES} "
+            "can be kept off while running; join some of them"
+        )
+    space[Space.OBSTACLES] = len(clearance.obstacles)
+    for i, box in enumerate(clearance.obstacles):
+        known[Known.OBSTACLES + i, : ObstacleRow.SIZE] = [
+            *box.minimum, *box.maximum, box.margin, box.rope
+        ]
+    return known

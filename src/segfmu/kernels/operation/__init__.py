@@ -1,0 +1,1 @@
+"""A motion under an operator's hand: commands -> plans, each one checked up to its standstill."""

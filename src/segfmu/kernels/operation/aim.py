@@ -1,0 +1,157 @@
+"""What a command comes to: a velocity within the limits, or a target.
+
+A number that is none counts as no wish: the load stops. `operation` is an `Operation`.
+"""
+
+from segfmu.kernels.clearance.records import Space
+from segfmu.kernels.crane.records import RopeBounds
+from segfmu.kernels.operation.records import (
+    Aim,
+    Command,
+    Known,
+    Operation,
+    OperationMode,
+    Progress,
+    Slot,
+)
+from segfmu.kernels.planner.records import Lower
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
+from segfmu.kernels.trajectory.records import Timing
+
+
+def least_scale() -> float:
+    """Share of the velocity limits below which nothing moves."""
+    return 1e-3
+
+
+def write_aim(
+    operation: 'float[:,:]', limits: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]',
+) -> None:
+    """Write what the command comes to; limits (3, n + 1), known a `Known`.
+
+    The present plan tells where a push of INCHING begins.
+    """
+    command = operation[Operation.COMMAND, :]
+    mode = int(command[Command.MODE])
+    scale = command[Command.SCALE]
+    if not scale >= least_scale():
+        scale = 0.0
+    scale = min(scale, 1.0)
+    if mode == OperationMode.INCHING and scale > 0.0:
+        write_push(scale, operation, known, timing, coefficients, offsets)
+    else:
+        write_wish(mode, scale, operation[Operation.AIM, :], command, limits, known)
+        for axis in range(3):
+            operation[Operation.PUSHED, axis] = 0.0
+    operation[Operation.PROGRESS, Progress.MODE] = mode
+
+
+def write_wish(
+    mode: int, scale: float, aim: 'float[:]', command: 'float[:]', limits: 'float[:,:]',
+    known: 'float[:,:]',
+) -> None:
+    """Write the aim (Aim) of a command that does not depend on those before."""
+    aim[Aim.IS_TARGET] = 0.0
+    aim[Aim.SCALE] = 0.0
+    for axis in range(3):
+        aim[Aim.VALUE + axis] = 0.0
+    if mode == OperationMode.VELOCITY:
+        for axis in range(3):
+            lower = known[Known.LOWER + axis, Lower.VELOCITY]
+            aim[Aim.VALUE + axis] = limited_velocity(
+                command[Command.VELOCITY + axis], scale, limits[axis, 0], lower
+            )
+    elif mode == OperationMode.TARGET and command[Command.GO] > 0.5 and scale > 0.0:
+        for axis in range(3):
+            if not abs(command[Command.TARGET + axis]) < 1e300:
+                return
+        aim[Aim.IS_TARGET] = 1.0
+        aim[Aim.SCALE] = scale
+        for axis in range(3):
+            aim[Aim.VALUE + axis] = command[Command.TARGET + axis]
+
+
+def limited_velocity(velocity: float, scale: float, limit: float, lower: float) -> float:
+    """A velocity [m/s] within a share of its limits; lower: magnitude of the least, 0: none."""
+    least = limit
+    if lower > 0.0:
+        least = lower
+    if velocity > 0.0:
+        return min(velocity, scale * limit)
+    if velocity < 0.0:
+        return max(velocity, -scale * least)
+    return 0.0
+
+
+def push_of(velocity: float) -> float:
+    """Sign of a velocity [m/s] as a push, 0 without one."""
+    if velocity > 0.0:
+        return 1.0
+    if velocity < 0.0:
+        return -1.0
+    return 0.0
+
+
+def write_push(
+    scale: float, operation: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]',
+) -> None:
+    """Write the aim of INCHING: each push moves the target by a distance, not beyond the ends.
+
+    At first the load stops; the first push is counted from there.
+    """
+    aim = operation[Operation.AIM, :]
+    command = operation[Operation.COMMAND, :]
+    if not operation[Operation.PROGRESS, Progress.MODE] == OperationMode.INCHING:
+        aim[Aim.IS_TARGET] = 0.0
+        for axis in range(3):
+            aim[Aim.VALUE + axis] = 0.0
+            operation[Operation.PUSHED, axis] = push_of(command[Command.VELOCITY + axis])
+    for axis in range(3):
+        push = push_of(command[Command.VELOCITY + axis])
+        if push == operation[Operation.PUSHED, axis]:
+            continue
+        operation[Operation.PUSHED, axis] = push
+        distance = command[Command.DISTANCE + axis]
+        if abs(push) > 0.0 and 0.0 < distance < 1e300:
+            if aim[Aim.IS_TARGET] < 0.5:
+                aim[Aim.IS_TARGET] = 1.0
+                for i in range(3):
+                    aim[Aim.VALUE + i] = standstill(Slot.PRESENT, i, timing, coefficients, offsets)
+            wished = aim[Aim.VALUE + axis] + push * distance
+            aim[Aim.VALUE + axis] = min(max(wished, low_end(axis, known)), high_end(axis, known))
+    aim[Aim.SCALE] = scale * aim[Aim.IS_TARGET]
+
+
+def standstill(
+    slot: int, axis: int, timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]'
+) -> float:
+    """Where an axis of a plan comes to rest [m]."""
+    last = offsets[slot * Slot.OFFSETS + axis + 1] - 1
+    return evaluate_piece(
+        coefficients[slot, :, :], last, coefficients.shape[2],
+        timing[slot, last, Timing.LENGTH], 0,
+    )
+
+
+def low_end(axis: int, known: 'float[:,:]') -> float:
+    """The lowest position of the load at rest [m], by the workspace and the longest rope."""
+    end = known[Known.SPACE, Space.WORKSPACE_MIN + axis]
+    longest = known[Known.ROPE, RopeBounds.LONGEST]
+    if axis == 2 and longest > 0.0:
+        end = max(end, -longest)
+    return end + end_rounding_of(end)
+
+
+def high_end(axis: int, known: 'float[:,:]') -> float:
+    """The highest one, by the workspace and the shortest rope."""
+    end = known[Known.SPACE, Space.WORKSPACE_MAX + axis]
+    if axis == 2:
+        end = min(end, -known[Known.ROPE, RopeBounds.SHORTEST])
+    return end - end_rounding_of(end)
+
+
+def end_rounding_of(end: float) -> float:
+    """What rounding may take from the way to an end [m]."""
+    return 1e-10 * abs(end)

@@ -1,0 +1,204 @@
+"""Records of an operated motion."""
+
+from segfmu.kernels.clearance.records import Box, ObstacleRow, Space, SpaceFault, SpaceLimits
+from segfmu.kernels.crane.records import (
+    Demand,
+    DriveBounds,
+    Resistance,
+    RopeBounds,
+    RopeWork,
+    Vector,
+)
+from segfmu.kernels.planner.records import Axis, Lower, PlanOptions
+from segfmu.kernels.records import Codes, Record, field
+from segfmu.kernels.settling.records import LeadEnd
+
+
+class OperationMode(Codes):
+    """What the load does.
+
+    MISSION: follows the plan that it has. INCHING: moves by a distance with each push.
+    """
+
+    MISSION = 0
+    TARGET = 1
+    VELOCITY = 2
+    STOP = 3
+    INCHING = 4
+
+
+class OperationStatus(Codes):
+    """What became of the last command that needed a plan.
+
+    TAKEN: as it is; REDUCED: slower, or with some axes at rest. The others tell what no plan for it
+    keeps, so that the old plan goes on.
+    """
+
+    TAKEN = 0
+    REDUCED = 1
+    LIMITS = 2
+    ROPE = 3
+    WORKSPACE = 4
+    OBSTACLE = 5
+    DRIVES = 6
+
+
+class Command(Record):
+    """What an operator wants, from a time on."""
+
+    TIME = field("present time", "s")
+    STEP = field("time until the next command can come", "s")
+    MODE = field("see OperationMode", variables=("command.mode",), base=1)
+    VELOCITY = field(
+        "velocity of the load; its sign is the push of INCHING", "m/s", size=3,
+        variables=[f"command.velocity.{a}" for a in "xyz"],
+    )
+    TARGET = field(
+        "target of the load", "m", size=3, variables=[f"command.target.{a}" for a in "xyz"]
+    )
+    GO = field("1: go to the target, 0: stop", variables=("command.go",))
+    SCALE = field("share of the velocity limits, 0 to 1", variables=("limits.scale",))
+    DISTANCE = field(
+        "way of a push", "m", size=3, variables=[f"command.distance.{a}" for a in "xyz"]
+    )
+    HOLD = field(
+        "how long a velocity is held at least beyond the next command", "s",
+        variables=("command.hold",),
+    )
+
+
+class Aim(Record):
+    """What a command comes to."""
+
+    IS_TARGET = field("1: VALUE is a position, 0: a velocity")
+    VALUE = field("where to go, or how fast", "m or m/s", size=3)
+    SCALE = field("share of the velocity limits")
+
+
+class Progress(Record):
+    """How far an operated motion is."""
+
+    BEGIN = field("time at which the present plan begins", "s")
+    STATUS = field("see OperationStatus")
+    REFUSED = field("why the last attempt that failed did so, see OperationStatus")
+    ATTEMPT = field("number of the attempt that the present plan is, see attempts.py")
+    RETRY = field("when a command that was not taken as it is is tried again", "s")
+    MODE = field("of the last command")
+    PLANS = field("plans taken so far")
+    ATTEMPTS = field("plans tried so far")
+
+
+class HeldVelocity(Record):
+    """How an axis holds a velocity before it stops."""
+
+    VELOCITY = field("velocity", "m/s")
+    UNTIL = field("until when it is held, since the start of the plan", "s")
+    FREE = field("1: it can be held longer, 0: the axis stops at an end, or does not move")
+    BEHIND = field("number of the pieces behind")
+
+
+class Motion(Record):
+    """State of an axis: its position and derivatives."""
+
+    DERIVATIVES = field("by their order, up to the largest smoothness", size=7)
+
+
+class Operation(Record):
+    """Rows: an operated motion."""
+
+    COMMAND = field("what is wanted", of=Command)
+    AIM = field("what that comes to", of=Aim)
+    TAKEN = field("what the present plan is for", of=Aim)
+    PROGRESS = field("how far it is", of=Progress)
+    PUSHED = field("signs of the last pushes of INCHING", of=Vector)
+    HELD = field("by axis, of the present plan", size=3, of=HeldVelocity)
+    TRIED = field("the same of a plan that is tried", size=3, of=HeldVelocity)
+    SHARE = field("share of its velocity that each axis gets", of=Vector)
+    LEAST = field("share at which each axis stops before its end", of=Vector)
+    MOST = field("share at which it does not", of=Vector)
+    NOW = field("by axis: the present state", size=3, of=Motion)
+    WISH = field("velocity that is tried", "m/s", of=Vector)
+    LOWER = field("by axis: limits in the negative direction, as tried", size=3, of=Lower)
+    LEAD_ENDS = field("by axis: where a velocity is reached", size=3, of=LeadEnd)
+    STOP_ENDS = field("by axis: where it comes to rest from there", size=3, of=LeadEnd)
+
+
+class Known(Record):
+    """Rows: what is known of a crane and its space."""
+
+    CRANE = field("masses, gravity and friction", of=Resistance)
+    ROPE = field("its range", of=RopeBounds)
+    BOUNDS = field("of the drives", of=DriveBounds)
+    SPACE = field("of the load", of=Space)
+    OPTIONS = field("how targets are planned", of=PlanOptions)
+    LOWER = field("by axis: limits in the negative direction", size=3, of=Lower)
+    OBSTACLES = field("obstacles", size=SpaceLimits.OBSTACLES, of=ObstacleRow)
+
+
+class Slot(Codes):
+    """Plans in the arrays of an operated motion, and the entries of `offsets` of each."""
+
+    PRESENT = 0
+    REST = 1
+    LEADS = 2
+    BEHIND = 3
+    TRIED = 4
+    NONE = 5
+    COUNT = 6
+    OFFSETS = 4
+    AXES = 3
+
+
+class OperationRows(Codes):
+    """Most pieces of a plan that is taken, and rows of a slot: leads need as many beside it."""
+
+    KEPT = 1200
+    ALL = 3604
+
+
+class Column(Record):
+    """A polynomial of the rope's proof, at the largest smoothness."""
+
+    VALUES = field("coefficients", size=43)
+
+
+class Range(Record):
+    """A quantity in an interval of time: between CENTRE - RADIUS and CENTRE + RADIUS."""
+
+    CENTRE = field("centre")
+    RADIUS = field("radius")
+
+
+class Reach(Record):
+    """Rows: ranges of what a motion does in an interval of time."""
+
+    POSITION = field("position of the load", size=3, of=Range)
+    VELOCITY = field("its velocity", size=3, of=Range)
+    ACCELERATION = field("its acceleration", size=3, of=Range)
+    JERK = field("its jerk", size=3, of=Range)
+    SNAP = field("its snap", size=3, of=Range)
+    PULL = field("w_z = z'' + g", of=Range)
+    SLOPE = field("w_x / w_z and w_y / w_z", size=2, of=Range)
+    SLOPE_RATE = field("their rates", size=2, of=Range)
+    SLOPE_CHANGE = field("rates of these", size=2, of=Range)
+    STRETCH = field("rope length over depth", of=Range)
+    STRETCH_RATE = field("its rate", of=Range)
+    STRETCH_CHANGE = field("rate of this", of=Range)
+    PRODUCT = field("intermediate result", of=Range)
+    SUM = field("another one", of=Range)
+    DEMAND = field("what it asks of the drives", size=Demand.SIZE, of=Range)
+
+
+class OperationWork(Record):
+    """Rows: work space."""
+
+    ROPE = field("of the checks of rope and space", size=RopeWork.SIZE, of=Column)
+    BOXES = field("boxes", size=SpaceLimits.FACES + SpaceLimits.OBSTACLES, of=Box)
+    RANGES = field("ranges of load and rope", size=6, of=Vector)
+    FAULT = field("where a path meets something", of=SpaceFault)
+    TIMES = field("waypoint times, by axis", size=3, of=Vector)
+    DWELLS = field("at start and target", of=Vector)
+    OPTIONS = field("how a target is planned", of=PlanOptions)
+    AXES = field("the axes", size=3, of=Axis)
+    PIECE = field("a piece of an axis", of=Column)
+    REACH = field("ranges", size=Reach.SIZE, of=Range)

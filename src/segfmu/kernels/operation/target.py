@@ -1,0 +1,172 @@
+"""Plans to a target at rest, by the planner behind leads."""
+
+from segfmu.kernels.operation.aim import limited_velocity
+from segfmu.kernels.operation.attempts import set_lower_of
+from segfmu.kernels.operation.plans import plan_pieces
+from segfmu.kernels.operation.records import (
+    Aim,
+    HeldVelocity,
+    Known,
+    Operation,
+    OperationRows,
+    OperationWork,
+    Slot,
+)
+from segfmu.kernels.operation.velocity import (
+    lead_between,
+    reach_velocities,
+    set_lead,
+    set_motion,
+)
+from segfmu.kernels.planner.plan import plan_phases
+from segfmu.kernels.planner.records import (
+    DelayedState,
+    Lower,
+    PlanOptions,
+    PlanStatus,
+    Synchronization,
+    WaypointState,
+)
+from segfmu.kernels.settling.records import LeadStage, LeadWork
+from segfmu.kernels.trajectory.cut import join_plans
+from segfmu.kernels.trajectory.expand import count_pieces, expand_plan
+
+
+def set_ends(operation: 'float[:,:]', states: 'float[:,:,:]') -> None:
+    """Begin where leads end."""
+    for axis in range(3):
+        for i in range(states.shape[2]):
+            states[0, axis, i] = 0.0
+        for i in range(DelayedState.SIZE):
+            states[0, axis, i] = operation[Operation.LEAD_ENDS + axis, i]
+    set_place(operation, states)
+
+
+def set_place(operation: 'float[:,:]', states: 'float[:,:,:]') -> None:
+    """Set the target of AIM, at rest."""
+    for axis in range(3):
+        for i in range(states.shape[2]):
+            states[1, axis, i] = 0.0
+        states[1, axis, WaypointState.POSITION] = operation[Operation.AIM, Aim.VALUE + axis]
+
+
+def set_options(known: 'float[:,:]', work: 'float[:,:]') -> None:
+    """A target is reached as soon as possible."""
+    for i in range(PlanOptions.SIZE):
+        work[OperationWork.OPTIONS, i] = known[Known.OPTIONS, i]
+    work[OperationWork.OPTIONS, PlanOptions.SAMPLE_TIME] = 0.0
+    work[OperationWork.OPTIONS, PlanOptions.DURATION] = 0.0
+    for i in range(2):
+        work[OperationWork.DWELLS, i] = 0.0
+
+
+def seek_target(
+    operation: 'float[:,:]', limits: 'float[:,:,:]', known: 'float[:,:]',
+    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]',
+    states: 'float[:,:,:]', cells: 'float[:,:,:]', lead: 'float[:,:]', work: 'float[:,:]',
+) -> bool:
+    """Try a plan to the target AIM in the slot TRIED; False if there is none.
+
+    limits as those of `operate`. A load that is faster than they permit slows down to them first.
+    """
+    set_options(known, work)
+    found = False
+    if is_too_fast(operation, limits[1, :, :]):
+        set_lower_of(0, operation, limits, known)
+        found = reach_velocities(
+            operation, limits[0, :, :], timing, coefficients, offsets, states, lead
+        )
+        set_lower_of(1, operation, limits, known)
+    else:
+        found = lead_to_target(
+            operation, limits[1, :, :], timing, coefficients, offsets, states, lead, work
+        )
+    if not found:
+        return False
+    set_ends(operation, states)
+    found = plan_target(
+        limits[1, :, :], operation[Operation.LOWER:Operation.LEAD_ENDS, :], timing, coefficients,
+        offsets, states, cells, lead, work,
+    )
+    rows = plan_pieces(Slot.LEADS, offsets) + plan_pieces(Slot.BEHIND, offsets)
+    if not found or rows > OperationRows.KEPT:
+        return False
+    join_behind(timing, coefficients, offsets)
+    for axis in range(3):
+        for i in range(HeldVelocity.SIZE):
+            operation[Operation.TRIED + axis, i] = 0.0
+    return True
+
+
+def is_too_fast(operation: 'float[:,:]', limits: 'float[:,:]') -> bool:
+    """Whether an axis is faster than its limits; WISH becomes the velocities within them."""
+    faster = False
+    for axis in range(3):
+        velocity = operation[Operation.NOW + axis, WaypointState.VELOCITY]
+        slowed = limited_velocity(
+            velocity, 1.0, limits[axis, 0], operation[Operation.LOWER + axis, Lower.VELOCITY]
+        )
+        operation[Operation.WISH, axis] = slowed
+        operation[Operation.SHARE, axis] = 1.0
+        if abs(velocity - slowed) > 1e-9 * limits[axis, 0]:
+            faster = True
+    return faster
+
+
+def lead_to_target(
+    operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+    work: 'float[:,:]',
+) -> bool:
+    """Find leads to where the planner takes over."""
+    options = work[OperationWork.OPTIONS, :]
+    meeting = 0.0
+    if int(options[PlanOptions.SYNCHRONIZATION]) == Synchronization.NONE:
+        meeting = -1.0
+    set_motion(operation, states)
+    set_place(operation, states)
+    set_lead(LeadStage.ACCELERATION, int(options[PlanOptions.SHAPE]), meeting, lead)
+    return lead_between(
+        Slot.REST, Slot.LEADS, operation[Operation.LEAD_ENDS:Operation.STOP_ENDS, :], limits,
+        operation[Operation.LOWER:Operation.LEAD_ENDS, :], timing, coefficients, offsets, states,
+        lead,
+    )
+
+
+def plan_target(
+    limits: 'float[:,:]', lower: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]',
+    cells: 'float[:,:,:]', lead: 'float[:,:]', work: 'float[:,:]',
+) -> bool:
+    """Plan from the ends of leads to the target in `states`, into the slot BEHIND."""
+    dwells = work[OperationWork.DWELLS, :]
+    axes = work[OperationWork.AXES:OperationWork.PIECE, :]
+    status = plan_phases(
+        states, dwells, limits, lower, work[OperationWork.OPTIONS, :], axes, cells,
+        lead[LeadWork.PLAN:LeadWork.EXPANSION, :],
+    )
+    if status < PlanStatus.PLANNED or count_pieces(axes, cells) > timing.shape[1]:
+        return False
+    place = Slot.BEHIND * Slot.OFFSETS
+    expand_plan(
+        states, dwells, axes, cells, timing[Slot.BEHIND, :, :], coefficients[Slot.BEHIND, :, :],
+        offsets[place:place + Slot.OFFSETS], work[OperationWork.TIMES:OperationWork.DWELLS, :],
+        lead[LeadWork.EXPANSION:LeadWork.CHECK, :],
+    )
+    return True
+
+
+def join_behind(
+    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]'
+) -> None:
+    """Join leads and the plan behind them in the slot TRIED."""
+    leads = Slot.LEADS * Slot.OFFSETS
+    behind = Slot.BEHIND * Slot.OFFSETS
+    tried = Slot.TRIED * Slot.OFFSETS
+    join_plans(
+        timing[Slot.LEADS, :, :], coefficients[Slot.LEADS, :, :],
+        offsets[leads:leads + Slot.OFFSETS], timing[Slot.BEHIND, :, :],
+        coefficients[Slot.BEHIND, :, :], offsets[behind:behind + Slot.OFFSETS],
+        timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
+        offsets[tried:tried + Slot.OFFSETS],
+    )

@@ -1,0 +1,403 @@
+"""Operated motions: safe, smooth, and where the operator wants them."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from segfmu import (
+    ActuatorBounds,
+    Clearance,
+    InfeasibleError,
+    InputError,
+    Limits,
+    Obstacle,
+    Operator,
+    Trajectory,
+    Waypoint,
+    load_mission,
+    plan,
+)
+from segfmu.crane import Friction
+from segfmu.kernels import backend
+from tests.campaign import campaign
+from tests.crane.operated import LAB, SITES, Site, commands, met, needs
+
+MODELS = Path(__file__).parents[2] / "models"
+FREE = Limits(velocity=[0.4, 0.4, 0.3], acceleration=0.5, jerk=1.5, snap=10.0)
+
+
+def values_of(operator: Operator, time: float, orders: int) -> np.ndarray:
+    """Derivatives of the load at a time [s] by the present plan, (orders, 3)."""
+    pieces = operator.plan
+    ends = pieces.stops()
+    found = np.empty((orders, 3))
+    backend.evaluate_orders(
+        time - operator.plan_begins, pieces.timing, pieces.coefficients, pieces.offsets, ends, found
+    )
+    return found
+
+
+def scales(limits: Limits, smoothness: int) -> np.ndarray:
+    table = limits.table(3, smoothness).T
+    return np.vstack([table[0] ** 2 / table[1], table])
+
+
+@campaign(3, 300, "seeds")
+@pytest.mark.parametrize("name", SITES)
+def test_random_commands_keep_everything(name: str, seeds: int) -> None:
+    site = SITES[name]
+    steps, fine = 300, 16
+    plans = 0
+    for seed in range(seeds):
+        operator = site.operator()
+        rng = np.random.default_rng(seed)
+        path = []
+        for command in commands(site, rng, steps):
+            before = values_of(operator, operator.time, 5)
+            operator.command(**command)
+            now = operator.time
+            operator.step(site.step)
+            # smooth: the snap too, as it is the fourth of smoothness 4
+            jump = np.abs(values_of(operator, now, 5) - before)
+            assert (jump <= 1e-9 * scales(site.limits, 4)[:5]).all()
+            path += [values_of(operator, now + site.step * i / fine, 5) for i in range(fine)]
+        plans += operator.plans
+        motion = np.array(path)
+        require(site, motion, site.step / fine)
+    # the operator is not idle
+    assert plans > 10 * seeds
+
+
+def require(site: Site, motion: np.ndarray, step: float) -> None:
+    """Check a motion (samples, 5, 3) at equal steps [s]."""
+    table = site.limits.table(3, 4)
+    assert (np.abs(motion[:, 1:]).max(axis=0) <= table[:, :4].T * (1.0 + 1e-9)).all()
+    places = motion[:, 0]
+    # limits, workspace and drives
+    touch = 1e-9 * np.abs(places).max()
+    assert (places >= site.clearance.minimum - touch).all()
+    assert (places <= site.clearance.maximum + touch).all()
+    found = needs(site.crane, places, step)
+    for quantity in ("force", "velocity", "acceleration", "sway_angle"):
+        bound = getattr(site.bounds, quantity)
+        # finite differences know no more of the motion
+        assert (np.abs(found[quantity]).max(axis=0) <= 1.002 * bound).all(), quantity
+    assert (found["rope"] >= site.crane.rope_min - 1e-6).all()
+    assert (found["rope"] <= site.crane.rope_max + 1e-6).all()
+    assert met(site, places[2:-2], found["carriage"]).max() <= 1e-5 * np.abs(places).max()
+
+
+@pytest.mark.parametrize("name", SITES)
+def test_a_load_released_does_not_sway(name: str) -> None:
+    site = SITES[name]
+    operator = site.operator()
+    state = operator.setpoints[3:13].copy()
+    parts, swayed = 4, 0.0
+    operator.command("velocity", velocity=0.8 * np.asarray(site.limits.velocity) * [1, 1, -0.3])
+
+    def follow(duration: float) -> None:
+        nonlocal state, swayed
+        for _ in range(round(duration / site.step)):
+            now = operator.time
+            operator.step(site.step)
+            # the forces have kinks where pieces begin
+            joints = operator.plan_begins + operator.plan.timing[:, 0]
+            inner = joints[(joints > now) & (joints < operator.time)]
+            times = np.unique([now, *inner, operator.time])
+            for begin, end in pairwise(times):
+                h = (end - begin) / parts
+                for i in range(parts):
+                    # classical Runge-Kutta, with the forces of the present plan
+                    forces = [force_at(operator, begin + h * (i + s)) for s in (0.0, 0.5, 1.0)]
+                    k1 = site.crane.rhs(state, forces[0])
+                    k2 = site.crane.rhs(state + 0.5 * h * k1, forces[1])
+                    k3 = site.crane.rhs(state + 0.5 * h * k2, forces[1])
+                    k4 = site.crane.rhs(state + h * k3, forces[2])
+                    state = state + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+            swayed = max(swayed, float(np.abs(state[3:5]).max()))
+
+    follow(60 * site.step)
+    assert swayed > 5e-3
+    operator.command("stop")
+    follow(1.0 + operator.rests_at - operator.time)
+    follow(site.step + max(operator.rests_at - operator.time, 0.0))
+    assert operator.time > operator.rests_at
+    assert np.abs(state[3:5]).max() < 1e-6
+    assert np.abs(state[8:10]).max() < 1e-6
+
+
+def force_at(operator: Operator, time: float) -> np.ndarray:
+    found = np.zeros(18)
+    backend.crane_flat_inverse(
+        values_of(operator, time, 5), np.array(operator.crane.masses), found[:3], found[3:13],
+        found[13:],
+    )
+    return found[:3]
+
+
+def free(**options: object) -> Operator:
+    return Operator(LAB.crane, FREE, [0.0, 0.0, -0.5], **options)
+
+
+def follow(operator: Operator, duration: float, step: float = 0.01) -> np.ndarray:
+    return np.array([operator.step(step) for _ in range(round(duration / step))])
+
+
+def test_a_velocity_is_reached_held_and_left() -> None:
+    operator = free()
+    operator.command("velocity", velocity=[0.3, -0.2, 0.0])
+    motion = follow(operator, 3.0)
+    assert operator.status == "taken"
+    np.testing.assert_allclose(motion[-1, 1], [0.3, -0.2, 0.0], atol=1e-12)
+    np.testing.assert_allclose(motion[-1, 2:], 0.0, atol=1e-9)
+    operator.command("stop")
+    follow(operator, 3.0)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-12)
+
+
+def test_a_velocity_that_nothing_renews_ends() -> None:
+    operator = free(hold=0.25)
+    operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    follow(operator, 2.0)
+    stops = free(hold=0.25)
+    stops.command("velocity", velocity=[0.3, 0.0, 0.0])
+    follow(stops, 2.0)
+    stops.command("stop")
+    follow(stops, 0.01)
+    braking = stops.rests_at - 2.0
+    assert 0.0 < operator.rests_at - 2.0 - braking <= 0.26
+
+
+def test_velocities_beyond_the_limits_are_the_limits() -> None:
+    operator = free()
+    operator.command("velocity", velocity=[9.0, -9.0, 0.0], scale=0.5)
+    follow(operator, 3.0)
+    np.testing.assert_allclose(operator.load[1], [0.2, -0.2, 0.0], atol=1e-12)
+    operator.command("velocity", scale=1.0)
+    follow(operator, 2.0)
+    np.testing.assert_allclose(operator.load[1], [0.4, -0.4, 0.0], atol=1e-12)
+
+
+def test_the_load_stops_at_the_end_of_the_workspace() -> None:
+    operator = LAB.operator()
+    operator.command("velocity", velocity=[0.0, 0.4, 0.0])
+    motion = follow(operator, 8.0)
+    assert operator.load[0, 1] == pytest.approx(1.0, abs=1e-8)
+    assert motion[:, 0, 1].max() <= 1.0 + 1e-9
+    # at full speed until it has to brake
+    assert motion[:, 1, 1].max() == pytest.approx(0.4)
+    operator.command("velocity", velocity=[0.0, -0.4, 0.0])
+    follow(operator, 3.0)
+    assert operator.load[1, 1] == pytest.approx(-0.4)
+
+
+def test_a_command_near_the_end_uses_what_is_left_of_the_way() -> None:
+    operator = Operator(
+        LAB.crane, FREE, [0.0, 0.0, -0.5],
+        clearance=Clearance(minimum=[-1.0, -1.0, -0.9], maximum=[0.05, 1.0, -0.1]),
+    )
+    operator.command("velocity", velocity=[0.4, 0.2, 0.0])
+    follow(operator, 3.0)
+    assert operator.load[0, 0] == pytest.approx(0.05, abs=1e-6)
+    # the other axis goes on
+    assert operator.load[1, 1] == pytest.approx(0.2)
+
+
+def test_an_obstacle_blocks_until_the_load_is_above_it() -> None:
+    operator = LAB.operator()
+    operator.command("target", target=[0.0, 0.0, -0.6])
+    follow(operator, 2.0)
+    operator.command("velocity", velocity=[0.4, 0.0, 0.0])
+    follow(operator, 4.0)
+    assert operator.refused == "obstacle"
+    # its margin is 20 mm
+    assert 0.1 < operator.load[0, 0] <= 0.18 + 1e-8
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
+    # up while it is pushed against the box, then over it
+    operator.command("velocity", velocity=[0.4, 0.0, 0.2])
+    follow(operator, 6.0)
+    assert operator.load[0, 0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_target_is_reached_and_left_for_another() -> None:
+    operator = free()
+    operator.command("target", target=[0.5, -0.3, -0.4])
+    follow(operator, 1.0)
+    assert np.abs(operator.load[1]).max() > 0.1
+    operator.command("target", target=[0.1, 0.3, -0.45])
+    follow(operator, 5.0)
+    np.testing.assert_allclose(operator.load[0], [0.1, 0.3, -0.45], atol=1e-9)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
+
+
+def test_a_scaled_target_is_slower() -> None:
+    operator = free()
+    operator.command("target", target=[1.0, -0.5, -0.5], scale=0.25)
+    motion = follow(operator, 12.0)
+    assert np.abs(motion[:, 1]).max() <= 0.1 + 1e-12
+    assert operator.load[0, 0] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("sense", [-1.0, 1.0])
+def test_the_scale_acts_while_the_load_goes_to_a_target(sense: float) -> None:
+    operator = free()
+    operator.command("target", target=[2.0 * sense, 0.0, -0.5])
+    follow(operator, 2.0)
+    assert sense * operator.load[1, 0] > 0.35
+    operator.command("target", scale=0.1)
+    velocity = sense * follow(operator, 4.0)[:, 1, 0]
+    assert velocity[-1] == pytest.approx(0.04)
+    # it slows down, and does not swing back
+    assert (velocity >= 0.04 - 1e-9).all()
+    operator.command("target", scale=0.0)
+    follow(operator, 2.0)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-12)
+
+
+def test_pushes_move_the_load_by_a_distance_each() -> None:
+    operator = free()
+    operator.command("inching", velocity=[0.0, 0.0, 0.0], distance=0.01)
+    follow(operator, 0.1)
+    for _ in range(3):
+        operator.command("inching", velocity=[1.0, 0.0, 0.0])
+        follow(operator, 0.3)
+        operator.command("inching", velocity=[0.0, 0.0, 0.0])
+        follow(operator, 0.3)
+    follow(operator, 2.0)
+    np.testing.assert_allclose(operator.load[0], [0.03, 0.0, -0.5], atol=1e-9)
+    operator.command("inching", velocity=[-1.0, 0.0, -1.0])
+    follow(operator, 2.0)
+    np.testing.assert_allclose(operator.load[0], [0.02, 0.0, -0.51], atol=1e-9)
+
+
+def test_a_push_that_is_held_on_entry_does_not_count() -> None:
+    operator = free()
+    operator.command("inching", velocity=[1.0, 0.0, 0.0], distance=0.01)
+    follow(operator, 1.0)
+    np.testing.assert_array_equal(operator.load[0], [0.0, 0.0, -0.5])
+
+
+def test_a_push_does_not_lead_beyond_the_workspace() -> None:
+    operator = LAB.operator()
+    operator.command("inching", velocity=[0.0, 0.0, 0.0], distance=5.0)
+    follow(operator, 0.1)
+    operator.command("inching", velocity=[0.0, -1.0, 0.0])
+    follow(operator, 8.0)
+    assert operator.load[0, 1] == pytest.approx(-1.0, abs=1e-8)
+
+
+def mission() -> Trajectory:
+    return plan([Waypoint([0.0, 0.0, -0.5]), Waypoint([0.8, 0.3, -0.4])], FREE)
+
+
+def test_a_plan_is_followed_until_a_command_takes_over() -> None:
+    found = mission()
+    operator = Operator(LAB.crane, FREE, found)
+    motion = follow(operator, 1.0)
+    np.testing.assert_allclose(motion[-1, 0], found(1.0), atol=1e-12)
+    operator.command("stop")
+    follow(operator, 3.0)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-12)
+    assert 0.05 < operator.load[0, 0] < 0.6
+    operator.command("mission")
+    at = operator.load[0].copy()
+    follow(operator, 1.0)
+    np.testing.assert_array_equal(operator.load[0], at)
+
+
+def test_drives_that_are_too_weak_make_the_motion_slower() -> None:
+    weak = ActuatorBounds(acceleration=[0.5, 0.5, 1.0])
+    operator = Operator(LAB.crane, FREE, [0.0, 0.0, -0.5], bounds=weak)
+    operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    motion = follow(operator, 4.0)
+    assert operator.load[1, 0] == pytest.approx(0.3)
+    assert np.abs(needs(LAB.crane, motion[:, 0], 0.01)["acceleration"]).max() < 0.51
+    assert operator.refused == "drives"
+
+
+def test_rest_where_the_drives_cannot_hold_the_load_is_refused() -> None:
+    with pytest.raises(InfeasibleError, match="start: a load at rest there does not keep drives"):
+        Operator(LAB.crane, FREE, [0.0, 0.0, -0.5], bounds=ActuatorBounds(force=5.0))
+    with pytest.raises(InfeasibleError, match="does not keep workspace"):
+        Operator(LAB.crane, FREE, [2.0, 0.0, -0.5], clearance=LAB.clearance)
+    with pytest.raises(InfeasibleError, match="does not keep rope"):
+        Operator(LAB.crane, FREE, [0.0, 0.0, -2.0])
+
+
+def test_a_plan_beyond_the_bounds_is_refused() -> None:
+    with pytest.raises(InfeasibleError, match="% of the bound of the hoist force"):
+        Operator(LAB.crane, FREE, mission(), bounds=ActuatorBounds(force=[99.0, 99.0, 9.82]))
+
+
+def test_numbers_that_are_none_stop_the_load() -> None:
+    operator = free()
+    record = operator._motion.command
+    operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    follow(operator, 1.0)
+    record[:] = np.where(np.arange(record.size) < 3, record, np.nan)
+    follow(operator, 3.0)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize(("call", "words"), [
+    (lambda o: o.command("fly"), "mode must be one of mission, target"),
+    (lambda o: o.command("velocity", velocity=[1.0]), "velocity must have 3 values"),
+    (lambda o: o.command("velocity", scale=2.0), "scale must be from 0 to 1"),
+    (lambda o: o.command("target", target=[0.0, np.nan, 0.0]), "target"),
+    (lambda o: o.step(0.0), "duration must be a time > 0 s"),
+    (lambda o: free(hold=0.0), "hold must be a time > 0 s"),
+    (lambda o: free(bounds=3), "bounds"),
+    (lambda o: free(clearance=3), "clearance must be a segfmu.Clearance"),
+    (lambda o: free(friction=3), "friction"),
+    (lambda o: free(smoothness=3), "smooth"),
+    (lambda o: Operator(LAB.crane, 3, [0.0, 0.0, -0.5]), "limits must be a segfmu.Limits"),
+    (lambda o: Operator(LAB.crane, FREE, [0.0, -0.5]), "start must have 3 values"),
+    (lambda o: free(clearance=Clearance(
+        [Obstacle(str(i), [5.0, 5.0, -1.0], [6.0, 6.0, -0.5]) for i in range(17)])),
+     "17 obstacles, at most 16"),
+])
+def test_wrong_arguments_are_told(call, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        call(free())
+
+
+def test_it_tells_what_it_does() -> None:
+    operator = free()
+    assert repr(operator) == "Operator(mission at 0 s, load at (0, 0, -0.5) m, taken)"
+    operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    operator.step(0.01)
+    assert operator.mode == "velocity"
+    assert operator.plan.used >= 3
+
+
+@pytest.mark.parametrize("smoothness", [5, 6])
+def test_other_smoothness(smoothness: int) -> None:
+    operator = free(smoothness=smoothness)
+    operator.command("velocity", velocity=[0.3, -0.2, 0.1])
+    follow(operator, 1.0)
+    operator.command("target", target=[0.4, 0.1, -0.5])
+    follow(operator, 4.0)
+    np.testing.assert_allclose(operator.load[0], [0.4, 0.1, -0.5], atol=1e-8)
+
+
+def test_friction_leaves_the_motion_as_it_is() -> None:
+    rubbing = free(friction=Friction(coulomb=(0.1, 0.1, 0.1)), bounds=ActuatorBounds(force=60.0))
+    smooth = free()
+    for operator in (rubbing, smooth):
+        operator.command("velocity", velocity=[0.3, -0.2, 0.1])
+        follow(operator, 1.0)
+    np.testing.assert_array_equal(rubbing.load, smooth.load)
+
+
+
+
+def test_a_mission_is_operated() -> None:
+    operator = load_mission(MODELS / "pick_and_place.toml").operator()
+    follow(operator, 1.0)
+    operator.command("stop")
+    follow(operator, 5.0)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
