@@ -24,6 +24,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "m": ("master_runs", ()),
     "n": ("campaign_rate", ("distributed", "pyarrow")),
     "w": ("worst_cases", ("distributed", "pyarrow")),
+    "v": ("identification", ()),
     "h": ("master_time", ()),
     "i": ("completeness", ()),
     "j": ("drive_bounds", ()),

@@ -37,6 +37,7 @@ EXTERNAL = {
     "distributed": {"validation/campaigns/cluster.py"},
     "pyarrow": {"validation/campaigns"},
     "plotly": {"validation/report"},
+    "tomlkit": {"validation/identification"},
 }
 
 FILES = sorted(SOURCE.rglob("*.py"))

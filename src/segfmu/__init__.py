@@ -41,6 +41,8 @@ if TYPE_CHECKING:
     from segfmu.planning.verify import Verification, verify
     from segfmu.validation.archives import Archives, build
     from segfmu.validation.files.mission import Mission, load_mission
+    from segfmu.validation.identification.identify import identify
+    from segfmu.validation.identification.result import Identification
     from segfmu.validation.runs import Run, simulate
     from segfmu.validation.suites import Suite, validate
 
@@ -56,6 +58,7 @@ __all__ = [
     "Crane",
     "Excursion",
     "FlatInverse",
+    "Identification",
     "InfeasibleError",
     "InputError",
     "Limits",
@@ -72,6 +75,7 @@ __all__ = [
     "__version__",
     "build",
     "excursions",
+    "identify",
     "load_mission",
     "plan",
     "plan_actuated",
@@ -99,6 +103,8 @@ _HOMES = {
     "segfmu.planning.verify": ("Verification", "verify"),
     "segfmu.validation.archives": ("Archives", "build"),
     "segfmu.validation.files.mission": ("Mission", "load_mission"),
+    "segfmu.validation.identification.identify": ("identify",),
+    "segfmu.validation.identification.result": ("Identification",),
     "segfmu.validation.runs": ("Run", "simulate"),
     "segfmu.validation.suites": ("Suite", "validate"),
 }

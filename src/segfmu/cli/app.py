@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from segfmu.cli import campaigns, files, missions, verdicts
+from segfmu.cli import campaigns, files, identification, missions, verdicts
 from segfmu.cli.console import console
 from segfmu.errors import BuildError, InputError, SegfmuError
 
@@ -32,6 +32,7 @@ COMMANDS = (
     (missions.paper, "segfmu paper --output out"),
     (campaigns.campaign, "segfmu campaign models/campaigns/paper.toml -o out"),
     (verdicts.validate, "segfmu validate models/scenarios -o out --junit out/junit.xml"),
+    (identification.identify, "segfmu identify log.csv --crane crane.toml -o out"),
     (verdicts.compare, "segfmu compare out/gust.csv gust.csv --tube-value 1e-3 --relative"),
 )
 for command, example in COMMANDS:

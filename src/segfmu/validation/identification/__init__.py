@@ -1,0 +1,1 @@
+"""Parameters of a crane file from measured signals, through the model of GantryCrane."""

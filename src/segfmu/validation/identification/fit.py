@@ -1,0 +1,279 @@
+"""Least squares of measured minus simulated signals, with intervals, and what no signal shows.
+
+L. Ljung: System Identification: Theory for the User, 2nd edition, 1999, chapters 7 (the
+output-error model), 9 (covariance of the estimates) and 14. All unknowns are in units of their
+scales, in which one is a large change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import least_squares
+from scipy.stats import t as student
+
+from segfmu.errors import InputError
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.identification.log import Log
+from segfmu.validation.identification.model import Model
+from segfmu.validation.identification.noise import dependence, noise_of, rough_noise
+from segfmu.validation.identification.unknowns import Unknowns
+
+CONFIDENCE = 0.95
+# parts of the logs that are fitted one after the other, from the first share on, each longer by the
+# factor: over a long one, a start that is far away has sways whose periods are counted wrongly, or
+# a load that falls. A part that the crane cannot do yet is longer by the square root, down to LEAST
+FIRST, GROWTH, LEAST = 1.0 / 30.0, 1.8, 1.02
+# of differences
+STEP = 1e-4
+# how far from the crane file unknowns are expected to be: so far that it only counts where the
+# signals say nothing, which otherwise has no solution; and the same while parts of logs are fitted
+EXPECTED, EXPECTED_EARLY = 10.0, 1.0
+# half of an interval from which on a combination of unknowns counts as untold
+UNTOLD = 1.0
+# a parameter takes part in such a combination with more than this share
+PART = 0.1
+# noise has settled when it changes by a smaller share, after so many fits
+SETTLED, MOST_FITS = 0.02, 5
+# of a fit and of those of parts: a change of the sum of squares by this share ends them
+TOLERANCE, TOLERANCE_EARLY = 1e-7, 1e-3
+# steps of such a fit, at most: where the model lacks what the crane has, small ones go on for long
+MOST_STEPS = 60
+
+
+@dataclass(frozen=True)
+class Direction:
+    """A combination of unknowns that the signals do not tell.
+
+    Attributes
+    ----------
+    held : int
+        The unknown that was held, so that the others are told.
+    parts : tuple of (int, float)
+        All that change together, in units of their scales, the largest first.
+    """
+
+    held: int
+    parts: tuple[tuple[int, float], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """A fit.
+
+    Attributes
+    ----------
+    point : ndarray, shape (unknowns,)
+    half : ndarray, shape (unknowns,)
+        Half of the intervals; NaN of unknowns that were held.
+    free : tuple of int
+        Unknowns that were not held.
+    directions : tuple of Direction
+    noise : list of ndarray, shape (5,)
+        Standard deviations of every log's signals.
+    converged : bool
+        Whether the last fit came to its end.
+    """
+
+    point: FloatArray
+    half: FloatArray
+    free: tuple[int, ...]
+    directions: tuple[Direction, ...]
+    noise: list[FloatArray]
+    converged: bool
+
+
+class Problem:
+    """Fits unknowns to logs; all of its work is in units of their scales."""
+
+    def __init__(self, model: Model, logs: Sequence[Log], unknowns: Unknowns) -> None:
+        self._model, self._logs, self._unknowns = model, logs, unknowns
+        self._free = list(range(unknowns.size))
+        self._noise = [rough_noise(log) for log in logs]
+        self._directions: list[Direction] = []
+        self._expected, self._converged = EXPECTED, True
+
+    def fit(self, progress: Callable[[float], None] = lambda _: None) -> Fit:
+        """Fit, and hold one unknown after the other until the signals tell those that are left.
+
+        Raises
+        ------
+        InputError
+            If the crane of the file cannot do what the log has.
+        """
+        point = self._grown(progress)
+        while True:
+            point = self._settled(point)
+            direction = self._untold(point)
+            if direction is None:
+                return self._result(point)
+            self._directions.append(direction)
+            self._free.remove(direction.held)
+            point[direction.held] = 0.0
+            if not self._possible(point, 1.0):
+                point = self._grown(progress)
+
+    def _grown(self, progress: Callable[[float], None]) -> FloatArray:
+        """Fit longer and longer parts of the logs; the point for the longest but the whole."""
+        point = np.zeros(self._unknowns.size)
+        self._expected, share = EXPECTED_EARLY, FIRST
+        if not self._possible(point, share):
+            self._refuse(point, share)
+        while share < 1.0:
+            point = self._solved(point, self._parts(share), TOLERANCE_EARLY)
+            progress(share)
+            factor = GROWTH
+            while not self._possible(point, min(share * factor, 1.0)):
+                factor = np.sqrt(factor)
+                if factor < LEAST:
+                    self._refuse(point, min(share * factor, 1.0))
+            share = min(share * factor, 1.0)
+        self._expected = EXPECTED
+        return point
+
+    def _possible(self, point: FloatArray, share: float) -> bool:
+        return bool(np.isfinite(self._residuals(point, self._parts(share))).all())
+
+    def _parts(self, share: float) -> list[Log]:
+        return [log.rows(0, max(3, round(share * log.times.size))) for log in self._logs]
+
+    def _settled(self, point: FloatArray) -> FloatArray:
+        """Fit with the noise that the residuals themselves have."""
+        for _ in range(MOST_FITS):
+            point = self._solved(point, self._logs, TOLERANCE)
+            before, self._noise = np.array(self._noise), self._residual_noise(point)
+            if np.nanmax(np.abs(np.array(self._noise) / before - 1.0)) < SETTLED:
+                break
+        return point
+
+    def _residual_noise(self, point: FloatArray) -> list[FloatArray]:
+        # each signal bears its share of the unknowns
+        count = sum(log.times.size * len(log.known) for log in self._logs)
+        left = 1.0 - len(self._free) / count
+        return [
+            noise_of(log, self._simulated(point, i, log)) / np.sqrt(left)
+            for i, log in enumerate(self._logs)
+        ]
+
+    def _solved(self, point: FloatArray, logs: Sequence[Log], tolerance: float) -> FloatArray:
+        free = self._free
+        low, high = self._unknowns.low[free], self._unknowns.high[free]
+        found = point.copy()
+
+        def at(values: FloatArray) -> FloatArray:
+            full = point.copy()
+            full[free] = values
+            return full
+
+        solution = least_squares(
+            lambda z: self._residuals(at(z), logs), np.clip(point[free], low, high),
+            lambda z: self._jacobian(at(z), logs), (low, high),
+            ftol=tolerance, xtol=tolerance, gtol=None, max_nfev=MOST_STEPS,
+        )
+        self._converged = solution.status > 0
+        found[free] = solution.x
+        return found
+
+    def _simulated(self, point: FloatArray, place: int, log: Log) -> FloatArray:
+        own = self._unknowns
+        return self._model.run(log, own.changes(point, self._free), own.start(point, place))
+
+    def _of_log(self, point: FloatArray, place: int, log: Log) -> FloatArray:
+        """Residuals of a log in units of the noise; infinite for a crane that cannot do this."""
+        own, known = self._unknowns, log.known
+        found = self._model.attempt(log, own.changes(point, self._free), own.start(point, place))
+        if found is None:
+            return np.full(log.times.size * len(known), np.inf)
+        away = (found - log.measured)[:, known] / self._noise[place][known]
+        return away.ravel()
+
+    def _residuals(self, point: FloatArray, logs: Sequence[Log]) -> FloatArray:
+        parts = [self._of_log(point, i, log) for i, log in enumerate(logs)]
+        return np.concatenate([*parts, point[self._free] / self._expected])
+
+    def _refuse(self, point: FloatArray, share: float) -> None:
+        """Tell why the crane cannot do what a log has."""
+        for i, log in enumerate(self._parts(share)):
+            try:
+                self._simulated(point, i, log)
+            except Exception as error:
+                raise InputError(
+                    f"{log.name}: the crane, with what was fitted so far, cannot do what the log "
+                    f"has: {error}; values in the crane file that are nearer may help"
+                ) from None
+
+    def _jacobian(self, point: FloatArray, logs: Sequence[Log]) -> FloatArray:
+        blocks = self._blocks(point, logs)
+        return np.concatenate([*blocks, np.eye(len(self._free)) / self._expected])
+
+    def _blocks(self, point: FloatArray, logs: Sequence[Log]) -> list[FloatArray]:
+        """Derivatives of the residuals of every log, shape (rows * signals, free unknowns)."""
+        blocks = []
+        for i, log in enumerate(logs):
+            base = self._of_log(point, i, log)
+            block = np.zeros((base.size, len(self._free)))
+            for column, place in enumerate(self._free):
+                if self._unknowns.of_log(place) in (None, i):
+                    block[:, column] = self._slope(point, i, log, place, base)
+            blocks.append(block)
+        return blocks
+
+    def _slope(
+        self, point: FloatArray, log_place: int, log: Log, place: int, base: FloatArray
+    ) -> FloatArray:
+        """Difference away from the nearer bound; to the other side where the crane cannot go."""
+        first = STEP if self._unknowns.high[place] - point[place] > STEP else -STEP
+        for step in (first, -first):
+            moved = point.copy()
+            moved[place] += step
+            there = self._of_log(moved, log_place, log)
+            if np.isfinite(there).all():
+                return (there - base) / step
+        return np.zeros_like(base)
+
+    def _untold(self, point: FloatArray) -> Direction | None:
+        """The combination of unknowns that the signals tell least, if they do not tell it."""
+        matrix = np.concatenate([
+            block / np.sqrt(self._dependence(point, i, log))[:, None]
+            for i, (block, log) in enumerate(
+                zip(self._blocks(point, self._logs), self._logs, strict=True)
+            )
+        ])
+        _, values, rows = np.linalg.svd(matrix, full_matrices=False)
+        if student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()) < UNTOLD * values[-1]:
+            return None
+        weights = rows[-1]
+        order = np.argsort(-np.abs(weights), kind="stable")
+        parts = [(self._free[i], float(weights[i])) for i in order if abs(weights[i]) > PART]
+        # of a parameter and a start that are one, the parameter is what is not told
+        owned = [place for place, _ in parts if self._unknowns.of_log(place) is None]
+        return Direction((owned or [parts[0][0]])[0], tuple(parts))
+
+    def _dependence(self, point: FloatArray, place: int, log: Log) -> FloatArray:
+        """Of the rows of a log's residuals: how many samples count as one."""
+        away = self._simulated(point, place, log) - log.measured
+        factors = np.array([dependence(away[:, signal]) for signal in log.known])
+        return np.tile(factors, log.times.size)
+
+    def _left(self) -> int:
+        return sum(log.times.size * len(log.known) for log in self._logs) - len(self._free)
+
+    def _result(self, point: FloatArray) -> Fit:
+        """Intervals by the covariance of the estimates, with noise whose samples may depend."""
+        count = len(self._free)
+        told, spread = np.eye(count) / EXPECTED**2, np.zeros((count, count))
+        blocks = self._blocks(point, self._logs)
+        for i, (block, log) in enumerate(zip(blocks, self._logs, strict=True)):
+            told += block.T @ block
+            spread += block.T @ (self._dependence(point, i, log)[:, None] * block)
+        inverse = np.linalg.inv(told)
+        deviations = np.sqrt(np.diag(inverse @ spread @ inverse))
+        half = np.full(point.size, np.nan)
+        half[self._free] = student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()) * deviations
+        return Fit(
+            point, half, tuple(self._free), tuple(self._directions), self._noise, self._converged
+        )
+
+

@@ -1,0 +1,140 @@
+"""Measured signals of a crane: what its drives were told, and what its sensors showed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import pi
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from segfmu.errors import InputError
+from segfmu.kernels.rig.records import SIGNALS
+from segfmu.planning.arrays import FloatArray, numbers
+from segfmu.validation.files.keys import DRIVES
+from segfmu.validation.signal_table import read_table
+
+# m and rad
+OUTPUTS = tuple(f"measured.{signal}" for signal in SIGNALS)
+ROPE, ANGLES = OUTPUTS[2], OUTPUTS[3:]
+# rows of a log below which there is nothing to fit
+FEWEST = 20
+
+# a file, or columns by name
+LogSource = str | Path | Mapping[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Log:
+    """A run of a crane.
+
+    Attributes
+    ----------
+    name : str
+        Of its file.
+    times : ndarray, shape (rows,)
+        Ascending [s].
+    setpoints : ndarray, shape (rows, 3)
+        Of bridge, trolley and hoist: forces [N] or velocities [m/s], linear from row to row.
+    measured : ndarray, shape (rows, 5)
+        The `OUTPUTS`; NaN in the columns of those that were not measured.
+    """
+
+    name: str
+    times: FloatArray
+    setpoints: FloatArray
+    measured: FloatArray
+
+    @property
+    def known(self) -> list[int]:
+        """Places of the outputs that were measured."""
+        return [int(i) for i in np.flatnonzero(~np.isnan(self.measured[0]))]
+
+    def rows(self, first: int, last: int) -> Log:
+        """Some of the rows."""
+        part = slice(first, last)
+        return Log(self.name, self.times[part], self.setpoints[part], self.measured[part])
+
+
+def read_log(
+    source: LogSource, drive: str, columns: Mapping[str, str], name: str = "log"
+) -> Log:
+    """A log from a table, whose columns are named as inputs and outputs of GantryCrane.
+
+    Parameters
+    ----------
+    source : path or mapping
+        A CSV file, or columns by name; with "time" [s], the setpoints ("velocity.bridge" or
+        "force.bridge" and so on) and measured signals ("measured.bridge.position" and so on).
+    drive : {"force", "velocity"}
+    columns : mapping of str to str
+        Of those that have another name in the table: that name.
+    name : str
+        In messages, of a source that is no file.
+
+    Raises
+    ------
+    InputError
+        If the table lacks what is needed, or has something else than numbers.
+    """
+    if isinstance(source, Mapping):
+        table = {str(n): numbers(str(n), values) for n, values in source.items()}
+        _require_times(table, name)
+    else:
+        name, table = str(source), read_table(Path(source))
+    needed = [f"{drive}.{axis}" for axis in DRIVES]
+    table = _renamed(name, table, columns, {"time", *needed, *OUTPUTS})
+    if table["time"].size < FEWEST:
+        raise InputError(f"{name}: {table['time'].size} rows, at least {FEWEST} are needed")
+    # a velocity drive that was told nothing rests; a force is never nothing
+    missing = [n for n in needed if n not in table]
+    if missing and (drive == "force" or len(missing) == len(needed)):
+        raise InputError(
+            f"{name}: no column {missing[0]}, a setpoint of drive = {drive!r} of the crane file; "
+            f"name the one that has it: --column {missing[0]}=COLUMN"
+        )
+    if ROPE not in table:
+        raise InputError(f"{name}: no column {ROPE}, from which the sway's period follows")
+    none = np.full(table["time"].size, np.nan)
+    _require_angles(name, table)
+    return Log(
+        name, table["time"],
+        np.stack([table.get(n, 0.0 * table["time"]) for n in needed], axis=1),
+        np.stack([table.get(n, none) for n in OUTPUTS], axis=1),
+    )
+
+
+def _renamed(
+    where: str, table: Mapping[str, FloatArray], columns: Mapping[str, str], names: set[str]
+) -> dict[str, FloatArray]:
+    found = dict(table)
+    for own, other in columns.items():
+        if own not in names:
+            raise InputError(f"column {own}: no signal that is used; {', '.join(sorted(names))}")
+        if other not in table:
+            raise InputError(f"{where}: no column {other}, which is to be {own}")
+        found[own] = table[other]
+    for own in names & found.keys():
+        wrong = np.flatnonzero(~np.isfinite(found[own]))
+        if wrong.size:
+            raise InputError(f"{where}: no number for {own} at {found['time'][wrong[0]]:.6g} s")
+    return found
+
+
+def _require_times(table: Mapping[str, FloatArray], name: str) -> None:
+    if "time" not in table:
+        raise InputError(f"{name}: no column time")
+    for own, values in table.items():
+        if values.ndim != 1 or values.shape != table["time"].shape:
+            raise InputError(f"{name}: {own} must have as many numbers as time")
+    if not np.all(np.diff(table["time"]) > 0.0):
+        raise InputError(f"{name}: time does not increase")
+
+
+def _require_angles(name: str, table: Mapping[str, FloatArray]) -> None:
+    for own in ANGLES:
+        largest = np.abs(table[own]).max() if own in table else 0.0
+        if largest > pi / 2.0:
+            raise InputError(f"{name}: {own} reaches {largest:.4g}; angles are in rad, below pi/2")

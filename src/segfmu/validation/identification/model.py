@@ -1,0 +1,115 @@
+"""GantryCrane's kernels with the signals of a log: what its sensors would show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from copy import copy
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane import Crane, Plant, Rig, Setpoints, SwayFeedback
+from segfmu.errors import InputError, SimulationError
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.standard.spec import started
+from segfmu.kernels import backend
+from segfmu.kernels.control.records import GainInputs
+from segfmu.kernels.crane.records import Axes, Coordinates, State
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.crane_parameters import parameters
+from segfmu.validation.identification.log import OUTPUTS, Log
+
+# what noise and steps of sensors add is no part of what they show on average
+IDEAL = (".deviation", ".resolution")
+
+
+class Model:
+    """The crane of a file, whose parameters may be changed from run to run.
+
+    Parameters
+    ----------
+    crane : CraneFile
+    """
+
+    def __init__(self, crane: CraneFile) -> None:
+        known = started(gantry_crane.spec(), parameters(crane))
+        self._values: dict[str, Any] = {v.name: v.start for v in known.variables}
+        for name in self._values:
+            if name.startswith("sensor.") and name.endswith(IDEAL):
+                self._values[name] = 0.0
+        self._driven = crane.drive == "velocity"
+
+    def changed(self, changes: Mapping[str, float]) -> Model:
+        """The same crane with other parameters of GantryCrane."""
+        other = copy(self)
+        other._values = self._values | dict(changes)
+        return other
+
+    def value(self, name: str) -> Any:
+        """A parameter of GantryCrane."""
+        return self._values[name]
+
+    def run(self, log: Log, changes: Mapping[str, float], start: FloatArray) -> FloatArray:
+        """The `OUTPUTS` at the times of a log, shape (rows, 5).
+
+        Parameters
+        ----------
+        log : Log
+        changes : mapping of str to float
+            Parameters of GantryCrane by name.
+        start : ndarray, shape (10,)
+            State at the first row.
+
+        Raises
+        ------
+        SimulationError, InputError
+            For a crane that cannot do this.
+        """
+        value = (self._values | dict(changes)).__getitem__
+        if start[State.POSITION + Axes.ROPE] <= 0.0:
+            raise InputError("the rope has no length at the start")
+        setpoints = self._setpoints(log.setpoints)
+        plant = Plant(
+            Crane.of(value), start, setpoints[0], _nothing(log), driven=self._driven,
+            enabled=False, rig=Rig.of(value), start_time=float(log.times[0]),
+        )
+        found = np.empty((log.times.size, len(OUTPUTS)))
+        for i, step in enumerate(np.diff(log.times, prepend=log.times[0]).tolist()):
+            if i:
+                plant.step(step, setpoints[i])
+            found[i] = plant.measured
+        return found
+
+    def attempt(
+        self, log: Log, changes: Mapping[str, float], start: FloatArray
+    ) -> FloatArray | None:
+        """As `run`; None for a crane that cannot do this."""
+        try:
+            return self.run(log, changes, start)
+        except (SimulationError, InputError):
+            return None
+
+    def _setpoints(self, values: FloatArray) -> list[Setpoints]:
+        none = np.zeros(Axes.SIZE)
+        if self._driven:
+            return [Setpoints(none, row) for row in values]
+        return [Setpoints(row, none) for row in values]
+
+
+def load_path(coordinates: FloatArray) -> FloatArray:
+    """The load's path [m], shape (rows, 3), from the five coordinates, shape (rows, 5)."""
+    load, state = np.zeros((2, Axes.SIZE)), np.zeros(State.SIZE)
+    path = np.empty((len(coordinates), Axes.SIZE))
+    for i, row in enumerate(coordinates):
+        state[: Coordinates.SIZE] = row
+        backend.crane_load(state, load)
+        path[i] = load[0]
+    return path
+
+
+def _nothing(log: Log) -> SwayFeedback:
+    """No feedback, which is asked once."""
+    gains = np.zeros((1, Axes.SIZE, GainInputs.SIZE))
+    lasting = float(log.times[-1] - log.times[0])
+    return SwayFeedback(max(lasting, 1.0), np.ones(1), gains, 1.0)

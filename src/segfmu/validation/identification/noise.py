@@ -1,0 +1,55 @@
+"""Noise of measured signals: its size, and how far its samples depend on each other."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.identification.log import OUTPUTS, Log
+
+# of a signal's range: noise that is smaller is rounding
+LEAST = 1e-6
+# of independent noise, the deviation of its third differences is this times its own
+THIRD = np.sqrt(20.0)
+# of the median of the absolute values of normal noise
+MEDIAN = 0.6745
+
+
+def rough_noise(log: Log) -> FloatArray:
+    """Standard deviations of the signals of a log before any fit, shape (5,).
+
+    From third differences, which leave of a smooth motion next to nothing.
+    """
+    rough = np.median(np.abs(np.diff(log.measured, 3, axis=0)), axis=0) / (THIRD * MEDIAN)
+    return np.asarray(np.maximum(rough, _least(log)))
+
+
+def noise_of(log: Log, simulated: FloatArray) -> FloatArray:
+    """Standard deviations of measured minus simulated signals, shape (5,)."""
+    deviation = np.sqrt(np.mean((log.measured - simulated) ** 2, axis=0))
+    return np.asarray(np.maximum(deviation, _least(log)))
+
+
+def _least(log: Log) -> FloatArray:
+    largest = np.abs(log.measured).max(axis=0)
+    spans = np.maximum(np.ptp(log.measured, axis=0), LEAST * largest)
+    return np.where(spans > 0.0, LEAST * spans, LEAST) * np.ones(len(OUTPUTS))
+
+
+def dependence(values: FloatArray) -> float:
+    """How many samples of a signal count as one independent one; 1 for white noise.
+
+    1 + 2 (r1 + r2 + ...) of the correlations, as long as the sum of two neighbours is positive
+    (C. J. Geyer, Practical Markov chain Monte Carlo, Statistical Science 7 (1992) 473-483).
+    """
+    centred = values - values.mean()
+    count = values.size
+    spectrum = np.abs(np.fft.rfft(centred, 2 * count)) ** 2
+    covariance = np.fft.irfft(spectrum)[:count]
+    if covariance[0] <= 0.0:
+        return 1.0
+    ratios = covariance / covariance[0]
+    pairs = ratios[: count // 2 * 2].reshape(-1, 2).sum(axis=1)
+    ended = np.flatnonzero(pairs <= 0.0)
+    total = float(pairs[: ended[0] if ended.size else pairs.size].sum())
+    return max(1.0, 2.0 * total - 1.0)

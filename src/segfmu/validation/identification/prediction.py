@@ -1,0 +1,111 @@
+"""How well a fitted crane follows measured signals: residuals, fit index, tubes, load's path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from segfmu.planning.arrays import FloatArray
+from segfmu.validation.comparison import Excess, compare
+from segfmu.validation.identification.log import OUTPUTS, Log
+from segfmu.validation.identification.model import Model, load_path
+from segfmu.validation.identification.noise import dependence
+
+LOAD = tuple(f"load.position.{axis}" for axis in "xyz")
+OFFSETS = [f"sensor.{name.removeprefix('measured.')}.offset" for name in OUTPUTS]
+
+
+@dataclass(frozen=True)
+class SignalFit:
+    """A measured signal against the simulated one.
+
+    Attributes
+    ----------
+    signal : str
+    index : float
+        Fit index 1 - |measured - simulated| / |measured - its mean| (NRMSE); 1 for equal signals.
+    deviation : float
+        Root mean square of the difference [m] or [rad].
+    largest : float
+        Its greatest absolute value.
+    dependence : float
+        How many of its samples count as one; far above 1 where the crane has what the model has
+        not, or samples are held.
+    """
+
+    signal: str
+    index: float
+    deviation: float
+    largest: float
+    dependence: float
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """A part of a log that was not fitted, or was, against the fitted crane.
+
+    Attributes
+    ----------
+    log : str
+    columns : dict of str to ndarray
+        "time", and of every signal NAME its "NAME" and "simulated.NAME".
+    signals : tuple of SignalFit
+    load : float or None
+        Fit index of the load's path, all axes together; None if a coordinate was not measured.
+    outside : tuple of Excess
+        Signals that leave their tubes.
+    """
+
+    log: str
+    columns: dict[str, FloatArray]
+    signals: tuple[SignalFit, ...]
+    load: float | None
+    outside: tuple[Excess, ...]
+
+
+def prediction(
+    log: Log, simulated: FloatArray, zeros: FloatArray, tube: float
+) -> Prediction:
+    """Compare a log with simulated signals, shape (rows, 5).
+
+    zeros: of the sensors (5,); tube: half its width, as a share of each signal's greatest value.
+    """
+    columns: dict[str, FloatArray] = {"time": log.times}
+    for place in log.known:
+        columns[OUTPUTS[place]] = log.measured[:, place]
+        columns[f"simulated.{OUTPUTS[place]}"] = simulated[:, place]
+    index = None
+    if len(log.known) == len(OUTPUTS):
+        paths = [load_path(t - zeros) for t in (log.measured, simulated)]
+        for axis, name in enumerate(LOAD):
+            columns[name], columns[f"simulated.{name}"] = (path[:, axis] for path in paths)
+        index = fit_index(*paths)
+    signals = tuple(_signal(n, columns) for n in columns if f"simulated.{n}" in columns)
+    measured = {n: columns[n] for n in ("time", *(s.signal for s in signals))}
+    model = {n: columns[f"simulated.{n}"] for n in measured if n != "time"}
+    outside = compare(
+        {"time": log.times, **model}, measured, tube_time=0.0, tube_value=tube, relative=True
+    )
+    return Prediction(log.name, columns, signals, index, tuple(outside))
+
+
+def fit_index(measured: FloatArray, simulated: FloatArray) -> float:
+    """1 - |measured - simulated| / |measured - its mean|, of one signal or several together."""
+    spread = float(np.linalg.norm(measured - measured.mean(axis=0)))
+    away = float(np.linalg.norm(measured - simulated))
+    return 1.0 - away / spread if spread > 0.0 else float("nan")
+
+
+def zeros_of(model: Model, changes: dict[str, float]) -> FloatArray:
+    """Zeros of the sensors, shape (5,)."""
+    return np.array([changes.get(name, model.value(name)) for name in OFFSETS])
+
+
+def _signal(name: str, columns: dict[str, FloatArray]) -> SignalFit:
+    measured, simulated = columns[name], columns[f"simulated.{name}"]
+    away = measured - simulated
+    return SignalFit(
+        name, fit_index(measured, simulated), float(np.sqrt(np.mean(away**2))),
+        float(np.abs(away).max()), dependence(away),
+    )

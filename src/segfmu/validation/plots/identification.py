@@ -1,0 +1,44 @@
+"""Plot of an identification: measured and simulated signals, and their differences."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from segfmu.validation.identification.prediction import Prediction
+from segfmu.validation.plots.style import COLOURS, finish, legend, panels_of
+from segfmu.validation.units import pretty, scale, signal_units
+
+HEIGHT = 1.8
+
+
+def plot_identification(shown: Sequence[Prediction]) -> Figure:
+    """A row for every measured signal, with a column for every part of a log."""
+    units = signal_units()
+    rows = max(len(p.signals) for p in shown)
+    figure, panels = panels_of(
+        rows, len(shown), size=(6.0 * len(shown) + 2.0, HEIGHT * rows + 0.8)
+    )
+    panels = np.reshape(panels, (rows, len(shown)))
+    for column, part in zip(panels.T, shown, strict=True):
+        for panel, signal in zip(column, part.signals, strict=False):
+            name, times = signal.signal, part.columns["time"]
+            measured, simulated = (part.columns[n] for n in (name, f"simulated.{name}"))
+            factor, unit = scale(float(np.abs(measured).max()), units.get(name, ""))
+            panel.plot(times, factor * measured, color="#999999", label="measured")
+            panel.plot(
+                times, factor * simulated, color=COLOURS[0],
+                label=f"simulated, fit {pretty(signal.index)}",
+            )
+            panel.plot(
+                times, factor * (measured - simulated), color=COLOURS[1], label="difference"
+            )
+            panel.set_ylabel(f"{name}\n[{unit}]")
+            legend(panel)
+        column[0].set_title(part.log)
+    finish(figure, list(panels.ravel()), (), "Measured and simulated signals")
+    for panel in panels[-1]:
+        panel.set_xlabel("time [s]")
+    return figure

@@ -1,0 +1,180 @@
+"""Identified parameters against the truth: closed forms, SciPy's integration, random cranes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+import pytest
+from benchmarks.identification import identified
+from benchmarks.synthetic_logs import SIZES, synthetic
+from scipy.integrate import solve_ivp
+
+import segfmu
+from segfmu.errors import InputError
+from tests.campaign import SOAK, campaign, soaked
+
+GRAVITY = 9.81
+
+
+def crane(size: str, drive: str = "velocity", **more: Any) -> dict[str, Any]:
+    bridge, trolley, load, _ = SIZES[size]
+    return {"bridge_mass": bridge, "trolley_mass": trolley, "payload_mass": load, "drive": drive,
+            **more}
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_lag_and_dead_time_of_a_ramp_that_has_a_closed_form(size: str) -> None:
+    *_, length = SIZES[size]
+    time = np.sqrt(length / GRAVITY)
+    times = np.linspace(0.0, 3.0 * time, 300)
+    lag, late, slope = 0.31 * time, 0.17 * time, 0.02 * GRAVITY
+    s = np.maximum(times - late, 0.0)
+    # of lag v' = slope s - v
+    position = slope * (s**2 / 2.0 - lag * s + lag**2 * (1.0 - np.exp(-s / lag)))
+    found = segfmu.identify(
+        {"time": times, "velocity.bridge": slope * times, "measured.bridge.position": position,
+         "measured.rope.length": np.full_like(times, length)},
+        crane(size), fit=["bridge.lag", "bridge.dead_time"],
+    )
+    assert found["bridge.lag"].value == pytest.approx(lag, rel=2e-3)
+    assert found["bridge.dead_time"].value == pytest.approx(late, rel=4e-3)
+    (part,) = found.predicted
+    assert part.load is None and part.signals[0].index > 0.999
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_rope_sway_zeros_and_damping_of_a_pendulum(size: str) -> None:
+    *_, load, length = SIZES[size]
+    time = np.sqrt(length / GRAVITY)
+    damping = 0.02 * load * length**2 / time
+    times = np.linspace(0.0, 25.0 * time, 400)
+
+    def swings(_: float, state: np.ndarray) -> list[float]:
+        angle, rate = state
+        inertia = load * length**2
+        return [rate, -(load * GRAVITY * length * np.sin(angle) + damping * rate) / inertia]
+
+    angle = solve_ivp(swings, (0.0, times[-1]), [0.2, 0.0], t_eval=times, rtol=1e-9, atol=1e-9).y[0]
+    draw = np.random.default_rng(4)
+    keys = ["friction.sway.viscous", "sensors.rope.zero", "sensors.sway_x.zero"]
+    found = segfmu.identify(
+        {"time": times, "velocity.bridge": 0.0 * times,
+         "measured.rope.length": 1.05 * length + draw.normal(0.0, 1e-4 * length, 400),
+         "measured.sway.x.angle": angle + 0.01 + draw.normal(0.0, 1e-3, 400)},
+        crane(size), fit=keys,
+    )
+    truth = [damping, 0.05 * length, np.degrees(0.01)]
+    for key, value in zip(keys, truth, strict=True):
+        one = found[key]
+        assert one.low < value < one.high
+        assert one.high - one.low < 0.1 * value
+
+
+KINDS = [("lab", "velocity"), *soaked(("quay", "velocity"), ("lab", "force"))]
+
+
+@campaign(1, 100)
+@pytest.mark.parametrize("kind", KINDS)
+def test_intervals_cover_the_truth_and_another_log_is_followed(
+    kind: tuple[str, str], count: int
+) -> None:
+    covered: Counter[str] = Counter()
+    for seed in range(count):
+        found, truth = identified(kind, seed)
+        (unseen,) = found.predicted
+        assert unseen.load is not None and unseen.load > 0.95
+        for one in found.estimates:
+            covered[one.key] += one.low <= truth[one.key] <= one.high
+    least = 0.9 if SOAK else 0.0
+    assert all(times >= least * count for times in covered.values())
+    assert sum(covered.values()) >= 0.8 * count * len(covered)
+
+
+def test_force_drives_tell_masses_and_friction() -> None:
+    log = synthetic("lab", "force", 2, rows=200)
+    keys = ["payload_mass", "trolley_mass", "bridge_mass", "friction.trolley.coulomb"]
+    found = segfmu.identify(log.columns, log.crane_without(*keys), fit=keys)
+    for key in keys:
+        one = found[key]
+        assert one.low < log.truth[key] < one.high
+        assert one.high - one.low < 0.2 * one.value
+
+
+def test_what_a_log_does_not_tell_is_named_and_kept() -> None:
+    log = synthetic("quay", "velocity", 1, rows=200)
+    keys = ["payload_mass", "friction.sway.viscous", "sensors.bridge.zero", "trolley.lag"]
+    crane = log.crane_without(*keys)
+    found = segfmu.identify(log.columns, crane, fit=keys)
+    told = {one.key: one for one in found.untold}
+    assert {one.key for one in found.estimates} == set(keys) - set(told)
+    # with velocity drives, the damping's share of the mass is all that acts on the sway
+    (pair,) = told.keys() & set(keys[:2])
+    assert {name for name, _ in told[pair].parts} == set(keys[:2])
+    # zero and place of the bridge are one
+    zero = told["sensors.bridge.zero"]
+    assert {name for name, _ in zero.parts} == {zero.key, "bridge.position at the start"}
+    assert str(zero).endswith("apart from bridge.position at the start; kept at 0 m")
+    assert found.converged and set(found.crane) == {*crane, "friction"}
+    assert set(found.crane["trolley"]) == {"dead_time", "lag"}
+
+
+def test_a_crane_that_cannot_do_what_the_log_has() -> None:
+    log = synthetic("lab", "velocity", 0, rows=200)
+    stops = log.crane | {"travel": {"rope": [0.6, 0.9]}}
+    with pytest.raises(InputError, match=r"cannot do what the log has: .* rope"):
+        segfmu.identify(log.columns, stops)
+
+
+def bad(**changes: Any) -> dict[str, Any]:
+    times = np.linspace(0.0, 1.0, 30)
+    columns = {"time": times, "velocity.bridge": times, "measured.rope.length": 0.5 + 0.0 * times}
+    return {n: v for n, v in (columns | changes).items() if v is not None}
+
+
+@pytest.mark.parametrize(("columns", "options", "text"), [
+    (bad(**{"velocity.bridge": None}), {}, r"no column velocity\.bridge, a setpoint of drive"),
+    (bad(**{"measured.rope.length": None}), {}, r"no column measured\.rope\.length"),
+    (bad(**{"measured.sway.x.angle": np.full(30, 4.0)}), {}, "reaches 4; angles are in rad"),
+    (bad(**{"measured.rope.length": np.full(30, np.nan)}), {}, "no number for measured"),
+    (bad(**{"measured.rope.length": np.full(30, -1.0)}), {}, "mean length is -1 m"),
+    (bad(time=np.zeros(30)), {}, "time does not increase"),
+    (bad(time=np.arange(29.0)), {}, "as many numbers as time"),
+    (bad(time=None), {}, "no column time"),
+    ({n: v[:9] for n, v in bad().items()}, {}, "9 rows, at least 20"),
+    (bad(), {"fit": ["gravity"]}, "gravity cannot be fitted; what can is bridge_mass"),
+    (bad(), {"fit": []}, "name keys of the crane file, each once"),
+    (bad(), {"fit": ["bridge.lag"] * 2}, "each once"),
+    (bad(), {"held_out": 0.99}, r"held_out must be from 0 to 0\.9"),
+    (bad(), {"piece": 0.0}, "piece must be positive"),
+    (bad(), {"columns": {"rope": "l"}}, "column rope: no signal that is used"),
+    (bad(), {"columns": {"measured.rope.length": "l"}}, "no column l, which is to be"),
+    ([], {}, "logs: none is named"),
+])
+def test_wrong_input_is_told(columns: Any, options: Any, text: str) -> None:
+    with pytest.raises(InputError, match=text):
+        segfmu.identify(columns, crane("lab"), **options)
+
+
+def test_force_drives_have_no_lag() -> None:
+    columns = bad() | {f"force.{axis}": np.zeros(30) for axis in ("bridge", "trolley", "hoist")}
+    with pytest.raises(InputError, match="drives that follow forces have no lag"):
+        segfmu.identify(columns, crane("lab", "force"), fit=["hoist.lag"])
+    with pytest.raises(InputError, match=r"no column force\.bridge"):
+        segfmu.identify(bad(), crane("lab", "force"))
+
+
+def test_columns_with_other_names_and_two_logs() -> None:
+    log = synthetic("lab", "velocity", 3, rows=100)
+    keys = ["trolley.lag", "sensors.sway_x.zero"]
+    crane = log.crane_without(*keys)
+    other = {("phi" if n == "measured.sway.x.angle" else n): v for n, v in log.columns.items()}
+    options: dict[str, Any] = {"fit": keys, "held_out": 0.0}
+    plain = segfmu.identify(log.columns, crane, **options)
+    named = segfmu.identify(other, crane, columns={"measured.sway.x.angle": "phi"}, **options)
+    assert named.estimates == plain.estimates and not named.predicted
+    both = segfmu.identify([log.columns, log.columns], crane, **options)
+    width = [one["trolley.lag"].high - one["trolley.lag"].low for one in (both, plain)]
+    assert width[0] == pytest.approx(width[1] / np.sqrt(2.0), rel=0.1)
+    assert len(both.fitted) == 2
