@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     )
     from segfmu.planning.verify import Verification, verify
     from segfmu.validation.archives import Archives, build
+    from segfmu.validation.campaigns.call import campaign
+    from segfmu.validation.campaigns.result import CampaignResult, load_result
     from segfmu.validation.files.mission import Mission, load_mission
     from segfmu.validation.identification.identify import identify
     from segfmu.validation.identification.result import Identification
@@ -54,6 +56,7 @@ __all__ = [
     "Archives",
     "BoundUse",
     "BuildError",
+    "CampaignResult",
     "Clearance",
     "Crane",
     "Excursion",
@@ -74,9 +77,11 @@ __all__ = [
     "Waypoint",
     "__version__",
     "build",
+    "campaign",
     "excursions",
     "identify",
     "load_mission",
+    "load_result",
     "plan",
     "plan_actuated",
     "reach_velocity",
@@ -102,6 +107,8 @@ _HOMES = {
     ),
     "segfmu.planning.verify": ("Verification", "verify"),
     "segfmu.validation.archives": ("Archives", "build"),
+    "segfmu.validation.campaigns.call": ("campaign",),
+    "segfmu.validation.campaigns.result": ("CampaignResult", "load_result"),
     "segfmu.validation.files.mission": ("Mission", "load_mission"),
     "segfmu.validation.identification.identify": ("identify",),
     "segfmu.validation.identification.result": ("Identification",),

@@ -19,7 +19,7 @@ from rich.progress import (
 from rich.text import Text
 
 from segfmu.cli.console import console, tell
-from segfmu.validation.output import folder
+from segfmu.validation.output import folder, require_file
 
 if TYPE_CHECKING:
     from segfmu.validation.campaigns.campaign import Campaign
@@ -45,6 +45,13 @@ def campaign(
         int | None,
         typer.Option(metavar="N", help="Only write run N as a scenario file.", min=0),
     ] = None,
+    junit: Annotated[
+        Path | None, typer.Option("--junit", metavar="FILE", help="JUnit XML of all criteria.")
+    ] = None,
+    against: Annotated[
+        Path | None,
+        typer.Option(metavar="FOLDER", help="Of a campaign with the same draws, to compare with."),
+    ] = None,
 ) -> None:
     """Run scenarios many times with factors that differ; show the worst case of every criterion.
 
@@ -52,17 +59,28 @@ def campaign(
     run passes.
     """
     from segfmu.validation.campaigns.campaign import load_campaign
+    from segfmu.validation.campaigns.junit import write_junit
     from segfmu.validation.campaigns.replay import find_run, write_run
+    from segfmu.validation.campaigns.result import load_result
     from segfmu.validation.campaigns.run import require_packages
 
     require_packages()
+    if junit is not None:
+        require_file(junit)
     task = load_campaign(file)
+    # before the runs, which may take hours
+    other = None if against is None else load_result(against)
     if replay is not None:
         run = find_run(Path(output), task, replay)
         _tell_replay(write_run(folder(output), task, run))
         return
     result = _run(task, output, scheduler, jobs)
     _show(task, result)
+    if junit is not None:
+        write_junit(junit, result)
+    if other is not None:
+        for difference in result.against(other):
+            tell(str(difference))
     if not result.passed:
         raise typer.Exit(1)
 
@@ -94,7 +112,7 @@ def _run(
 
 
 def _show(task: Campaign, result: CampaignResult) -> None:
-    from segfmu.validation.campaigns.replay import find_run, write_run
+    from segfmu.validation.campaigns.call import write_worst
     from segfmu.validation.campaigns.summary_file import write_summary
     from segfmu.validation.campaigns.tables import criteria_table
     from segfmu.validation.suites import validate
@@ -108,10 +126,7 @@ def _show(task: Campaign, result: CampaignResult) -> None:
     passed = sum(result.column("passed"))
     console.print(f"{passed} of {result.table.num_rows} runs passed", highlight=False)
     write_summary(result)
-    files = [
-        write_run(result.folder, task, find_run(result.folder, task, run))
-        for run in result.worst()
-    ]
+    files = write_worst(task, result)
     with console.status("running the worst cases again"):
         worst = validate(files) if files else None
     report = result.report(result.folder / "report.html", worst)

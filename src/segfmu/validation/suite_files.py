@@ -15,6 +15,7 @@ from rich.table import Table
 
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
+from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.requirements import of_results
 from segfmu.validation.suite import Result
 from segfmu.validation.units import signal_units
@@ -50,9 +51,8 @@ def write_junit(path: Path, results: Sequence[Result]) -> None:
     root = xml.Element("testsuites", name="segfmu validate")
     for result in results:
         _suite(root, result)
-    _requirements(root, results)
-    with replacing(path) as temporary:
-        xml.ElementTree(root).write(temporary, encoding="utf-8", xml_declaration=True)
+    add_requirements(root, of_results(results))
+    write_tests(path, root)
 
 
 def suite_table(results: Sequence[Result]) -> Table:
@@ -108,53 +108,17 @@ def _finite(entry: Mapping[str, Any]) -> dict[str, Any]:
 
 def _suite(root: xml.Element, result: Result) -> None:
     file = result.scenario.file
-    suite = xml.SubElement(root, "testsuite", name=_text(file.name))
-    where = _text(str(result.scenario.path))
-
-    def case(name: str, outcome: str = "", message: str = "") -> None:
-        entry = xml.SubElement(suite, "testcase", classname=where, name=_text(name))
-        if outcome:
-            xml.SubElement(entry, outcome, message=_text(message))
-
+    suite = xml.SubElement(root, "testsuite", name=plain(file.name))
+    where = str(result.scenario.path)
     if result.error:
-        case("run", "skipped" if result.right else "error", result.error)
+        add_test(suite, where, "run", "skipped" if result.right else "error", result.error)
     for found in result.findings:
         if found.passed:
-            case(found.name)
+            add_test(suite, where, found.name)
         else:
-            case(
-                found.name, "skipped" if result.right else "failure",
+            add_test(
+                suite, where, found.name, "skipped" if result.right else "failure",
                 f"margin {found.margin:.6g} of {found.signal}, bound {found.bound:.6g}",
             )
     if result.passed and not result.right:
-        case("expected to fail", "failure", "all criteria hold")
-    _counts(suite)
-
-
-def _requirements(root: xml.Element, results: Sequence[Result]) -> None:
-    """A test for every requirement; one without evidence is an error."""
-    every = of_results(results)
-    if not every:
-        return
-    suite = xml.SubElement(root, "testsuite", name="requirements")
-    for one in every:
-        entry = xml.SubElement(suite, "testcase", classname="requirements", name=_text(one.name))
-        told = "; ".join(f"{e.criterion}: {e.found}" for e in one.evidence)
-        if not one.holds:
-            outcome = "error" if one.holds is None else "failure"
-            message = f"{one.verdict}: {told or 'no criterion names it'}"
-            xml.SubElement(entry, outcome, message=_text(message))
-        elif told:
-            xml.SubElement(entry, "system-out").text = _text(told)
-    _counts(suite)
-
-
-def _counts(suite: xml.Element) -> None:
-    for count, outcome in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
-        suite.set(count, str(len(suite.findall(f"testcase/{outcome}"))))
-    suite.set("tests", str(len(suite)))
-
-
-def _text(text: str) -> str:
-    """Without characters that XML does not have."""
-    return "".join(c for c in text if c.isprintable())
+        add_test(suite, where, "expected to fail", "failure", "all criteria hold")

@@ -11,11 +11,15 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pyarrow
 import pyarrow.parquet
 import pytest
 
+import segfmu
+from segfmu import cli
+from segfmu.errors import InputError
 from segfmu.validation.campaigns import worker
 from segfmu.validation.campaigns.campaign import load_campaign
 from segfmu.validation.campaigns.replay import write_run
@@ -106,6 +110,51 @@ def test_the_sway_at_the_start_is_what_counts(whole: CampaignResult) -> None:
     (first, *_) = whole.sensitivities
     assert (first.criterion, first.factor, first.signed) == ("follows", "sway", True)
     assert first.effect < -0.9 and first.chance < 1e-6
+
+
+def test_the_call_in_python_has_what_the_command_has(
+    whole: CampaignResult, tmp_path: Path
+) -> None:
+    out = Path(shutil.copytree(whole.folder, tmp_path / "out"))
+    for path in out.glob("run_*.toml"):
+        path.unlink()
+    told = []
+    found = segfmu.campaign(
+        whole.folder.parent / "c.toml", out, jobs=1, progress=lambda what, _: told.append(what)
+    )
+    assert found.table.equals(whole.table) and "runs" in told
+    case = found.worst("rests")
+    assert case.margin == min(whole.column("margin.rests"))
+    assert case.factors["sway"] == whole.column("sway")[case.run]
+    assert load_scenario(out / f"run_{case.run}.toml").mission.crane.payload_mass > 0.0
+    table = found.to_pandas()
+    assert table.loc[case.run, "margin.rests"] == case.margin and len(table) == 40
+    assert len(found.plot().axes) == 4
+    assert found.report(tmp_path / "report.html").stat().st_size > 1e6
+    passed = sum(whole.column("passed"))
+    assert repr(found) == f"<CampaignResult 'c': {passed} of 40 runs passed>"
+    with pytest.raises(InputError, match="no criterion 'rest'; they are follows, rests"):
+        found.worst("rest")
+
+
+def test_junit_and_a_comparison_of_the_command(
+    whole: CampaignResult, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = Path(shutil.copytree(whole.folder, tmp_path / "out"))
+    junit = tmp_path / "junit.xml"
+    cli.app(
+        ["campaign", str(whole.folder.parent / "c.toml"), "-o", str(out), "--junit", str(junit),
+         "--against", str(whole.folder)],
+        standalone_mode=False,
+    )
+    assert "follows: margin 0 (0 to 0), no difference told" in capsys.readouterr().out
+    suite = ElementTree.parse(junit).getroot().find("testsuite")
+    assert (suite.get("name"), suite.get("tests"), suite.get("errors")) == ("c", "2", "0")
+    for row, test in zip(whole.summaries, suite, strict=True):
+        told = test.find("failure") if row.held < row.judged else test.find("system-out")
+        text = told.get("message") or told.text
+        assert text.startswith(f"{row.held} of 40 runs hold it; fails (95 %): {row.fails}; least")
+        assert test.get("name") == row.criterion and f"in run {row.run}: sway" in text
 
 
 def killed_at_half(process: subprocess.Popen[bytes], out: Path) -> None:

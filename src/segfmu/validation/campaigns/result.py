@@ -10,15 +10,19 @@ from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
+from segfmu.validation.campaigns.comparison import Comparison, compared
 from segfmu.validation.campaigns.probability import Probability
 from segfmu.validation.campaigns.replay import run_name
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
 from segfmu.validation.campaigns.store import TABLE, about, read_table
+from segfmu.validation.frames import frame
 from segfmu.validation.requirements import Evidence, Requirement, gathered
 from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
+    import pandas
     import pyarrow
+    from matplotlib.figure import Figure
 
     from segfmu.validation.suites import Suite
 
@@ -53,7 +57,28 @@ class Summary:
         return self.held / self.judged if self.judged else 0.0
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
+class WorstCase:
+    """The run with the least margin of a criterion.
+
+    Attributes
+    ----------
+    run : int
+    margin : float
+        In the unit of the signal.
+    factors : dict
+        Values of all factors by name.
+    command : str
+        That makes it again.
+    """
+
+    run: int
+    margin: float
+    factors: dict[str, Any]
+    command: str
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class CampaignResult:
     """The table of a campaign that is complete.
 
@@ -68,7 +93,7 @@ class CampaignResult:
         A row for every run, in the order of their numbers: "run", "scenario", one column for each
         factor (its value; of a relative one the multiple), "passed", "error" (null without),
         "arrival" [s], and for every criterion "margin.NAME", "bound.NAME" and "holds.NAME", null
-        in runs that have no such criterion or an error. `table.to_pandas()` needs pandas.
+        in runs that have no such criterion or an error.
     draws : int
         Draws of the factors at random that each scenario has; 0 if they were chosen otherwise.
     searched : tuple of str
@@ -133,10 +158,56 @@ class CampaignResult:
             for name, criterion, text in self.evidence
         ))
 
-    def worst(self) -> list[int]:
+    @property
+    def worst_runs(self) -> list[int]:
         """Numbers of the runs with the worst margin of each criterion, each once."""
         runs = [s.run for s in self.summaries if s.run is not None]
         return list(dict.fromkeys(runs))
+
+    def worst(self, criterion: str) -> WorstCase:
+        """The worst case of a criterion.
+
+        Raises
+        ------
+        InputError
+            If there is no such criterion, or no run came to a verdict.
+        """
+        if criterion not in self.criteria:
+            raise InputError(f"no criterion {criterion!r}; they are {', '.join(self.criteria)}")
+        row = self._summary(criterion)
+        if row.run is None or row.worst is None:
+            raise InputError(f"{criterion}: no run came to a verdict")
+        return WorstCase(row.run, row.worst, self.values(row.run), self.command(row.run))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table of runs, by their numbers.
+
+        Raises
+        ------
+        InputError
+            If pandas is not installed.
+        """
+        return frame({n: self.column(n) for n in self.table.column_names}, "run")
+
+    def plot(self) -> Figure:
+        """Margins of all criteria and what they depend on most, as a figure of Matplotlib."""
+        from segfmu.validation.plots.campaign import plot_campaign
+
+        return plot_campaign(self)
+
+    def against(self, other: CampaignResult) -> Comparison:
+        """Differences of the margins from those of another campaign with the same draws.
+
+        Raises
+        ------
+        InputError
+            If runs of the two do not have the same draws, or no criterion is of both.
+        """
+        return compared(self, other)
+
+    def __repr__(self) -> str:
+        passed = sum(map(bool, self.column("passed")))
+        return f"<CampaignResult {self.name!r}: {passed} of {self.table.num_rows} runs passed>"
 
     def values(self, run: int) -> dict[str, Any]:
         """Values of all factors of a run."""
@@ -144,7 +215,7 @@ class CampaignResult:
         return {name: row[name][0].as_py() for name in self.factors}
 
     def command(self, run: int) -> str:
-        """The command that makes one of the `worst` runs again."""
+        """The command that makes one of the `worst_runs` again."""
         return f"segfmu validate {quote(str(self.folder / run_name(run)))}"
 
     def report(self, path: str | Path, worst: Suite | None = None) -> Path:
@@ -186,14 +257,20 @@ def _evidence(row: Summary, text: str, errors: int) -> Evidence:
     return Evidence(text, found, None if errors else True)
 
 
-def load_result(folder: Path) -> CampaignResult:
+def load_result(folder: str | Path) -> CampaignResult:
     """The result of a campaign that was completed in a folder.
+
+    Parameters
+    ----------
+    folder : path
+        The `output` of the campaign.
 
     Raises
     ------
     InputError
         If there is none.
     """
+    folder = Path(folder)
     found = about(folder)
     if not (folder / TABLE).exists():
         raise InputError(f"{folder}: the campaign is not complete; the same command goes on")

@@ -155,7 +155,7 @@ def _worst(result: CampaignResult) -> list[Section]:
     return [Section(
         "Worst cases", "Each can be run again as a scenario of its own.",
         tables=[Table("Least margins", ("criterion", "run", "margin", "factors"), rows)],
-        commands=[result.command(run) for run in result.worst()],
+        commands=[result.command(run) for run in result.worst_runs],
     )]
 
 
