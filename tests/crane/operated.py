@@ -70,7 +70,7 @@ def commands(site: Site, rng: np.random.Generator, steps: int) -> Iterator[dict[
     left = 0
     for _ in range(steps):
         if left == 0:
-            left = int(rng.integers(1, 60))
+            left = int(rng.integers(1, 40))
             command = {
                 "mode": str(rng.choice(MODES)),
                 "velocity": rng.uniform(-most, most) * rng.integers(0, 2, 3),

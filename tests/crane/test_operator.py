@@ -54,7 +54,7 @@ def test_random_commands_keep_everything(name: str, seeds: int) -> None:
     plans = 0
     for seed in range(seeds):
         operator = site.operator()
-        rng = np.random.default_rng(seed)
+        rng = np.random.default_rng(2 + seed)
         path = []
         for command in commands(site, rng, steps):
             before = values_of(operator, operator.time, 5)
@@ -69,7 +69,7 @@ def test_random_commands_keep_everything(name: str, seeds: int) -> None:
         motion = np.array(path)
         require(site, motion, site.step / fine)
     # the operator is not idle
-    assert plans > 10 * seeds
+    assert plans > 15 * seeds
 
 
 def require(site: Site, motion: np.ndarray, step: float) -> None:

@@ -203,6 +203,29 @@ FEEDFORWARD["unused"] = Scenario(
 )
 
 
+def pushes(time: float) -> Values:
+    """The stick is pushed along all axes after a while."""
+    return {f"command.velocity.{a}": float(time > 0.05) for a in "xyz"}
+
+
+# velocities beyond the limits, scaled; a target; pushes
+COMMANDED: Values = {"command.enabled": True, "limits.scale": 0.5}
+for _a, _p in zip("xyz", (0.3, 0.2, -0.45), strict=True):
+    COMMANDED |= {f"command.velocity.{_a}": 0.1, f"command.target.{_a}": _p}
+FEEDFORWARD |= {
+    "joystick": Scenario(COMMANDED | {"command.mode": "velocity"}, TIMES, still),
+    "fast": Scenario(
+        COMMANDED | {"command.mode": "velocity", "command.velocity.x": 9.0}, 4.0 * TIMES, still
+    ),
+    "target": Scenario(COMMANDED | {"command.mode": "target"}, TIMES, still),
+    "beyond": Scenario(
+        COMMANDED | {"command.mode": "target", "command.target.x": 5.0, "workspace.x.max": 1.1},
+        TIMES, still,
+    ),
+    "inching": Scenario(COMMANDED | {"command.mode": "inching"}, TIMES, pushes),
+}
+
+
 # where a small change does nothing yet
 CHANGES: Values = {
     "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "limits.x.acceleration": 0.2,

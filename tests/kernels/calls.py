@@ -39,6 +39,7 @@ from segfmu.kernels.control.records import (
 from segfmu.kernels.crane.records import (
     BoundFault,
     BoundUses,
+    Compensation,
     Contact,
     ContactWork,
     CranePartials,
@@ -71,6 +72,7 @@ from segfmu.kernels.operation.records import (
     OperationMode,
     OperationRows,
     OperationWork,
+    ReadyFault,
     Slot,
 )
 from segfmu.kernels.planner.records import (
@@ -150,6 +152,10 @@ def operation_calls() -> dict[str, Call]:
             zeros(LeadWork.SIZE, LeadWork.COLUMNS), work.copy(),
             zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
         ),
+        "check_ready": (
+            zeros(Compensation.SIZE), zeros(Resistance.SIZE), 9, zeros(ReadyFault.SIZE),
+        ),
+        "next_operation": (operation,),
         "keeps_drives": (found.timing, found.coefficients, found.offsets, known, work),
     }
 

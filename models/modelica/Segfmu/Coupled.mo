@@ -1,6 +1,6 @@
 within Segfmu;
 partial model Coupled "Planner and crane, connected by name"
-  GantryFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -430}, {200, 430}})));
+  GantryFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -450}, {200, 450}})));
   GantryCrane gantry annotation(Placement(transformation(origin = {300, 0}, extent = {{-200, -800}, {200, 800}})));
 equation
   connect(feedforward.force_bridge, gantry.force_bridge) annotation(Line(color = {0, 0, 127}));

@@ -1,43 +1,45 @@
 within Segfmu;
 model GantryFeedforward "Plans the motion of a crane's load through waypoints within limits on velocity, acceleration, jerk and snap, and inverts the crane exactly: force and velocity setpoints and the reference of load and state"
   parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" annotation(Dialog(tab = "FMU"));
-  Interfaces.RealOutput force_bridge(unit = "N", nominal = 10.0) "feedforward force setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 402}, {216, 418}})));
-  Interfaces.RealOutput force_trolley(unit = "N", nominal = 10.0) "feedforward force setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 382}, {216, 398}})));
-  Interfaces.RealOutput force_hoist(unit = "N", nominal = 10.0) "feedforward force setpoint of the winch; negative is rope tension" annotation(Placement(transformation(extent = {{200, 362}, {216, 378}})));
-  Interfaces.RealOutput velocity_bridge(unit = "m/s") "velocity setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 322}, {216, 338}})));
-  Interfaces.RealOutput velocity_trolley(unit = "m/s") "velocity setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 302}, {216, 318}})));
-  Interfaces.RealOutput velocity_hoist(unit = "m/s") "rope velocity setpoint; positive pays rope out" annotation(Placement(transformation(extent = {{200, 282}, {216, 298}})));
-  Interfaces.RealOutput reference_load_position_x(unit = "m") "planned position of the load, x" annotation(Placement(transformation(extent = {{200, 242}, {216, 258}})));
-  Interfaces.RealOutput reference_load_position_y(unit = "m") "planned position of the load, y" annotation(Placement(transformation(extent = {{200, 222}, {216, 238}})));
-  Interfaces.RealOutput reference_load_position_z(unit = "m") "planned position of the load, z" annotation(Placement(transformation(extent = {{200, 202}, {216, 218}})));
-  Interfaces.RealOutput reference_load_velocity_x(unit = "m/s") "planned velocity of the load, x" annotation(Placement(transformation(extent = {{200, 182}, {216, 198}})));
-  Interfaces.RealOutput reference_load_velocity_y(unit = "m/s") "planned velocity of the load, y" annotation(Placement(transformation(extent = {{200, 162}, {216, 178}})));
-  Interfaces.RealOutput reference_load_velocity_z(unit = "m/s") "planned velocity of the load, z" annotation(Placement(transformation(extent = {{200, 142}, {216, 158}})));
-  Interfaces.RealOutput reference_load_acceleration_x(unit = "m/s2") "planned acceleration of the load, x" annotation(Placement(transformation(extent = {{200, 122}, {216, 138}})));
-  Interfaces.RealOutput reference_load_acceleration_y(unit = "m/s2") "planned acceleration of the load, y" annotation(Placement(transformation(extent = {{200, 102}, {216, 118}})));
-  Interfaces.RealOutput reference_load_acceleration_z(unit = "m/s2") "planned acceleration of the load, z" annotation(Placement(transformation(extent = {{200, 82}, {216, 98}})));
-  Interfaces.RealOutput reference_load_jerk_x(unit = "m/s3") "planned jerk of the load, x" annotation(Placement(transformation(extent = {{200, 62}, {216, 78}})));
-  Interfaces.RealOutput reference_load_jerk_y(unit = "m/s3") "planned jerk of the load, y" annotation(Placement(transformation(extent = {{200, 42}, {216, 58}})));
-  Interfaces.RealOutput reference_load_jerk_z(unit = "m/s3") "planned jerk of the load, z" annotation(Placement(transformation(extent = {{200, 22}, {216, 38}})));
-  Interfaces.RealOutput reference_load_snap_x(unit = "m/s4") "planned snap of the load, x" annotation(Placement(transformation(extent = {{200, 2}, {216, 18}})));
-  Interfaces.RealOutput reference_load_snap_y(unit = "m/s4") "planned snap of the load, y" annotation(Placement(transformation(extent = {{200, -18}, {216, -2}})));
-  Interfaces.RealOutput reference_load_snap_z(unit = "m/s4") "planned snap of the load, z" annotation(Placement(transformation(extent = {{200, -38}, {216, -22}})));
-  Interfaces.RealOutput reference_bridge_position(unit = "m") "planned bridge position" annotation(Placement(transformation(extent = {{200, -58}, {216, -42}})));
-  Interfaces.RealOutput reference_bridge_velocity(unit = "m/s") "planned bridge velocity" annotation(Placement(transformation(extent = {{200, -78}, {216, -62}})));
-  Interfaces.RealOutput reference_bridge_acceleration(unit = "m/s2") "planned bridge acceleration" annotation(Placement(transformation(extent = {{200, -98}, {216, -82}})));
-  Interfaces.RealOutput reference_trolley_position(unit = "m") "planned trolley position" annotation(Placement(transformation(extent = {{200, -118}, {216, -102}})));
-  Interfaces.RealOutput reference_trolley_velocity(unit = "m/s") "planned trolley velocity" annotation(Placement(transformation(extent = {{200, -138}, {216, -122}})));
-  Interfaces.RealOutput reference_trolley_acceleration(unit = "m/s2") "planned trolley acceleration" annotation(Placement(transformation(extent = {{200, -158}, {216, -142}})));
-  Interfaces.RealOutput reference_rope_length(unit = "m") "planned rope length" annotation(Placement(transformation(extent = {{200, -178}, {216, -162}})));
-  Interfaces.RealOutput reference_rope_velocity(unit = "m/s") "planned rope velocity" annotation(Placement(transformation(extent = {{200, -198}, {216, -182}})));
-  Interfaces.RealOutput reference_rope_acceleration(unit = "m/s2") "planned rope acceleration" annotation(Placement(transformation(extent = {{200, -218}, {216, -202}})));
-  Interfaces.RealOutput reference_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_x" annotation(Placement(transformation(extent = {{200, -238}, {216, -222}})));
-  Interfaces.RealOutput reference_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_x" annotation(Placement(transformation(extent = {{200, -258}, {216, -242}})));
-  Interfaces.RealOutput reference_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_y" annotation(Placement(transformation(extent = {{200, -278}, {216, -262}})));
-  Interfaces.RealOutput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_y" annotation(Placement(transformation(extent = {{200, -298}, {216, -282}})));
-  Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
-  Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
-  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  Interfaces.RealOutput force_bridge(unit = "N", nominal = 10.0) "feedforward force setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 422}, {216, 438}})));
+  Interfaces.RealOutput force_trolley(unit = "N", nominal = 10.0) "feedforward force setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 402}, {216, 418}})));
+  Interfaces.RealOutput force_hoist(unit = "N", nominal = 10.0) "feedforward force setpoint of the winch; negative is rope tension" annotation(Placement(transformation(extent = {{200, 382}, {216, 398}})));
+  Interfaces.RealOutput velocity_bridge(unit = "m/s") "velocity setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 342}, {216, 358}})));
+  Interfaces.RealOutput velocity_trolley(unit = "m/s") "velocity setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 322}, {216, 338}})));
+  Interfaces.RealOutput velocity_hoist(unit = "m/s") "rope velocity setpoint; positive pays rope out" annotation(Placement(transformation(extent = {{200, 302}, {216, 318}})));
+  Interfaces.RealOutput reference_load_position_x(unit = "m") "planned position of the load, x" annotation(Placement(transformation(extent = {{200, 262}, {216, 278}})));
+  Interfaces.RealOutput reference_load_position_y(unit = "m") "planned position of the load, y" annotation(Placement(transformation(extent = {{200, 242}, {216, 258}})));
+  Interfaces.RealOutput reference_load_position_z(unit = "m") "planned position of the load, z" annotation(Placement(transformation(extent = {{200, 222}, {216, 238}})));
+  Interfaces.RealOutput reference_load_velocity_x(unit = "m/s") "planned velocity of the load, x" annotation(Placement(transformation(extent = {{200, 202}, {216, 218}})));
+  Interfaces.RealOutput reference_load_velocity_y(unit = "m/s") "planned velocity of the load, y" annotation(Placement(transformation(extent = {{200, 182}, {216, 198}})));
+  Interfaces.RealOutput reference_load_velocity_z(unit = "m/s") "planned velocity of the load, z" annotation(Placement(transformation(extent = {{200, 162}, {216, 178}})));
+  Interfaces.RealOutput reference_load_acceleration_x(unit = "m/s2") "planned acceleration of the load, x" annotation(Placement(transformation(extent = {{200, 142}, {216, 158}})));
+  Interfaces.RealOutput reference_load_acceleration_y(unit = "m/s2") "planned acceleration of the load, y" annotation(Placement(transformation(extent = {{200, 122}, {216, 138}})));
+  Interfaces.RealOutput reference_load_acceleration_z(unit = "m/s2") "planned acceleration of the load, z" annotation(Placement(transformation(extent = {{200, 102}, {216, 118}})));
+  Interfaces.RealOutput reference_load_jerk_x(unit = "m/s3") "planned jerk of the load, x" annotation(Placement(transformation(extent = {{200, 82}, {216, 98}})));
+  Interfaces.RealOutput reference_load_jerk_y(unit = "m/s3") "planned jerk of the load, y" annotation(Placement(transformation(extent = {{200, 62}, {216, 78}})));
+  Interfaces.RealOutput reference_load_jerk_z(unit = "m/s3") "planned jerk of the load, z" annotation(Placement(transformation(extent = {{200, 42}, {216, 58}})));
+  Interfaces.RealOutput reference_load_snap_x(unit = "m/s4") "planned snap of the load, x" annotation(Placement(transformation(extent = {{200, 22}, {216, 38}})));
+  Interfaces.RealOutput reference_load_snap_y(unit = "m/s4") "planned snap of the load, y" annotation(Placement(transformation(extent = {{200, 2}, {216, 18}})));
+  Interfaces.RealOutput reference_load_snap_z(unit = "m/s4") "planned snap of the load, z" annotation(Placement(transformation(extent = {{200, -18}, {216, -2}})));
+  Interfaces.RealOutput reference_bridge_position(unit = "m") "planned bridge position" annotation(Placement(transformation(extent = {{200, -38}, {216, -22}})));
+  Interfaces.RealOutput reference_bridge_velocity(unit = "m/s") "planned bridge velocity" annotation(Placement(transformation(extent = {{200, -58}, {216, -42}})));
+  Interfaces.RealOutput reference_bridge_acceleration(unit = "m/s2") "planned bridge acceleration" annotation(Placement(transformation(extent = {{200, -78}, {216, -62}})));
+  Interfaces.RealOutput reference_trolley_position(unit = "m") "planned trolley position" annotation(Placement(transformation(extent = {{200, -98}, {216, -82}})));
+  Interfaces.RealOutput reference_trolley_velocity(unit = "m/s") "planned trolley velocity" annotation(Placement(transformation(extent = {{200, -118}, {216, -102}})));
+  Interfaces.RealOutput reference_trolley_acceleration(unit = "m/s2") "planned trolley acceleration" annotation(Placement(transformation(extent = {{200, -138}, {216, -122}})));
+  Interfaces.RealOutput reference_rope_length(unit = "m") "planned rope length" annotation(Placement(transformation(extent = {{200, -158}, {216, -142}})));
+  Interfaces.RealOutput reference_rope_velocity(unit = "m/s") "planned rope velocity" annotation(Placement(transformation(extent = {{200, -178}, {216, -162}})));
+  Interfaces.RealOutput reference_rope_acceleration(unit = "m/s2") "planned rope acceleration" annotation(Placement(transformation(extent = {{200, -198}, {216, -182}})));
+  Interfaces.RealOutput reference_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_x" annotation(Placement(transformation(extent = {{200, -218}, {216, -202}})));
+  Interfaces.RealOutput reference_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_x" annotation(Placement(transformation(extent = {{200, -238}, {216, -222}})));
+  Interfaces.RealOutput reference_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_y" annotation(Placement(transformation(extent = {{200, -258}, {216, -242}})));
+  Interfaces.RealOutput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_y" annotation(Placement(transformation(extent = {{200, -278}, {216, -262}})));
+  Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -318}, {216, -302}})));
+  Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
+  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
+  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
   parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "nominal crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
   parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "nominal crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
   parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "nominal crane: mass of the load" annotation(Dialog(tab = "crane"));
@@ -240,6 +242,20 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real obstacle_16_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 16, z" annotation(Dialog(tab = "obstacle"));
   parameter Real obstacle_16_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 16 along each axis" annotation(Dialog(tab = "obstacle"));
   parameter Boolean obstacle_16_rope = true "the rope keeps off obstacle 16 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean command_enabled = false "commands can be followed; takes 2 MB, and drives without dead time" annotation(Dialog(tab = "command"));
+  parameter Types.Mode command_mode = Types.Mode.mission "what the load does; mission: the plan that it has" annotation(Dialog(tab = "command"));
+  parameter Real command_velocity_x(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, x" annotation(Dialog(tab = "command"));
+  parameter Real command_velocity_y(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, y" annotation(Dialog(tab = "command"));
+  parameter Real command_velocity_z(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, z" annotation(Dialog(tab = "command"));
+  parameter Real command_target_x(unit = "m") = 0.0 "target of the load, x" annotation(Dialog(tab = "command"));
+  parameter Real command_target_y(unit = "m") = 0.0 "target of the load, y" annotation(Dialog(tab = "command"));
+  parameter Real command_target_z(unit = "m") = 0.0 "target of the load, z" annotation(Dialog(tab = "command"));
+  parameter Boolean command_go = true "in the mode target: go there; false: stop" annotation(Dialog(tab = "command"));
+  parameter Real limits_scale(min = 0.0, max = 1.0) = 1.0 "share of the velocity limits that commands are followed with; 0: stop" annotation(Dialog(tab = "limits"));
+  parameter Real command_hold(unit = "s", min = 0.001) = 0.1 "how long a commanded velocity is held beyond a step, if nothing renews it" annotation(Dialog(tab = "command"));
+  parameter Real command_distance_x(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, x" annotation(Dialog(tab = "command"));
+  parameter Real command_distance_y(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
+  parameter Real command_distance_z(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_static(unit = "N", min = 0.0) = 0.0 "static friction of the bridge; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
@@ -296,40 +312,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [285, 286, 287;
-      295, 296, 297;
-      305, 306, 307;
-      315, 316, 317;
-      325, 326, 327;
-      335, 336, 337;
-      345, 346, 347;
-      355, 356, 357;
-      365, 366, 367;
-      375, 376, 377;
-      385, 386, 387;
-      395, 396, 397;
-      405, 406, 407;
-      415, 416, 417;
-      425, 426, 427;
-      435, 436, 437];
-  constant Integer waypoint_velocity_references[16, 3] = [288, 289, 290;
-      298, 299, 300;
-      308, 309, 310;
-      318, 319, 320;
-      328, 329, 330;
-      338, 339, 340;
-      348, 349, 350;
-      358, 359, 360;
-      368, 369, 370;
-      378, 379, 380;
-      388, 389, 390;
-      398, 399, 400;
-      408, 409, 410;
-      418, 419, 420;
-      428, 429, 430;
-      438, 439, 440];
-  constant Integer waypoint_acceleration_references[16, 3] = [291, 292, 293;
-      301, 302, 303;
+  constant Integer waypoint_position_references[16, 3] = [301, 302, 303;
       311, 312, 313;
       321, 322, 323;
       331, 332, 333;
@@ -343,19 +326,52 @@ protected
       411, 412, 413;
       421, 422, 423;
       431, 432, 433;
-      441, 442, 443];
-  constant Integer waypoint_dwell_references[16] = {294, 304, 314, 324, 334, 344, 354, 364, 374, 384, 394, 404, 414, 424, 434, 444};
-  final parameter Integer real_references[:] = cat(1, {40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62,
-      63, 67, 68, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89,
-      90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 129, 130, 131, 132, 133, 134, 135, 136, 137,
-      138, 139, 140, 142, 143, 144, 145, 146, 147, 148, 150, 151, 152, 153, 154, 155, 156, 158,
-      159, 160, 161, 162, 163, 164, 166, 167, 168, 169, 170, 171, 172, 174, 175, 176, 177, 178,
-      179, 180, 182, 183, 184, 185, 186, 187, 188, 190, 191, 192, 193, 194, 195, 196, 198, 199,
-      200, 201, 202, 203, 204, 206, 207, 208, 209, 210, 211, 212, 214, 215, 216, 217, 218, 219,
-      220, 222, 223, 224, 225, 226, 227, 228, 230, 231, 232, 233, 234, 235, 236, 238, 239, 240,
-      241, 242, 243, 244, 246, 247, 248, 249, 250, 251, 252, 254, 255, 256, 257, 258, 259, 260,
-      262, 263, 264, 265, 266, 267, 268, 270, 271, 272, 273, 274, 275, 276, 277, 278, 279, 280,
-      281, 282, 283},
+      441, 442, 443;
+      451, 452, 453];
+  constant Integer waypoint_velocity_references[16, 3] = [304, 305, 306;
+      314, 315, 316;
+      324, 325, 326;
+      334, 335, 336;
+      344, 345, 346;
+      354, 355, 356;
+      364, 365, 366;
+      374, 375, 376;
+      384, 385, 386;
+      394, 395, 396;
+      404, 405, 406;
+      414, 415, 416;
+      424, 425, 426;
+      434, 435, 436;
+      444, 445, 446;
+      454, 455, 456];
+  constant Integer waypoint_acceleration_references[16, 3] = [307, 308, 309;
+      317, 318, 319;
+      327, 328, 329;
+      337, 338, 339;
+      347, 348, 349;
+      357, 358, 359;
+      367, 368, 369;
+      377, 378, 379;
+      387, 388, 389;
+      397, 398, 399;
+      407, 408, 409;
+      417, 418, 419;
+      427, 428, 429;
+      437, 438, 439;
+      447, 448, 449;
+      457, 458, 459];
+  constant Integer waypoint_dwell_references[16] = {310, 320, 330, 340, 350, 360, 370, 380, 390, 400, 410, 420, 430, 440, 450, 460};
+  final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
+      65, 69, 70, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91,
+      92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 131, 132, 133, 134, 135, 136, 137, 138, 139,
+      140, 141, 142, 144, 145, 146, 147, 148, 149, 150, 152, 153, 154, 155, 156, 157, 158, 160,
+      161, 162, 163, 164, 165, 166, 168, 169, 170, 171, 172, 173, 174, 176, 177, 178, 179, 180,
+      181, 182, 184, 185, 186, 187, 188, 189, 190, 192, 193, 194, 195, 196, 197, 198, 200, 201,
+      202, 203, 204, 205, 206, 208, 209, 210, 211, 212, 213, 214, 216, 217, 218, 219, 220, 221,
+      222, 224, 225, 226, 227, 228, 229, 230, 232, 233, 234, 235, 236, 237, 238, 240, 241, 242,
+      243, 244, 245, 246, 248, 249, 250, 251, 252, 253, 254, 256, 257, 258, 259, 260, 261, 262,
+      264, 265, 266, 267, 268, 269, 270, 274, 275, 276, 277, 278, 279, 281, 282, 283, 284, 285,
+      286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -405,30 +421,34 @@ protected
       obstacle_15_minimum_x, obstacle_15_minimum_y, obstacle_15_minimum_z, obstacle_15_maximum_x,
       obstacle_15_maximum_y, obstacle_15_maximum_z, obstacle_15_margin, obstacle_16_minimum_x,
       obstacle_16_minimum_y, obstacle_16_minimum_z, obstacle_16_maximum_x, obstacle_16_maximum_y,
-      obstacle_16_maximum_z, obstacle_16_margin, friction_bridge_viscous, friction_bridge_coulomb,
-      friction_bridge_static, friction_bridge_drag, friction_trolley_viscous,
-      friction_trolley_coulomb, friction_trolley_static, friction_trolley_drag,
-      friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag,
-      friction_width, friction_presliding},
+      obstacle_16_maximum_z, obstacle_16_margin, command_velocity_x, command_velocity_y,
+      command_velocity_z, command_target_x, command_target_y, command_target_z, limits_scale,
+      command_hold, command_distance_x, command_distance_y, command_distance_z,
+      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
+      friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
+      friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
+      friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
+      friction_presliding},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[5] = {64, 65, 66, 141, 284};
-  final parameter Integer integers[5] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
-      obstacle_count, waypoint_count};
-  constant Integer boolean_references[17] = {69, 149, 157, 165, 173, 181, 189, 197, 205, 213, 221, 229, 237, 245, 253, 261, 269};
-  final parameter Integer booleans[17] = {if planner_slows_down then 1 else 0, if obstacle_1_rope then 1 else 0, if obstacle_2_rope
+  constant Integer integer_references[6] = {66, 67, 68, 143, 273, 300};
+  final parameter Integer integers[6] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
+      obstacle_count, Integer(command_mode), waypoint_count};
+  constant Integer boolean_references[19] = {71, 151, 159, 167, 175, 183, 191, 199, 207, 215, 223, 231, 239, 247, 255, 263, 271, 272, 280};
+  final parameter Integer booleans[19] = {if planner_slows_down then 1 else 0, if obstacle_1_rope then 1 else 0, if obstacle_2_rope
       then 1 else 0, if obstacle_3_rope then 1 else 0, if obstacle_4_rope then 1 else 0, if
       obstacle_5_rope then 1 else 0, if obstacle_6_rope then 1 else 0, if obstacle_7_rope then 1
       else 0, if obstacle_8_rope then 1 else 0, if obstacle_9_rope then 1 else 0, if
       obstacle_10_rope then 1 else 0, if obstacle_11_rope then 1 else 0, if obstacle_12_rope then
       1 else 0, if obstacle_13_rope then 1 else 0, if obstacle_14_rope then 1 else 0, if
-      obstacle_15_rope then 1 else 0, if obstacle_16_rope then 1 else 0};
+      obstacle_15_rope then 1 else 0, if obstacle_16_rope then 1 else 0, if command_enabled then 1
+      else 0, if command_go then 1 else 0};
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{995fa223-6fcc-9ecd-c1c3-5a2b7d4f68c4}", 0);
+      "{c778fd40-bc15-20dc-ebcb-d10b06a82bcb}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -448,8 +468,8 @@ initial equation
       plan_use_hoist_acceleration_time, plan_use_bridge_power, plan_use_bridge_power_time,
       plan_use_trolley_power, plan_use_trolley_power_time, plan_use_hoist_power,
       plan_use_hoist_power_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
-      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {38, 39, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117,
-      118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128}, started);
+      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {40, 41, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119,
+      120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);
@@ -472,16 +492,18 @@ equation
       26, 27, 28, 29, 30, 31, 32, 33, 34, 37}, last);
   plan_interval = FMI.integer(fmu, 35, last);
   plan_done = FMI.boolean(fmu, 36, last);
+  plan_status = FMI.integer(fmu, 38, last);
+  plan_refused = FMI.integer(fmu, 39, last);
   annotation(
-    Diagram(coordinateSystem(extent = {{-200, -430}, {200, 430}})),
-    Icon(coordinateSystem(extent = {{-200, -430}, {200, 430}}), graphics = {
-      Rectangle(extent = {{-200, -430}, {200, 430}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-200, 440}, {200, 500}}, textString = "%name", textColor = {0, 0, 255}),
+    Diagram(coordinateSystem(extent = {{-200, -450}, {200, 450}})),
+    Icon(coordinateSystem(extent = {{-200, -450}, {200, 450}}), graphics = {
+      Rectangle(extent = {{-200, -450}, {200, 450}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-200, 460}, {200, 520}}, textString = "%name", textColor = {0, 0, 255}),
       Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3),
       Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60}),
       Ellipse(extent = {{-2, -52}, {42, -8}}, lineColor = {200, 90, 0}, fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid),
-      Text(extent = {{90, 402}, {190, 418}}, textString = "force", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 322}, {190, 338}}, textString = "velocity", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 242}, {190, 258}}, textString = "reference", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -338}, {190, -322}}, textString = "plan", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
+      Text(extent = {{90, 422}, {190, 438}}, textString = "force", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 342}, {190, 358}}, textString = "velocity", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 262}, {190, 278}}, textString = "reference", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -318}, {190, -302}}, textString = "plan", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
 end GantryFeedforward;

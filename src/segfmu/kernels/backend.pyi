@@ -771,6 +771,19 @@ def operate(
     /,
 ) -> bool: ...
 
+def check_ready(
+    compensation: Floats,
+    resistance: Floats,
+    pieces: int,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def next_operation(
+    operation: Floats,
+    /,
+) -> float: ...
+
 def check_problem(
     states: Floats,
     limits: Floats,

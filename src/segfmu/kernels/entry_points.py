@@ -45,6 +45,7 @@ from segfmu.kernels.crane.records import (
     Axes,
     BoundFault,
     BoundUses,
+    Compensation,
     Contact,
     ContactWork,
     Coordinates,
@@ -83,6 +84,7 @@ from segfmu.kernels.operation.records import (
     Operation,
     OperationRows,
     OperationWork,
+    ReadyFault,
     Slot,
 )
 from segfmu.kernels.planner.records import (
@@ -320,6 +322,13 @@ ENTRY_POINTS = (
         cells=(Vector.SIZE, Cell.SIZE, Cell.COLUMNS), lead=(LeadWork.SIZE, LeadWork.COLUMNS),
         work=(OperationWork.SIZE, OperationWork.COLUMNS),
         stack=(Stack.ROWS, Span.SIZE, "4 * orders - 7"),
+    ),
+    entry(
+        "operation.ready", "check_ready", compensation=Compensation.SIZE,
+        resistance=Resistance.SIZE, fault=ReadyFault.SIZE,
+    ),
+    entry(
+        "operation.ready", "next_operation", operation=(Operation.SIZE, Operation.COLUMNS)
     ),
     entry(
         "operation.drives", "keeps_drives", timing=("pieces", Timing.SIZE),

@@ -24,6 +24,7 @@ from segfmu.kernels.crane.records import (
     State,
 )
 from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFault, RangeStatus
+from segfmu.kernels.operation.records import ReadyFault, ReadyStatus
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import (
@@ -227,6 +228,20 @@ PLANT = Messages(
     {"AXIS": AXES},
 )
 
+# of commands that are followed while it runs
+READY = Messages(
+    "ready", ReadyFault,
+    {
+        ReadyStatus.DEAD_TIME: "drive.{DRIVE}.dead_time is {VALUE:g} s: no command can be followed "
+        "with a drive that acts late; set it to 0, or command.enabled to false",
+        ReadyStatus.FRICTION: "friction.{DRIVE}: no command can be followed with Coulomb or static "
+        "friction; set both to 0, or command.enabled to false",
+        ReadyStatus.PIECES: "the plan has {VALUE:.0f} polynomial pieces, too many for commands; "
+        "use fewer waypoints, or set command.enabled to false",
+    },
+    {"DRIVE": DRIVES},
+)
+
 SETUP = Messages(
     "setup", SetupFault,
     {
@@ -306,4 +321,4 @@ START = Messages(
     {"PLACE": tuple(v for f in State.FIELDS.values() for v in f.variables)},
 )
 
-TABLES = (PLAN, ROPE, BOUND, SPACE, PLANT, SETUP, RANGE, ACCESS, START)
+TABLES = (PLAN, ROPE, BOUND, SPACE, READY, PLANT, SETUP, RANGE, ACCESS, START)

@@ -251,6 +251,11 @@ NOT_OF_MISSIONS = {
     "setpoint.lead": "a matter of the importer that couples the FMUs",
     "planner.slows_down": "a mission's own plan keeps the bounds",
     **{
+        name: "a matter of who operates the crane"
+        for name in gantry_feedforward.spec().references
+        if name.startswith("command.") or name == "limits.scale"
+    },
+    **{
         name: "the mission has no obstacles"
         for name in gantry_feedforward.spec().references
         if name.startswith("obstacle[")

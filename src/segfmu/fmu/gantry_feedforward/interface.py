@@ -42,6 +42,9 @@ LIMITS = {
     "y": (0.4, 0.5, 0.5, 5.0),
     "z": (0.3, 0.5, 0.5, 5.0),
 }
+MODES = Enumeration(
+    "Mode", ("mission", "target", "velocity", "stop", "inching"), "what the load does"
+)
 # an end of the workspace [m] that is none
 FAR = 1e9
 # what a drive may have a bound of
@@ -81,7 +84,56 @@ def _outputs() -> list[Variable]:
             unit="s",
         )
     )
+    for name, meaning in (
+        ("status", "what became of the last command"),
+        ("refused", "what the last plan for a command that was not taken does not keep"),
+    ):
+        rows.append(
+            output(
+                f"plan.{name}", None, f"{meaning}; 0: taken, 1: reduced, 2: limits, 3: rope, 4: "
+                "workspace, 5: obstacle, 6: drives", kind="Integer",
+            )
+        )
     return rows
+
+
+def _commands() -> list[Variable]:
+    """What an operator commands, between steps."""
+    rows = [
+        parameter(
+            "command.enabled", False, None, "commands can be followed; takes 2 MB, and drives "
+            "without dead time", kind="Boolean",
+        ),
+        Variable(
+            "command.mode", "Enumeration", "parameter", "tunable", "what the load does; mission: "
+            "the plan that it has", 1, enumeration=MODES,
+        ),
+    ]
+    for name, unit, meaning in (
+        ("velocity", "m/s", "velocity of the load; in the mode inching its sign is a push"),
+        ("target", "m", "target of the load"),
+    ):
+        rows += [
+            parameter(f"command.{name}.{a}", 0.0, unit, f"{meaning}, {a}", tunable=True)
+            for a in "xyz"
+        ]
+    rows += [
+        parameter(
+            "command.go", True, None, "in the mode target: go there; false: stop", kind="Boolean",
+            tunable=True,
+        ),
+        parameter(
+            "limits.scale", 1.0, None, "share of the velocity limits that commands are followed "
+            "with; 0: stop", minimum=0.0, maximum=1.0, tunable=True,
+        ),
+        parameter(
+            "command.hold", 0.1, "s", "how long a commanded velocity is held beyond a step, if "
+            "nothing renews it", minimum=1e-3,
+        ),
+    ]
+    return rows + triple_parameter(
+        "command.distance", 0.01, "m", "way of a push in the mode inching", minimum=0.0
+    )
 
 
 def _limits() -> list[Variable]:
@@ -272,6 +324,7 @@ def spec(waypoints: int = WAYPOINTS) -> Spec:
             *_drives(),
             *_bounds(),
             *_space(),
+            *_commands(),
             *friction_parameters(),
             *_waypoints(waypoints),
         ),

@@ -17,6 +17,7 @@ from segfmu.kernels.crane.records import (
     Resistance,
     RopeBounds,
 )
+from segfmu.kernels.operation.records import Command
 from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 
 GANTRY_FEEDFORWARD = Model(
@@ -28,6 +29,7 @@ GANTRY_FEEDFORWARD = Model(
     records=(
         Resistance, RopeBounds, PlanOptions, LoadLimits, LowerLimits, LoadMotion, Feedforward,
         Compensation, DriveBounds, BoundUses, Space, ObstacleRow, Pace,
+        Command,
     ),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

@@ -10,10 +10,19 @@ import numpy as np
 from segfmu.crane import Crane, FlatInverse, Friction
 from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import FRICTION
-from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, ORDERS, VELOCITY
+from segfmu.crane.inverse import (
+    ACCELERATION,
+    DRIVE_ACCELERATION,
+    FORCE,
+    ORDERS,
+    POSITION,
+    STATE,
+    VELOCITY,
+)
 from segfmu.crane.variables import build
 from segfmu.errors import InfeasibleError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.gantry_feedforward.commands import Commands
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import (
@@ -58,6 +67,7 @@ class FeedforwardSlave(SpecSlave):
         super().__init__(**kwargs)
         self._inverse: FlatInverse | None = None
         self._trajectory: Trajectory | None = None
+        self._commands: Commands | None = None
         self._initialising = self._planned = False
 
     def enter_initialization_mode(self) -> None:
@@ -70,7 +80,9 @@ class FeedforwardSlave(SpecSlave):
         self._evaluate(self.start_time)
 
     def advance(self, time: float, step: float) -> None:
-        """Evaluate at the end of the step."""
+        """Follow the command, and evaluate at the end of the step."""
+        if self._commands is not None:
+            self._commands.follow(time + self._ahead, step)
         self._evaluate(time + step)
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
@@ -107,6 +119,9 @@ class FeedforwardSlave(SpecSlave):
         if status != BoundStatus.KEPT:
             raise InfeasibleError(BOUND.text(status, fault))
         self._inverse, self._trajectory = inverse, trajectory
+        self._commands = None
+        if self.value("command.enabled"):
+            self._commands = Commands(self.value, trajectory, self._limits(1.0), self._begin)
         self.show(BoundUses, uses)
         self.show(Pace, pace)
         self.assign(("plan.duration",), (trajectory.duration,))
@@ -178,16 +193,29 @@ class FeedforwardSlave(SpecSlave):
         rows = zip(position, pace * velocity, pace**2 * acceleration, dwell, strict=True)
         return [Waypoint(p, v, a, dwell=float(rest[0])) for p, v, a, rest in rows]
 
+    @property
+    def _begin(self) -> float:
+        """Time at which the plan begins, without lead and dead times [s]."""
+        given = float(self.value("planner.start_time"))
+        return float(backend.begin_time(given, self.start_time))
+
+    @property
+    def _ahead(self) -> float:
+        """By how much the reference is ahead of the simulation's clock [s]."""
+        lead = 0.0 if self._initialising else float(self.value("setpoint.lead"))
+        return lead - float(self.filled(Compensation)[Compensation.DEAD_TIME :].max())
+
     def _evaluate(self, time: float) -> None:
         inverse, trajectory = self._inverse, self._trajectory
         if inverse is None or trajectory is None:
             raise AssertionError("a step before the end of initialisation")
-        lead = 0.0 if self._initialising else float(self.value("setpoint.lead"))
+        if self._commands is not None and self._commands.acts:
+            self._show_commanded(time, self._commands, inverse)
+            return
         known = self.filled(Compensation)
         lags = known[Compensation.LAG : Compensation.DEAD_TIME]
         dead = known[Compensation.DEAD_TIME :].tolist()
-        given = float(self.value("planner.start_time"))
-        start = backend.begin_time(given, self.start_time) - lead + max(dead)
+        start = self._begin - self._ahead
         t = time - start
         found = {d: inverse.evaluate(t + d) for d in {0.0, *dead}}
         values, early = found[0.0].copy(), [found[d] for d in dead]
@@ -203,3 +231,25 @@ class FeedforwardSlave(SpecSlave):
         events = [trajectory.next_event(t + d) - d for d in (0.0, *dead)]
         events += [inverse.contacts.next_event(t + d, i) - d for i, d in enumerate(dead)]
         self.assign(("plan.next_event",), (start + min(*events, trajectory.duration),))
+
+    def _show_commanded(self, time: float, commands: Commands, inverse: FlatInverse) -> None:
+        """Evaluate the plan of the last command."""
+        motion, crane = commands.motion, inverse.crane
+        load, values = motion.motion(time + self._ahead, ORDERS), np.zeros(Feedforward.VELOCITY)
+        backend.crane_flat_inverse(
+            load, np.array(crane.masses), values[FORCE], values[STATE], values[ACCELERATION]
+        )
+        start = motion.begins - self._ahead
+        for axis, (x, v) in enumerate(zip(values[POSITION], values[VELOCITY], strict=True)):
+            values[axis] += inverse.contacts.friction(axis, time - start, x, v)
+        lags = self.filled(Compensation)[Compensation.LAG : Compensation.DEAD_TIME]
+        setpoints = values[VELOCITY] + lags * values[DRIVE_ACCELERATION]
+        self.show(Feedforward, np.concatenate([values, setpoints]))
+        self.show(LoadMotion, load.ravel())
+        end = commands.stops - self._ahead
+        following = commands.next_event(time, start)
+        self.assign(
+            ("plan.interval", "plan.done", "plan.next_event", "plan.status", "plan.refused"),
+            (1, end <= time + backend.same_break(time), min(following, end), motion.status,
+             motion.refused),
+        )

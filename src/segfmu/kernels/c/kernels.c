@@ -21667,7 +21667,7 @@ static bool holds_long_enough(double elapsed, array_double_2d operation)
     int64_t axis;
     array_double_1d held;
     command = span_row(&operation, INT64_C(0));
-    until = elapsed + (*cspan_at(&command, INT64_C(1))) + 0.5 * (*cspan_at(&command, INT64_C(14)));
+    until = elapsed + (*cspan_at(&command, INT64_C(1))) + 0.501 * (*cspan_at(&command, INT64_C(14)));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         held = span_row(&operation, INT64_C(5) + axis);
@@ -24115,6 +24115,60 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     }
     result = attempt_plans(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work, stack);
     return result;
+}
+int64_t segfmu_check_ready(array_double_1d compensation, array_double_1d resistance, int64_t pieces, array_double_1d fault)
+{
+    int64_t drive;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        (*cspan_at(&fault, INT64_C(0))) = drive;
+        (*cspan_at(&fault, INT64_C(1))) = (*cspan_at(&compensation, INT64_C(3) + drive));
+        if ((*cspan_at(&fault, INT64_C(1))) > 0.0)
+        {
+            return INT64_C(1);
+        }
+        if (rubs(resistance, drive))
+        {
+            return INT64_C(2);
+        }
+    }
+    (*cspan_at(&fault, INT64_C(1))) = pieces;
+    if (pieces > INT64_C(1200))
+    {
+        return INT64_C(3);
+    }
+    return INT64_C(0);
+}
+double segfmu_next_operation(array_double_2d operation)
+{
+    array_double_1d command;
+    array_double_1d progress;
+    int64_t axis;
+    array_double_1d held;
+    double renewed;
+    double following;
+    command = span_row(&operation, INT64_C(0));
+    progress = span_row(&operation, INT64_C(3));
+    if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
+    {
+        return 1e+300;
+    }
+    if ((*cspan_at(&progress, INT64_C(3))) > 0.0)
+    {
+        following = span_max((*cspan_at(&progress, INT64_C(4))), (*cspan_at(&command, INT64_C(0))) + 0.25 * (*cspan_at(&command, INT64_C(14))));
+        return following;
+    }
+    following = 1e+300;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(5) + axis);
+        if ((*cspan_at(&held, INT64_C(2))) > 0.5)
+        {
+            renewed = (*cspan_at(&held, INT64_C(1))) - 0.5 * (*cspan_at(&command, INT64_C(14)));
+            following = span_min(following, (*cspan_at(&progress, INT64_C(0))) + renewed);
+        }
+    }
+    return following;
 }
 static int64_t check_limits(array_double_2d limits, array_double_1d report)
 {

@@ -93,6 +93,8 @@ SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cel
 SEGFMU_API int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
 SEGFMU_API void segfmu_begin_operation(double time, array_double_2d operation);
 SEGFMU_API bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
+SEGFMU_API int64_t segfmu_check_ready(array_double_1d compensation, array_double_1d resistance, int64_t pieces, array_double_1d fault);
+SEGFMU_API double segfmu_next_operation(array_double_2d operation);
 SEGFMU_API int64_t segfmu_check_problem(array_double_3d states, array_double_2d limits, array_double_1d report);
 SEGFMU_API double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
 SEGFMU_API int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits, array_double_2d lower);

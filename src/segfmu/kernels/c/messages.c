@@ -296,6 +296,35 @@ bool segfmu_space_message(
     }
 }
 
+bool segfmu_ready_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const drive[] = {"bridge", "trolley", "hoist"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "drive.%s.dead_time is %g s: no command can be followed with a drive that "
+            "acts late; set it to 0, or command.enabled to false",
+            drive[(int)report[READY_FAULT_DRIVE]],
+            report[READY_FAULT_VALUE]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "friction.%s: no command can be followed with Coulomb or static friction; "
+            "set both to 0, or command.enabled to false",
+            drive[(int)report[READY_FAULT_DRIVE]]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "the plan has %.0f polynomial pieces, too many for commands; use fewer "
+            "waypoints, or set command.enabled to false",
+            report[READY_FAULT_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size)
 {

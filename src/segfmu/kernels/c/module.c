@@ -2970,6 +2970,52 @@ static PyObject *call_operate(
     return answer;
 }
 
+static PyObject *call_check_ready(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_ready", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_compensation;
+    Py_buffer *in_resistance;
+    int64_t in_pieces;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_compensation = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_int(&call, 2, &in_pieces)
+        && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "compensation", 0, in_compensation->shape[0], 6)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 2)) {
+        answer = PyLong_FromLongLong(segfmu_check_ready(
+            (array_double_1d){in_compensation->buf, {in_compensation->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            in_pieces,
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_operation(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_operation", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_operation;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_operation = take_array(&call, 0, 2, 'd', false)) != NULL
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 27)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)) {
+        answer = PyFloat_FromDouble(segfmu_next_operation(
+            (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_check_problem(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -4105,6 +4151,8 @@ static PyMethodDef methods[] = {
     {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
     {"begin_operation", (PyCFunction)(void (*)(void))call_begin_operation, METH_FASTCALL, NULL},
     {"operate", (PyCFunction)(void (*)(void))call_operate, METH_FASTCALL, NULL},
+    {"check_ready", (PyCFunction)(void (*)(void))call_check_ready, METH_FASTCALL, NULL},
+    {"next_operation", (PyCFunction)(void (*)(void))call_next_operation, METH_FASTCALL, NULL},
     {"check_problem", (PyCFunction)(void (*)(void))call_check_problem, METH_FASTCALL, NULL},
     {"motion_scale", (PyCFunction)(void (*)(void))call_motion_scale, METH_FASTCALL, NULL},
     {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},

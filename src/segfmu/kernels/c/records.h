@@ -995,6 +995,19 @@ enum {
 };
 
 enum {
+    READY_STATUS_READY = 0,
+    READY_STATUS_DEAD_TIME = 1,
+    READY_STATUS_FRICTION = 2,
+    READY_STATUS_PIECES = 3
+};
+
+enum {
+    READY_FAULT_DRIVE = 0,
+    READY_FAULT_VALUE = 1,
+    READY_FAULT_SIZE = 2
+};
+
+enum {
     COMMAND_TIME = 0,
     COMMAND_STEP = 1,
     COMMAND_MODE = 2,

@@ -43,6 +43,25 @@ class OperationStatus(Codes):
     DRIVES = 6
 
 
+class ReadyStatus(Codes):
+    """Why a feedforward cannot follow commands.
+
+    PIECES: its plan has too many of them.
+    """
+
+    READY = 0
+    DEAD_TIME = 1
+    FRICTION = 2
+    PIECES = 3
+
+
+class ReadyFault(Record):
+    """What is in the way of commands."""
+
+    DRIVE = field("drive, from 0")
+    VALUE = field("dead time [s], or number of pieces")
+
+
 class Command(Record):
     """What an operator wants, from a time on."""
 

@@ -254,7 +254,8 @@ def shift_row(
 def holds_long_enough(elapsed: float, operation: 'float[:,:]') -> bool:
     """Whether no axis stops before the next command but one whose way ends; s since the start."""
     command = operation[Operation.COMMAND, :]
-    until = elapsed + command[Command.STEP] + 0.5 * command[Command.HOLD]
+    # a little more than what `next_operation` waits for, whatever the clock rounds
+    until = elapsed + command[Command.STEP] + 0.501 * command[Command.HOLD]
     for axis in range(3):
         held = operation[Operation.HELD + axis, :]
         if held[HeldVelocity.FREE] > 0.5 and held[HeldVelocity.UNTIL] < until:

@@ -32,6 +32,9 @@ typedef struct {
     double motion[1 + AXES_SIZE][(ORDERS + MODEL_ORDERS) * AXES];
     int64_t rows;                    /* of the history of every drive's contact */
     int64_t turns[AXES_SIZE];        /* those that count; 0: no friction */
+    int64_t operates;                /* commands can be followed; their arrays are behind the plan */
+    int64_t operating;               /* there was one: the present plan is in these arrays */
+    double stops[AXES_SIZE];         /* s; when the axes of that come to rest, since its start */
     double space[];                  /* timing, coefficients, offsets, times, ends, contacts */
 } feedforward;
 
@@ -65,10 +68,36 @@ static bool feedforward_plan(feedforward *m, char message[MESSAGE]);
 /* Numbers of the plan in the block, without contacts. */
 static size_t planned_size(const feedforward *m);
 
+/* The same with contacts. */
+static size_t mission_size(const feedforward *m);
+
+/* Numbers of the arrays of commands, at a smoothness. */
+static size_t operation_size(int64_t smoothness);
+
+/* Get ready for commands behind the plan; false with a message where that cannot be. */
+static bool begin_commands(feedforward *m, char message[MESSAGE]);
+
+/* Follow the command at the present time, with the next one a step [s] later. */
+static void follow_command(feedforward *m, double step, char message[MESSAGE]);
+
+/* When the present plan begins, and when the command has to be looked at again. */
+static double operation_begin(const feedforward *m);
+static double operation_renewal(const feedforward *m);
+
+/* The present plan. */
+static segfmu_trajectory operation_trajectory(const feedforward *m);
+
+/* Whether the arrays of commands have sizes and indices within themselves. */
+static bool operation_sound(const feedforward *m);
+
+/* s by which the outputs are ahead of a plan that begins at its start time. */
+static double ahead_of(const feedforward *m);
+
 /* The history of a drive's contact. */
 static array_double_2d contacts_of(const feedforward *m, int axis);
 
-/* The trajectory in the block. */
+/* The trajectory that is followed, and that of the mission. */
 static segfmu_trajectory feedforward_trajectory(const feedforward *m);
+static segfmu_trajectory mission_trajectory(const feedforward *m);
 
 #endif

@@ -27,6 +27,11 @@ static void compact(feedforward *m, const segfmu_trajectory *found)
 
 segfmu_trajectory feedforward_trajectory(const feedforward *m)
 {
+    return m->operating ? operation_trajectory(m) : mission_trajectory(m);
+}
+
+segfmu_trajectory mission_trajectory(const feedforward *m)
+{
     segfmu_trajectory t = {0};
     t.points = m->points;
     t.axes = AXES;

@@ -13,8 +13,15 @@ size_t model_least(void)
 
 size_t model_size(const model *base)
 {
-    return sizeof(feedforward) + sizeof(double) * segfmu_plan_size(
-        base->integer[V_WAYPOINT_COUNT], AXES, base->integer[V_PLANNER_SMOOTHNESS]);
+    const int64_t smoothness = base->integer[V_PLANNER_SMOOTHNESS];
+    size_t size = segfmu_plan_size(base->integer[V_WAYPOINT_COUNT], AXES, smoothness);
+    size += base->integer[V_COMMAND_ENABLED] ? operation_size(smoothness) : 0;
+    return sizeof(feedforward) + sizeof(double) * size;
+}
+
+size_t mission_size(const feedforward *m)
+{
+    return planned_size(m) + (size_t)(AXES_SIZE * m->rows * CONTACT_SIZE);
 }
 
 static size_t kept(const feedforward *m)
@@ -22,7 +29,7 @@ static size_t kept(const feedforward *m)
     if (m->pieces == 0) {
         return 0;
     }
-    return planned_size(m) + (size_t)(AXES_SIZE * m->rows * CONTACT_SIZE);
+    return mission_size(m) + (m->operates ? operation_size(m->smoothness) : 0);
 }
 
 size_t model_used(const model *base)
@@ -33,7 +40,7 @@ size_t model_used(const model *base)
 /* Whether the pieces of the axes follow each other. */
 static bool ordered(const feedforward *m)
 {
-    const segfmu_trajectory t = feedforward_trajectory(m);
+    const segfmu_trajectory t = mission_trajectory(m);
     for (int axis = 0; axis < AXES; axis++) {
         if (t.offsets[axis] >= t.offsets[axis + 1]) {
             return false;
@@ -49,7 +56,8 @@ bool model_sound(const model *base, size_t size)
     if (m->pieces == 0) {
         return !base->initialised && size == sizeof(feedforward);
     }
-    if (m->rows < 1 || m->rows > most) {
+    if (m->rows < 1 || m->rows > most || m->operates != (m->operates != 0)
+        || m->operating != (m->operating != 0) || m->operating > m->operates) {
         return false;
     }
     for (int i = 0; i < AXES_SIZE; i++) {
@@ -58,14 +66,17 @@ bool model_sound(const model *base, size_t size)
         }
     }
     return m->points >= 2 && m->points <= MOST_POINTS && m->smoothness >= 2 && m->smoothness <= 6
-        && m->pieces >= AXES && m->pieces <= most && size == model_used(base) && ordered(m);
+        && m->pieces >= AXES && m->pieces <= most && size == model_used(base) && ordered(m)
+        && operation_sound(m);
 }
 
 bool model_initialise(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
     m->pieces = 0;
-    if (!feedforward_plan(m, message)) {
+    m->operates = m->operating = 0;
+    if (!feedforward_plan(m, message)
+        || (base->integer[V_COMMAND_ENABLED] && !begin_commands(m, message))) {
         return false;
     }
     base->real[V_PLAN_DURATION] = m->duration;
@@ -95,7 +106,7 @@ static double drives_of(const feedforward *m, double known[COMPENSATION_SIZE])
 /* s by which the outputs are ahead of a plan that begins at its start time. The longest dead time has
    to pass before the load can move. At initialisation the outputs are those of the start, where the
    crane begins; from then on the lead counts. */
-static double ahead_of(const feedforward *m)
+double ahead_of(const feedforward *m)
 {
     double known[COMPENSATION_SIZE];
     return (m->base.running ? m->base.real[V_SETPOINT_LEAD] : 0.0) - drives_of(m, known);
@@ -103,7 +114,7 @@ static double ahead_of(const feedforward *m)
 
 static double beginning(const feedforward *m)
 {
-    return feedforward_start(m) - ahead_of(m);
+    return (m->operating ? operation_begin(m) : feedforward_start(m)) - ahead_of(m);
 }
 
 static double upcoming(const feedforward *m)
@@ -114,7 +125,7 @@ static double upcoming(const feedforward *m)
     /* of the reference, then of the setpoints, which are earlier by their dead times */
     for (int i = -1; i < AXES_SIZE; i++) {
         double dead = i < 0 ? 0.0 : known[COMPENSATION_DEAD_TIME + i];
-        if (i >= 0 && m->turns[i] > 0) {
+        if (i >= 0 && m->turns[i] > 0 && !m->operating) {
             double turn = segfmu_next_contact_event(
                 m->base.real[V_TIME], beginning(m) - dead, contacts_of(m, i));
             first = turn < 1e300 ? fmin(first, turn) : first;
@@ -127,6 +138,11 @@ static double upcoming(const feedforward *m)
             vector((double *)t.ends, AXES), matrix((double *)t.times, t.points, AXES));
         first = next < 1e300 ? fmin(first, next) : first;
     }
+    /* in co-simulation each step looks at the command */
+    if (m->operating && m->base.interface == MODEL_EXCHANGE) {
+        double renewal = operation_renewal(m);
+        first = renewal < 1e300 ? fmin(first, renewal - ahead_of(m)) : first;
+    }
     return first;
 }
 
@@ -136,13 +152,32 @@ double model_next_event(const model *base)
     return m->ahead == ahead_of(m) ? m->upcoming : upcoming(m);
 }
 
+static void note_event(feedforward *m);
+
 bool model_event(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
-    (void)message;
+    if (m->operates && base->running && base->interface == MODEL_EXCHANGE) {
+        follow_command(m, 0.0, message);
+    }
+    note_event(m);
+    return true;
+}
+
+static void note_event(feedforward *m)
+{
+    model *base = &m->base;
     double time = base->real[V_TIME], latest = time + segfmu_same_break(time);
     int64_t passed = 0;
     m->ahead = ahead_of(m);
+    if (m->operating) {
+        double end = operation_begin(m) + operation_trajectory(m).duration - m->ahead;
+        base->integer[V_PLAN_INTERVAL] = 1;
+        base->integer[V_PLAN_DONE] = end <= latest;
+        m->upcoming = upcoming(m);
+        base->real[V_PLAN_NEXT_EVENT] = fmin(m->upcoming, end);
+        return;
+    }
     while (passed < m->points && m->events[passed] - m->ahead <= latest) {
         passed++;
     }
@@ -152,7 +187,6 @@ bool model_event(model *base, char message[MESSAGE])
     base->integer[V_PLAN_DONE] = passed == m->points;
     m->upcoming = upcoming(m);
     base->real[V_PLAN_NEXT_EVENT] = fmin(m->upcoming, m->events[m->points - 1] - m->ahead);
-    return true;
 }
 
 static void begin_lead(feedforward *m, char message[MESSAGE])
@@ -164,8 +198,13 @@ static void begin_lead(feedforward *m, char message[MESSAGE])
 
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
+    feedforward *m = (feedforward *)base;
     (void)time;
-    begin_lead((feedforward *)base, message);
+    begin_lead(m, message);
+    if (m->operates && base->real[V_TIME] == base->step_start) {
+        follow_command(m, base->step_end - base->step_start, message);
+        note_event(m);
+    }
     return true;
 }
 

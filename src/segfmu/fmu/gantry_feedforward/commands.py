@@ -1,0 +1,82 @@
+"""Commands that GantryFeedforward on PythonFMU follows while it runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from segfmu.crane.operation import OperatedMotion
+from segfmu.crane.variables import filled
+from segfmu.errors import InfeasibleError
+from segfmu.kernels import backend
+from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
+from segfmu.kernels.crane.records import Compensation, DriveBounds, Resistance, RopeBounds
+from segfmu.kernels.messages import READY
+from segfmu.kernels.operation.records import Command, Known, OperationMode, ReadyFault, ReadyStatus
+from segfmu.kernels.planner.records import Lower, LowerLimits, PlanOptions
+from segfmu.planning import Limits, Trajectory
+
+Value = Callable[[str], Any]
+
+
+class Commands:
+    """Follows the commands of an FMU, whose variables `value` gives by name, behind a plan.
+
+    start : time at which the plan begins [s].
+
+    Raises
+    ------
+    InfeasibleError
+        If no command can be followed with these parameters.
+    """
+
+    def __init__(self, value: Value, plan: Trajectory, limits: Limits, start: float) -> None:
+        fault = np.zeros(ReadyFault.SIZE)
+        status = backend.check_ready(
+            filled(Compensation, value), filled(Resistance, value), int(plan.offsets[-1]), fault
+        )
+        if status != ReadyStatus.READY:
+            raise InfeasibleError(READY.text(status, fault))
+        self._value = value
+        table = limits.table(3, plan.smoothness)
+        self.motion = OperatedMotion(table, np.zeros((Known.SIZE, Known.COLUMNS)))
+        self.motion.begin(start, plan.timing, plan.coefficients, plan.offsets)
+        self._fill_known()
+        # whether there was a command, so that the present plan is that of the motion
+        self.acts = False
+
+    def _fill_known(self) -> None:
+        known = self.motion.known
+        for row, record in (
+            (Known.CRANE, Resistance), (Known.ROPE, RopeBounds), (Known.BOUNDS, DriveBounds),
+            (Known.SPACE, Space), (Known.OPTIONS, PlanOptions),
+        ):
+            record.fill(known[row], self._value)
+        lower = -filled(LowerLimits, self._value).reshape(3, -1)
+        known[Known.LOWER : Known.OBSTACLES, : Lower.SIZE] = lower
+        for i in range(SpaceLimits.OBSTACLES):
+            ObstacleRow.fill(known[Known.OBSTACLES + i], self._value, i + 1)
+
+    def follow(self, time: float, step: float) -> None:
+        """Follow the command at a time of the plan's clock [s], with the next a step [s] later."""
+        Command.fill(self.motion.command, self._value)
+        if not self.acts and self.motion.command[Command.MODE] == OperationMode.MISSION:
+            return
+        self.acts = True
+        self.motion.operate(time, step)
+
+    @property
+    def stops(self) -> float:
+        """When the load rests, by the plan's clock [s]."""
+        return self.motion.begins + float(self.motion.pieces[3].max())
+
+    def next_event(self, time: float, start: float) -> float:
+        """The next time [s] at which a derivative of the motion jumps; 1e300 where there is none.
+
+        start: of the present plan, by the clock of the simulation [s].
+        """
+        timing, _, offsets, ends = self.motion.pieces
+        return float(backend.next_plan_event(time, start, timing, offsets, ends, ends[None]))
+

@@ -1,0 +1,238 @@
+"""Commands while GantryFeedforward runs: as `segfmu.Operator`, in every archive."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from segfmu import Operator
+from tests.campaign import campaign
+from tests.crane.operated import LAB, PORT, Site, commands
+from tests.fmu.gantry_feedforward.test_drive_bounds import initialised
+from tests.fmu.native.importer import Importer
+from tests.fmu.native.test_state import restore, serialised
+
+SITES = {"lab": LAB, "port": PORT}
+MODES = {"mission": 1, "target": 2, "velocity": 3, "stop": 4, "inching": 5}
+LOAD = [f"reference.load.{n}.{a}" for n in ("position", "velocity", "acceleration", "jerk", "snap")
+        for a in "xyz"]
+FORCE = [f"force.{d}" for d in ("bridge", "trolley", "hoist")]
+KINDS = [("native", 2), ("native", 3), ("python", 2)]
+
+
+@pytest.fixture(params=KINDS, ids=lambda kind: f"{kind[0]} {kind[1]}")
+def archive(request, native_fmus, fmus) -> Path:
+    kind, fmi = request.param
+    return native_fmus[fmi][0] if kind == "native" else fmus[0]
+
+
+def parameters(site: Site) -> dict[str, Any]:
+    """Of a load that rests at first."""
+    crane, low, high = site.crane, site.clearance.minimum, site.clearance.maximum
+    values: dict[str, Any] = dict(crane.values()) | {
+        "waypoint.count": 2, "command.enabled": True, "obstacle.count": 1, "obstacle[1].margin":
+        site.clearance.obstacles[0].margin, "planner.start_time": 0.0,
+    }
+    table = site.limits.table(3, 4)
+    box = site.clearance.obstacles[0]
+    for k, a in enumerate("xyz"):
+        names = ("velocity", "acceleration", "jerk", "snap")
+        values |= {f"limits.{a}.{n}": v for n, v in zip(names, table[k].tolist(), strict=False)}
+        values |= {f"workspace.{a}.min": low[k], f"workspace.{a}.max": high[k],
+                   f"load.size.{a}": site.clearance.load_size[k],
+                   f"load.centre.{a}": site.clearance.load_centre[k],
+                   f"obstacle[1].minimum.{a}": box.minimum[k],
+                   f"obstacle[1].maximum.{a}": box.maximum[k]}
+        for i in (1, 2):
+            values[f"waypoint[{i}].position.{a}"] = site.start[k]
+            values |= {f"waypoint[{i}].{n}.{a}": 0.0 for n in ("velocity", "acceleration")}
+    for k, d in enumerate(("bridge", "trolley", "hoist")):
+        for n in ("force", "velocity", "acceleration"):
+            values[f"drive.{d}.{n}_max"] = getattr(site.bounds, n)[k]
+    values |= {f"sway.{a}.angle_max": v for a, v in zip("xy", site.bounds.sway_angle, strict=True)}
+    return {n: 0.0 if v == np.inf else v for n, v in values.items()}
+
+
+def named(command: dict[str, Any]) -> dict[str, Any]:
+    """A command as values of the FMU's variables."""
+    values: dict[str, Any] = {
+        "command.mode": MODES[command["mode"]], "limits.scale": command["scale"],
+    }
+    for name in ("velocity", "target"):
+        values |= {f"command.{name}.{a}": float(v)
+                   for a, v in zip("xyz", command[name], strict=True)}
+    return values
+
+
+def flag(fmu: Importer, name: str) -> bool:
+    """Value of a Boolean."""
+    reference = [fmu.variables[name].valueReference]
+    return bool((fmu.fmu.getBoolean)(reference)[0])
+
+
+def arrays(fmu: Importer, values: dict[str, Any]) -> dict[str, Any]:
+    """With arrays in place of what FMI 3.0 has as such."""
+    if not fmu.three:
+        return values
+    found = {n: v for n, v in values.items() if n in fmu.variables}
+    rows = fmu.variables["waypoint.position"]
+    most = int(rows.dimensions[0].start or 16)
+    for name in ("position", "velocity", "acceleration"):
+        block = np.zeros((most, 3))
+        for i in (1, 2):
+            block[i - 1] = [values[f"waypoint[{i}].{name}.{a}"] for a in "xyz"]
+        found[f"waypoint.{name}"] = block
+    return found
+
+
+def follow(fmu: Importer, site: Site, wanted: list[dict[str, Any]], first: int = 0) -> np.ndarray:
+    """Load and forces after the step that follows each command."""
+    rows = []
+    for i, command in enumerate(wanted, first):
+        fmu.set(named(command))
+        fmu.step(i * site.step, site.step)
+        rows.append(fmu.get(*LOAD, *FORCE))
+    return np.array(rows)
+
+
+def chosen(site: Site, seed: int, steps: int) -> list[dict[str, Any]]:
+    """Random commands; the push is a parameter that stays."""
+    wanted = commands(site, np.random.default_rng(seed), steps)
+    return [{**c, "distance": 0.05 * site.step} for c in wanted]
+
+
+def begun(fmu: Importer, site: Site) -> None:
+    distance = {f"command.distance.{a}": 0.05 * site.step for a in "xyz"}
+    fmu.set(arrays(fmu, parameters(site) | distance))
+    fmu.initialise()
+
+
+@campaign(1, 20, "seeds")
+@pytest.mark.parametrize("name", SITES)
+def test_an_fmu_moves_as_the_operator_does(archive, name: str, seeds: int) -> None:
+    site = SITES[name]
+    for seed in range(seeds):
+        wanted = chosen(site, 2 + seed, 200)
+        operator = site.operator()
+        with Importer(archive) as fmu:
+            begun(fmu, site)
+            found = follow(fmu, site, wanted)
+        for command, row in zip(wanted, found, strict=True):
+            operator.command(**command)
+            load = operator.step(site.step)
+            scale = np.vstack([np.ones(3), site.limits.table(3, 4).T[:4]])
+            assert (np.abs(row[:15].reshape(5, 3) - load) <= 1e-9 * scale).all()
+            np.testing.assert_allclose(row[15:18], operator.setpoints[:3], rtol=1e-9, atol=1e-6)
+        assert operator.plans > 5
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_state_in_the_middle_goes_on_bit_for_bit(native_fmus, fmi: int) -> None:
+    wanted = chosen(LAB, 3, 120)
+    with Importer(native_fmus[fmi][0]) as fmu:
+        begun(fmu, LAB)
+        follow(fmu, LAB, wanted[:60])
+        data = serialised(fmu)
+        rest = follow(fmu, LAB, wanted[60:], 60)
+    with Importer(native_fmus[fmi][0]) as fmu:
+        begun(fmu, LAB)
+        restore(fmu, data)
+        np.testing.assert_array_equal(follow(fmu, LAB, wanted[60:], 60), rest)
+
+
+def test_commands_have_to_be_enabled(archive) -> None:
+    with Importer(archive) as fmu:
+        fmu.set(arrays(fmu, parameters(LAB)) | {"command.enabled": False})
+        fmu.initialise()
+        row = follow(fmu, LAB, [c for c in chosen(LAB, 1, 200) if c["mode"] == "velocity"][:20])
+    np.testing.assert_array_equal(row[:, 3:15], 0.0)
+
+
+def test_the_mission_goes_on_without_a_command(archive) -> None:
+    rows = {}
+    for enabled in (False, True):
+        with Importer(archive) as fmu:
+            fmu.set({"command.enabled": enabled})
+            fmu.initialise()
+            rows[enabled] = []
+            for i in range(40):
+                fmu.step(0.1 * i, 0.1)
+                rows[enabled].append(fmu.get(*LOAD, *FORCE, "plan.next_event"))
+    np.testing.assert_array_equal(rows[True], rows[False])
+
+
+def test_a_mission_is_left_for_a_stop(archive) -> None:
+    with Importer(archive) as fmu:
+        fmu.set({"command.enabled": True, "setpoint.lead": 0.01})
+        fmu.initialise()
+        before = []
+        for i in range(150):
+            fmu.step(0.01 * i, 0.01)
+            before.append(fmu.get(*LOAD))
+        fmu.set({"command.mode": 4})
+        for i in range(150, 500):
+            fmu.step(0.01 * i, 0.01)
+            before.append(fmu.get(*LOAD))
+        (ended,) = fmu.get("plan.next_event")
+        done = flag(fmu, "plan.done")
+    motion = np.array(before)
+    assert np.abs(motion[149, 3:6]).max() > 0.1
+    np.testing.assert_allclose(motion[-1, 3:], 0.0, atol=1e-9)
+    assert motion[-1, 0] < 0.9
+    # the acceleration is continuous, as the jerk is bounded by 1
+    assert np.abs(np.diff(motion[:, 6:9], axis=0)).max() <= 0.0101
+    assert done
+    assert 1.5 < ended < 4.0
+
+
+@pytest.mark.parametrize(("values", "words"), [
+    ({"drive.hoist.dead_time": 0.1}, "drive.hoist.dead_time is 0.1 s: no command can be followed"),
+    ({"friction.trolley.coulomb": 1.0}, "friction.trolley: no command can be followed"),
+])
+def test_what_is_in_the_way_of_commands_is_told(archive, values, words: str) -> None:
+    found = initialised(archive, {"command.enabled": True} | values)
+    assert isinstance(found, str)
+    assert words in found
+
+
+def test_smooth_friction_is_added(archive) -> None:
+    with Importer(archive) as fmu:
+        fmu.set({"command.enabled": True, "friction.bridge.viscous": 2.0, "command.mode": 3,
+                 "command.velocity.x": 0.1})
+        fmu.initialise()
+        for i in range(600):
+            fmu.step(0.01 * i, 0.01)
+        speed, force = fmu.get("velocity.bridge", "force.bridge")
+    assert speed == pytest.approx(0.1)
+    assert force == pytest.approx(0.2)
+
+
+def test_model_exchange_renews_what_is_held(native_fmus) -> None:
+    operator = Operator(
+        LAB.crane, LAB.limits, LAB.start, bounds=LAB.bounds, clearance=LAB.clearance
+    )
+    operator.command("velocity", velocity=[-0.3, 0.0, 0.0])
+    for _ in range(200):
+        operator.step(0.01)
+    with Importer(native_fmus[2][0], "ModelExchange") as fmu:
+        fmu.set(parameters(LAB) | {"command.mode": 3, "command.velocity.x": -0.3})
+        fmu.initialise()
+        time, events = 0.0, 0
+        fmu.fmu.enterEventMode()
+        following = fmu.event()
+        while following < 2.0:
+            assert following > time
+            time = following
+            fmu.fmu.setTime(time)
+            fmu.fmu.enterEventMode()
+            following = fmu.event()
+            events += 1
+        fmu.fmu.setTime(2.0)
+        (velocity,) = fmu.get("reference.load.velocity.x")
+        (place,) = fmu.get("reference.load.position.x")
+    assert velocity == pytest.approx(-0.3)
+    assert place == pytest.approx(operator.load[0, 0], abs=1e-9)
+    assert events < 400
