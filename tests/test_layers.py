@@ -36,6 +36,7 @@ EXTERNAL = {
     "dask": {"validation/campaigns/cluster.py"},
     "distributed": {"validation/campaigns/cluster.py"},
     "pyarrow": {"validation/campaigns"},
+    "openturns": {"validation/campaigns/rare.py"},
     "plotly": {"validation/report"},
     "tomlkit": {"validation/identification"},
 }

@@ -71,7 +71,8 @@ CAMPAIGNS = {
     ),
     "short time": ("[sampling]", "timeout = 0.1\n[sampling]", "timeout: must be at least 1 s"),
     "search for something": (
-        "[sampling]", 'search = "best"\n[sampling]', "search: must be 'worst', got 'best'",
+        "[sampling]", 'search = "best"\n[sampling]',
+        "search: must be 'worst' or 'rare', got 'best'",
     ),
     "few runs of a search": (
         "[sampling]", 'search = "worst"\n[sampling]',
@@ -84,7 +85,7 @@ CAMPAIGNS = {
         "got matrix",
     ),
     "criteria without a search": (
-        "[sampling]", 'search_for = ["rests"]\n[sampling]', 'search_for is for search = "worst"',
+        "[sampling]", 'search_for = ["rests"]\n[sampling]', 'search_for is for a search',
     ),
     "search for no criterion": (
         "[sampling]\nkind = \"latin hypercube\"\nruns = 40",

@@ -79,9 +79,14 @@ class Campaign:
 
     @property
     def searched(self) -> tuple[str, ...]:
-        """Names of the criteria whose worst case is searched; none without a search."""
+        """Names of the criteria that are searched; none without a search."""
         file = self.source.file
         return () if file.search is None else tuple(file.search_for or self.criteria)
+
+    @property
+    def rare(self) -> bool:
+        """Whether the search is for the probability of rare failures, not for worst cases."""
+        return self.source.file.search == "rare"
 
     @property
     def most(self) -> int:
@@ -108,6 +113,7 @@ class Campaign:
             "version": version("segfmu"),
             "factors": [f.model_dump() for f in self.factors],
             "sampling": self.source.file.sampling.model_dump(), "searched": self.searched,
+            "search": self.source.file.search,
             "scenarios": [(dict(s.data), s.missions) for s in self.source.scenarios],
             "files": {name: _hash(Path(name)) for name in sorted(self._files())},
         }

@@ -41,14 +41,14 @@ class Probability:
     def __str__(self) -> str:
         low, high = self.interval
         if self.failed == 0:
-            return f"below {_percent(high, up=True)} %"
+            return f"below {percent(high, up=True)} %"
         if self.failed == self.draws:
-            return f"above {_percent(low, up=False)} %"
-        return f"{_percent(low, up=False)} to {_percent(high, up=True)} %"
+            return f"above {percent(low, up=False)} %"
+        return f"{percent(low, up=False)} to {percent(high, up=True)} %"
 
 
-def _percent(value: float, *, up: bool) -> str:
-    """Two digits from the nearer of 0 and 100 %, rounded outwards, so that the ends cover it."""
+def percent(value: float, *, up: bool) -> str:
+    """In per cent, two digits from the nearer of 0 and 100 %, rounded outwards."""
     if value > 0.5:
         return f"{100.0 - _rounded(100.0 * (1.0 - value), up=not up):.12g}"
     return f"{_rounded(100.0 * value, up=up):.12g}"

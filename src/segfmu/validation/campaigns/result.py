@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import isnan
 from pathlib import Path
@@ -12,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.comparison import Comparison, compared
 from segfmu.validation.campaigns.probability import Probability
+from segfmu.validation.campaigns.rare import Found
 from segfmu.validation.campaigns.replay import run_name
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
-from segfmu.validation.campaigns.store import TABLE, about, read_table
+from segfmu.validation.campaigns.store import TABLE, about, read_probabilities, read_table
 from segfmu.validation.frames import frame
 from segfmu.validation.requirements import Evidence, Requirement, gathered
 from segfmu.validation.units import pretty
@@ -40,8 +42,9 @@ class Summary:
         The least margin; None without a verdict.
     run : int or None
         Number of the run that has it.
-    fails : Probability or None
-        That it fails; None without a verdict, and of runs that were not drawn at random.
+    fails : Probability, RareProbability or None
+        That it fails; None without a verdict, and of runs that were chosen otherwise than at random
+        or for this.
     """
 
     criterion: str
@@ -49,7 +52,7 @@ class Summary:
     held: int
     worst: float | None
     run: int | None
-    fails: Probability | None = None
+    fails: Found | None = None
 
     @property
     def share(self) -> float:
@@ -97,11 +100,13 @@ class CampaignResult:
     draws : int
         Draws of the factors at random that each scenario has; 0 if they were chosen otherwise.
     searched : tuple of str
-        Criteria whose worst case was searched; none without a search.
+        Criteria that were searched; none without a search.
     named : tuple of str
         Requirements that the scenarios list.
     evidence : tuple of (str, str, str)
         Requirement, criterion and its text, of all criteria that name a requirement.
+    rare : mapping
+        What a search for rare failures found, by the names of its criteria.
     """
 
     name: str
@@ -113,6 +118,7 @@ class CampaignResult:
     searched: tuple[str, ...] = ()
     named: tuple[str, ...] = ()
     evidence: tuple[tuple[str, str, str], ...] = ()
+    rare: Mapping[str, Found] = field(default_factory=dict)
 
     def column(self, name: str) -> list[Any]:
         """The values of a column, None where there is none."""
@@ -232,7 +238,7 @@ class CampaignResult:
             return Summary(name, 0, 0, None, None)
         place = min(judged, key=lambda i: -float("inf") if isnan(margins[i]) else margins[i])
         count = sum(held[i] for i in judged)
-        fails = self._fails({runs[i]: held[i] for i in judged})
+        fails = self.rare.get(name) or self._fails({runs[i]: held[i] for i in judged})
         return Summary(name, len(judged), count, margins[place], runs[place], fails)
 
     def _fails(self, held: dict[int, bool]) -> Probability | None:
@@ -274,5 +280,7 @@ def load_result(folder: str | Path) -> CampaignResult:
     found = about(folder)
     if not (folder / TABLE).exists():
         raise InputError(f"{folder}: the campaign is not complete; the same command goes on")
-    return CampaignResult(folder=folder, table=read_table(folder / TABLE), **found)
+    return CampaignResult(
+        folder=folder, table=read_table(folder / TABLE), rare=read_probabilities(folder), **found
+    )
 

@@ -9,12 +9,13 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from segfmu.errors import InputError
-from segfmu.validation.campaigns.batches import batches
+from segfmu.validation.campaigns.batches import batches, probabilities
 from segfmu.validation.campaigns.campaign import Campaign, Run
 from segfmu.validation.campaigns.factors import changes
+from segfmu.validation.campaigns.rare import require_package
 from segfmu.validation.campaigns.result import CampaignResult, load_result
 from segfmu.validation.campaigns.sampling import levels
-from segfmu.validation.campaigns.store import FLUSH, Store, alone
+from segfmu.validation.campaigns.store import FLUSH, Store, alone, write_probabilities
 from segfmu.validation.campaigns.worker import Order, Outcome, within
 from segfmu.validation.files.scenario_file import build_scenario
 from segfmu.validation.suite import Runner
@@ -71,6 +72,8 @@ def run_campaign(
         If there are no more workers. What was made is kept, here as in all other cases.
     """
     require_packages()
+    if campaign.rare:
+        require_package()
     from segfmu.validation.campaigns.cluster import cluster, stream
 
     with alone(folder), ExitStack() as stack:
@@ -88,6 +91,8 @@ def run_campaign(
             for count in _kept(store, batch, outcomes):
                 made += count
                 progress(made, campaign.most)
+        if campaign.rare:
+            write_probabilities(folder, probabilities(campaign, store))
         store.finish()
     return load_result(folder)
 

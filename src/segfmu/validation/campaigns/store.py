@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from dataclasses import asdict
 from errno import EACCES, EAGAIN, EDEADLK
 from pathlib import Path
 from time import monotonic
@@ -17,6 +18,8 @@ from typing import TYPE_CHECKING, Any
 from segfmu.cosim.result import replacing
 from segfmu.errors import InputError, first_line
 from segfmu.validation.campaigns.campaign import Campaign, Run
+from segfmu.validation.campaigns.probability import Probability
+from segfmu.validation.campaigns.rare import Found, RareProbability
 from segfmu.validation.campaigns.worker import Outcome
 from segfmu.validation.files.campaign_tables import FactorTable
 
@@ -24,6 +27,7 @@ if TYPE_CHECKING:
     import pyarrow
 
 ABOUT, TABLE, PARTS, LOCK = "campaign.json", "runs.parquet", "parts", ".segfmu.lock"
+RARE = "probabilities.json"
 # s; runs that are not yet written are lost if the process is killed
 FLUSH = 1.0
 
@@ -229,6 +233,33 @@ def _lock(descriptor: int) -> None:
         import fcntl
 
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def write_probabilities(folder: Path, found: Mapping[str, Found]) -> None:
+    """Write what a search for rare failures found, by the names of criteria."""
+    content = {name: asdict(probability) for name, probability in found.items()}
+    with replacing(folder / RARE) as temporary:
+        temporary.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+
+
+def read_probabilities(folder: Path) -> dict[str, Found]:
+    """What `write_probabilities` wrote; empty for a campaign that is no such search.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read.
+    """
+    path = folder / RARE
+    if not path.exists():
+        return {}
+    try:
+        return {
+            name: Probability(**values) if "draws" in values else RareProbability(**values)
+            for name, values in _about(path).items()
+        }
+    except TypeError as error:
+        raise InputError(f"{path}: no probabilities: {error}") from None
 
 
 def about(folder: Path) -> dict[str, Any]:

@@ -50,7 +50,6 @@ def _entry(result: CampaignResult, row: Summary) -> dict[str, Any]:
     if row.fails is not None:
         low, high = row.fails.interval
         entry["fails"] = {
-            "failed": row.fails.failed, "draws": row.fails.draws, "low": low, "high": high,
-            "told": str(row.fails),
+            **asdict(row.fails), "low": low, "high": high, "told": str(row.fails),
         }
     return entry

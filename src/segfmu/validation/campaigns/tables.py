@@ -11,6 +11,7 @@ from rich.table import Table
 from segfmu.validation.campaigns.result import CampaignResult, Summary
 from segfmu.validation.units import pretty
 
+FAILS = "fails (95 %)"
 # of the factors of a criterion
 MOST_SHOWN = 2
 # an effect that chance alone makes in more than one of a hundred is not shown
@@ -20,10 +21,12 @@ CHANCE = 0.01
 def criteria_table(result: CampaignResult) -> Table:
     """Every criterion: how many runs passed, the worst margin and its run, what it depends on.
 
-    Of a search the worst case itself: how often its runs fail says nothing of other runs.
+    Of a search the worst case itself: how often its runs fail says nothing of other runs; one for
+    rare failures tells their probability.
     """
     table = Table(title=escape(result.name))
-    counts = ("held",) if result.searched else ("held", "share", "fails (95 %)")
+    rates = (FAILS,) if result.rare else () if result.searched else ("share", FAILS)
+    counts = ("held", *rates)
     last = "worst case" if result.searched else "depends on"
     for name in ("criterion", *counts, "margin", "run", last):
         left = name in ("criterion", last)
@@ -37,7 +40,7 @@ def criteria_table(result: CampaignResult) -> Table:
         cells = {
             "held": f"{row.held} of {row.judged}",
             "share": f"[{verdict}]{100.0 * row.share:.1f} %[/]",
-            "fails (95 %)": "" if row.fails is None else str(row.fails),
+            FAILS: "" if row.fails is None else str(row.fails),
         }
         table.add_row(
             escape(row.criterion), *(cells[name] for name in counts), worst,

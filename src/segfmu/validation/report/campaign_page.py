@@ -8,7 +8,7 @@ import numpy as np
 
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.campaigns.result import CampaignResult, Summary
-from segfmu.validation.campaigns.tables import CHANCE, case
+from segfmu.validation.campaigns.tables import CHANCE, FAILS, case
 from segfmu.validation.report.curves import digits
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table
 from segfmu.validation.report.requirements import requirement_sections
@@ -33,7 +33,7 @@ def campaign_page(result: CampaignResult, worst: Suite | None = None) -> Page:
         kind="Campaign",
         passed=result.passed,
         verdict=f"{passed} of {count} runs passed" + (
-            ", which a search for the worst cases chose" if result.searched else ""
+            ", which a search chose" if result.searched else ""
         ),
         facts=_facts(result, count),
         summary=_overview(result),
@@ -58,14 +58,19 @@ def _overview(result: CampaignResult) -> Table:
     for row in result.summaries:
         share = (f"{100.0 * row.share:.1f} %", "good" if row.held == row.judged else "bad")
         # how often the runs of a search fail says nothing of other runs
-        rates: tuple[Cell, ...] = (share, "" if row.fails is None else str(row.fails))
+        fails = "" if row.fails is None else str(row.fails)
+        rates: tuple[Cell, ...] = (share, fails)
+        if result.searched:
+            rates = (fails,) if result.rare else ()
         rows.append((
-            row.criterion, f"{row.held} of {row.judged}", *(() if result.searched else rates),
+            row.criterion, f"{row.held} of {row.judged}", *rates,
             "" if row.worst is None else pretty(row.worst),
             "" if row.run is None else str(row.run), _causes(result, row),
         ))
     last = "worst case" if result.searched else "depends most on"
-    counts = () if result.searched else ("share", "fails (95 %)")
+    counts: tuple[str, ...] = ("share", FAILS)
+    if result.searched:
+        counts = (FAILS,) if result.rare else ()
     heads = ("criterion", "held", *counts, "least margin", "run", last)
     return Table("Criteria in all runs", heads, rows)
 
