@@ -34,6 +34,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "o": ("directions", ()),
     "t": ("coming_inside", ("ruckig",)),
     "r": ("replanning", ()),
+    "u": ("operation", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),
 }

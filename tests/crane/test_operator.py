@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from benchmarks.operated import LAB, SITES, Site, commands, met, needs
 
 from segfmu import (
     ActuatorBounds,
@@ -24,7 +25,6 @@ from segfmu import (
 from segfmu.crane import Friction
 from segfmu.kernels import backend
 from tests.campaign import campaign
-from tests.crane.operated import LAB, SITES, Site, commands, met, needs
 
 MODELS = Path(__file__).parents[2] / "models"
 FREE = Limits(velocity=[0.4, 0.4, 0.3], acceleration=0.5, jerk=1.5, snap=10.0)

@@ -270,6 +270,15 @@ class Operator:
         return int(self._motion.record[Operation.PROGRESS, Progress.PLANS])
 
     @property
+    def attempts(self) -> int:
+        """Number of the plans tried so far, those not taken included."""
+        return int(self._motion.record[Operation.PROGRESS, Progress.ATTEMPTS])
+
+    def load_at(self, time: float) -> FloatArray:
+        """As `load`, at another time [s] of the present plan, (5, 3)."""
+        return self._motion.motion(finite_number("time", time), ORDERS)
+
+    @property
     def setpoints(self) -> FloatArray:
         """Forces (3), state (10) and accelerations (5) of the crane, as `FlatInverse.evaluate`.
 

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.operated import LAB, PORT, Site, commands
 
 from segfmu import Operator
 from tests.campaign import campaign
-from tests.crane.operated import LAB, PORT, Site, commands
 from tests.fmu.gantry_feedforward.test_drive_bounds import initialised
 from tests.fmu.native.importer import Importer
 from tests.fmu.native.test_state import restore, serialised

@@ -270,6 +270,7 @@ static double limited_velocity(double velocity, double scale, double limit, doub
 static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known);
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static int64_t most_attempts(void);
+static int64_t most_in_step(void);
 static int64_t first_stop(void);
 static double pace_of(int64_t attempt);
 static double share_of(int64_t attempt, int64_t axis);
@@ -677,7 +678,7 @@ static bool reach_velocities(array_double_2d operation, array_double_2d limits, 
 static bool reach_and_stop(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static double way_left(int64_t axis, double velocity, double rest, array_double_2d known);
 static double room_left(int64_t axis, array_double_2d operation, array_double_2d known);
-static bool narrow_shares(array_double_2d operation, array_double_2d known, bool first);
+static bool shrink_shares(bool last, array_double_2d operation, array_double_2d known);
 static void hold_shares(array_double_2d operation, array_double_2d known);
 static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients);
 static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
@@ -757,7 +758,7 @@ static bool lead_to_target(array_double_2d operation, array_double_2d limits, ar
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
-static bool is_taken(array_double_2d operation);
+static bool is_aim(int64_t row, array_double_2d operation);
 static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_stop(array_double_1d aim);
 static void note_taken(int64_t attempt, array_double_2d operation);
@@ -9465,23 +9466,23 @@ static void write_push(double scale, array_double_2d operation, array_double_2d 
     double wished;
     aim = span_row(&operation, INT64_C(1));
     command = span_row(&operation, INT64_C(0));
-    if ((*cspan_at(&operation, INT64_C(3), INT64_C(5))) != INT64_C(4))
+    if ((*cspan_at(&operation, INT64_C(4), INT64_C(5))) != INT64_C(4))
     {
         (*cspan_at(&aim, INT64_C(0))) = 0.0;
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
             (*cspan_at(&aim, INT64_C(1) + axis)) = 0.0;
-            (*cspan_at(&operation, INT64_C(4), axis)) = push_of((*cspan_at(&command, INT64_C(3) + axis)));
+            (*cspan_at(&operation, INT64_C(5), axis)) = push_of((*cspan_at(&command, INT64_C(3) + axis)));
         }
     }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         push = push_of((*cspan_at(&command, INT64_C(3) + axis)));
-        if (push == (*cspan_at(&operation, INT64_C(4), axis)))
+        if (push == (*cspan_at(&operation, INT64_C(5), axis)))
         {
             continue;
         }
-        (*cspan_at(&operation, INT64_C(4), axis)) = push;
+        (*cspan_at(&operation, INT64_C(5), axis)) = push;
         distance = (*cspan_at(&command, INT64_C(11) + axis));
         if ((fabs(push) > 0.0) && (0.0 < distance) && (distance < 1e+300))
         {
@@ -9575,14 +9576,18 @@ static void write_aim(array_double_2d operation, array_double_2d limits, array_d
         write_wish(mode, scale, span_row(&operation, INT64_C(1)), command, limits, known);
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(4), axis)) = 0.0;
+            (*cspan_at(&operation, INT64_C(5), axis)) = 0.0;
         }
     }
-    (*cspan_at(&operation, INT64_C(3), INT64_C(5))) = mode;
+    (*cspan_at(&operation, INT64_C(4), INT64_C(5))) = mode;
 }
 static int64_t most_attempts(void)
 {
     return INT64_C(9);
+}
+static int64_t most_in_step(void)
+{
+    return INT64_C(3);
 }
 static int64_t first_stop(void)
 {
@@ -9658,7 +9663,7 @@ static void set_lower_of(int64_t place, array_double_2d operation, array_double_
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
             share = (*cspan_at(&limits, place, axis, i)) / (*cspan_at(&limits, INT64_C(0), axis, i));
-            (*cspan_at(&operation, INT64_C(18) + axis, i)) = share * (*cspan_at(&known, INT64_C(5) + axis, i));
+            (*cspan_at(&operation, INT64_C(17) + axis, i)) = share * (*cspan_at(&known, INT64_C(5) + axis, i));
         }
     }
 }
@@ -11108,7 +11113,7 @@ static bool keeps_limits(array_double_2d operation, array_double_2d limits, arra
     {
         for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(14) + axis, i));
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
             (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
         }
         (*cspan_at(&states, INT64_C(1), axis, INT64_C(0))) = standstill(INT64_C(4), axis, timing, coefficients, offsets);
@@ -21437,7 +21442,7 @@ static void set_motion(array_double_2d operation, array_double_3d states)
     {
         for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(14) + axis, i));
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
             (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
         }
     }
@@ -21450,11 +21455,11 @@ static bool reach_velocities(array_double_2d operation, array_double_2d limits, 
     set_motion(operation, states);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        wish = (*cspan_at(&operation, INT64_C(17), axis)) * (*cspan_at(&operation, INT64_C(11), axis));
+        wish = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
         (*cspan_at(&states, INT64_C(1), axis, INT64_C(1))) = wish;
     }
     set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
-    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(21), INT64_C(24)), limits, span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, lead);
+    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(20), INT64_C(23)), limits, span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, lead);
     return result;
 }
 static bool reach_and_stop(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
@@ -21468,7 +21473,7 @@ static bool reach_and_stop(array_double_2d operation, array_double_2d limits, ar
     {
         return 0;
     }
-    reached = span_rows(&operation, INT64_C(21), INT64_C(24));
+    reached = span_rows(&operation, INT64_C(20), INT64_C(23));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
@@ -21479,10 +21484,10 @@ static bool reach_and_stop(array_double_2d operation, array_double_2d limits, ar
         (*cspan_at(&states, INT64_C(0), axis, INT64_C(0))) = (*cspan_at(&reached, axis, INT64_C(0)));
         (*cspan_at(&states, INT64_C(0), axis, INT64_C(1))) = (*cspan_at(&reached, axis, INT64_C(1)));
     }
-    stopped = span_rows(&operation, INT64_C(24), INT64_C(27));
+    stopped = span_rows(&operation, INT64_C(23), INT64_C(26));
     set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
     clear_plan(INT64_C(5), offsets);
-    result = lead_between(INT64_C(5), INT64_C(3), stopped, limits, span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, lead);
+    result = lead_between(INT64_C(5), INT64_C(3), stopped, limits, span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, lead);
     return result;
 }
 static double way_left(int64_t axis, double velocity, double rest, array_double_2d known)
@@ -21503,40 +21508,37 @@ static double way_left(int64_t axis, double velocity, double rest, array_double_
 static double room_left(int64_t axis, array_double_2d operation, array_double_2d known)
 {
     double result;
-    result = way_left(axis, (*cspan_at(&operation, INT64_C(21) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(24) + axis, INT64_C(0))), known);
+    result = way_left(axis, (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))), known);
     return result;
 }
-static bool narrow_shares(array_double_2d operation, array_double_2d known, bool first)
+static bool shrink_shares(bool last, array_double_2d operation, array_double_2d known)
 {
     int64_t axis;
+    double left;
+    double stopping;
+    double way;
     double share;
-    bool fits_in;
-    bool wrong;
-    wrong = 0;
+    double ratio;
+    bool found;
+    found = 0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        share = (*cspan_at(&operation, INT64_C(11), axis));
-        fits_in = room_left(axis, operation, known) >= 0.0;
-        if (first)
+        left = room_left(axis, operation, known);
+        if (left < 0.0)
         {
-            (*cspan_at(&operation, INT64_C(12), axis)) = 0.0;
-            (*cspan_at(&operation, INT64_C(13), axis)) = share;
-            if (fits_in)
+            found = 1;
+            stopping = (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0)));
+            way = fabs(stopping - (*cspan_at(&operation, INT64_C(13) + axis, INT64_C(0))));
+            share = 0.0;
+            if ((!last) && (way + left > 0.0))
             {
-                (*cspan_at(&operation, INT64_C(12), axis)) = share;
+                ratio = (way + left) / way;
+                share = 0.95 * pow(ratio, 0.7);
             }
+            (*cspan_at(&operation, INT64_C(12), axis)) = share * (*cspan_at(&operation, INT64_C(12), axis));
         }
-        else if (fits_in)
-        {
-            (*cspan_at(&operation, INT64_C(12), axis)) = span_max(share, (*cspan_at(&operation, INT64_C(12), axis)));
-        }
-        else
-        {
-            (*cspan_at(&operation, INT64_C(13), axis)) = span_min(share, (*cspan_at(&operation, INT64_C(13), axis)));
-        }
-        wrong = wrong || ((*cspan_at(&operation, INT64_C(12), axis)) < (*cspan_at(&operation, INT64_C(13), axis)));
     }
-    return wrong;
+    return found;
 }
 static void hold_shares(array_double_2d operation, array_double_2d known)
 {
@@ -21552,9 +21554,9 @@ static void hold_shares(array_double_2d operation, array_double_2d known)
     until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        held = span_row(&operation, INT64_C(8) + axis);
-        velocity = (*cspan_at(&operation, INT64_C(17), axis)) * (*cspan_at(&operation, INT64_C(11), axis));
-        delay = (*cspan_at(&operation, INT64_C(21) + axis, INT64_C(3)));
+        held = span_row(&operation, INT64_C(9) + axis);
+        velocity = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+        delay = (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(3)));
         (*cspan_at(&held, INT64_C(0))) = velocity;
         (*cspan_at(&held, INT64_C(1))) = delay;
         (*cspan_at(&held, INT64_C(2))) = 0.0;
@@ -21598,8 +21600,8 @@ static bool join_held(array_double_2d operation, array_double_3d timing, array_d
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&offsets, tried + axis)) = target;
-        reached = span_row(&operation, INT64_C(21) + axis);
-        held = span_row(&operation, INT64_C(8) + axis);
+        reached = span_row(&operation, INT64_C(20) + axis);
+        held = span_row(&operation, INT64_C(9) + axis);
         hold = (*cspan_at(&held, INT64_C(1))) - (*cspan_at(&reached, INT64_C(3)));
         leads = INT64_C(2) * INT64_C(4) + axis;
         for (row = (*cspan_at(&offsets, leads)); row < (*cspan_at(&offsets, leads + INT64_C(1))); row += INT64_C(1))
@@ -21628,32 +21630,19 @@ static bool join_held(array_double_2d operation, array_double_3d timing, array_d
 }
 static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
+    int64_t tries;
     int64_t i;
-    int64_t axis;
-    double least;
     bool result;
-    if (!reach_and_stop(operation, limits, timing, coefficients, offsets, states, lead))
+    tries = INT64_C(5);
+    for (i = INT64_C(0); i < tries; i += INT64_C(1))
     {
-        return 0;
-    }
-    if (narrow_shares(operation, known, 1))
-    {
-        for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+        if (!reach_and_stop(operation, limits, timing, coefficients, offsets, states, lead))
         {
-            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-            {
-                least = (*cspan_at(&operation, INT64_C(12), axis));
-                if (i < INT64_C(6))
-                {
-                    least = 0.5 * (least + (*cspan_at(&operation, INT64_C(13), axis)));
-                }
-                (*cspan_at(&operation, INT64_C(11), axis)) = least;
-            }
-            if (!reach_and_stop(operation, limits, timing, coefficients, offsets, states, lead))
-            {
-                return 0;
-            }
-            narrow_shares(operation, known, 0);
+            return 0;
+        }
+        if (!shrink_shares(i == tries - INT64_C(2), operation, known))
+        {
+            break;
         }
     }
     hold_shares(operation, known);
@@ -21670,7 +21659,7 @@ static bool holds_long_enough(double elapsed, array_double_2d operation)
     until = elapsed + (*cspan_at(&command, INT64_C(1))) + 0.501 * (*cspan_at(&command, INT64_C(14)));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        held = span_row(&operation, INT64_C(5) + axis);
+        held = span_row(&operation, INT64_C(6) + axis);
         if (((*cspan_at(&held, INT64_C(2))) > 0.5) && ((*cspan_at(&held, INT64_C(1))) < until))
         {
             return 0;
@@ -21701,10 +21690,10 @@ static bool prolong_holds(double elapsed, array_double_2d operation, array_doubl
     }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        held = span_row(&operation, INT64_C(8) + axis);
+        held = span_row(&operation, INT64_C(9) + axis);
         for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
         {
-            (*cspan_at(&held, i)) = (*cspan_at(&operation, INT64_C(5) + axis, i));
+            (*cspan_at(&held, i)) = (*cspan_at(&operation, INT64_C(6) + axis, i));
         }
         before = (*cspan_at(&held, INT64_C(1))) - elapsed;
         (*cspan_at(&held, INT64_C(1))) = before;
@@ -23765,7 +23754,7 @@ static void set_ends(array_double_2d operation, array_double_3d states)
         }
         for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(21) + axis, i));
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(20) + axis, i));
         }
     }
     set_place(operation, states);
@@ -23793,10 +23782,10 @@ static bool is_too_fast(array_double_2d operation, array_double_2d limits)
     faster = 0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        velocity = (*cspan_at(&operation, INT64_C(14) + axis, INT64_C(1)));
-        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(18) + axis, INT64_C(0))));
-        (*cspan_at(&operation, INT64_C(17), axis)) = slowed;
-        (*cspan_at(&operation, INT64_C(11), axis)) = 1.0;
+        velocity = (*cspan_at(&operation, INT64_C(13) + axis, INT64_C(1)));
+        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(17) + axis, INT64_C(0))));
+        (*cspan_at(&operation, INT64_C(16), axis)) = slowed;
+        (*cspan_at(&operation, INT64_C(12), axis)) = 1.0;
         if (fabs(velocity - slowed) > 1e-09 * (*cspan_at(&limits, axis, INT64_C(0))))
         {
             faster = 1;
@@ -23818,7 +23807,7 @@ static bool lead_to_target(array_double_2d operation, array_double_2d limits, ar
     set_motion(operation, states);
     set_place(operation, states);
     set_lead(INT64_C(2), (int64_t)((*cspan_at(&options, INT64_C(1)))), meeting, lead);
-    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(21), INT64_C(24)), limits, span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, lead);
+    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(20), INT64_C(23)), limits, span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, lead);
     return result;
 }
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
@@ -23871,7 +23860,7 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
         return 0;
     }
     set_ends(operation, states);
-    found = plan_target(span_matrix(&limits, INT64_C(1)), span_rows(&operation, INT64_C(18), INT64_C(21)), timing, coefficients, offsets, states, cells, lead, work);
+    found = plan_target(span_matrix(&limits, INT64_C(1)), span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, cells, lead, work);
     rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets);
     if ((!found) || (rows > INT64_C(1200)))
     {
@@ -23882,7 +23871,7 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     {
         for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(8) + axis, i)) = 0.0;
+            (*cspan_at(&operation, INT64_C(9) + axis, i)) = 0.0;
         }
     }
     return 1;
@@ -23891,22 +23880,22 @@ void segfmu_begin_operation(double time, array_double_2d operation)
 {
     int64_t row;
     int64_t i;
-    for (row = INT64_C(1); row < INT64_C(27); row += INT64_C(1))
+    for (row = INT64_C(1); row < INT64_C(26); row += INT64_C(1))
     {
         for (i = INT64_C(0); i < operation.shape[INT64_C(1)]; i += INT64_C(1))
         {
             (*cspan_at(&operation, row, i)) = 0.0;
         }
     }
-    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = time;
-    (*cspan_at(&operation, INT64_C(2), INT64_C(0))) = -1.0;
+    (*cspan_at(&operation, INT64_C(4), INT64_C(0))) = time;
+    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
 }
-static bool is_taken(array_double_2d operation)
+static bool is_aim(int64_t row, array_double_2d operation)
 {
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        if ((*cspan_at(&operation, INT64_C(1), i)) != (*cspan_at(&operation, INT64_C(2), i)))
+        if ((*cspan_at(&operation, INT64_C(1), i)) != (*cspan_at(&operation, row, i)))
         {
             return 0;
         }
@@ -23930,7 +23919,7 @@ static void note_present(double elapsed, array_double_2d operation, array_double
         row = (*cspan_at(&offsets, rest + axis));
         for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(14) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
+            (*cspan_at(&operation, INT64_C(13) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
         }
     }
 }
@@ -23955,32 +23944,32 @@ static void note_taken(int64_t attempt, array_double_2d operation)
     command = span_row(&operation, INT64_C(0));
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(2), i)) = (*cspan_at(&operation, INT64_C(1), i));
+        (*cspan_at(&operation, INT64_C(3), i)) = (*cspan_at(&operation, INT64_C(1), i));
     }
-    (*cspan_at(&operation, INT64_C(3), INT64_C(3))) = attempt;
+    (*cspan_at(&operation, INT64_C(4), INT64_C(3))) = attempt;
     retry = (*cspan_at(&command, INT64_C(0)));
     if (!is_stop(span_row(&operation, INT64_C(1))))
     {
         retry = retry + 0.5 * (*cspan_at(&command, INT64_C(14)));
     }
-    (*cspan_at(&operation, INT64_C(3), INT64_C(4))) = retry;
+    (*cspan_at(&operation, INT64_C(4), INT64_C(4))) = retry;
 }
 static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
 {
     array_double_1d progress;
     int64_t axis;
     int64_t i;
-    progress = span_row(&operation, INT64_C(3));
+    progress = span_row(&operation, INT64_C(4));
     copy_plan(INT64_C(4), INT64_C(0), timing, coefficients, offsets);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(5) + axis, i)) = (*cspan_at(&operation, INT64_C(8) + axis, i));
+            (*cspan_at(&operation, INT64_C(6) + axis, i)) = (*cspan_at(&operation, INT64_C(9) + axis, i));
         }
     }
     (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
-    (*cspan_at(&progress, INT64_C(6))) = (*cspan_at(&progress, INT64_C(6))) + 1.0;
+    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
     (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
     if (attempt > INT64_C(0))
     {
@@ -23996,10 +23985,10 @@ static bool keeps_stopping(int64_t attempt, array_double_2d operation)
     {
         return 0;
     }
-    stopping = (*cspan_at(&operation, INT64_C(3), INT64_C(3)));
+    stopping = (*cspan_at(&operation, INT64_C(4), INT64_C(3)));
     if ((first_stop() <= stopping) && (stopping < most_attempts()))
     {
-        result = is_taken(operation);
+        result = is_aim(INT64_C(3), operation);
         return result;
     }
     return 0;
@@ -24016,21 +24005,37 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
 {
     array_double_1d progress;
     array_double_1d aim;
+    int64_t first;
     int64_t failed;
+    int64_t tries;
     int64_t attempt;
     bool found;
     int64_t axis;
     int64_t status;
-    progress = span_row(&operation, INT64_C(3));
+    progress = span_row(&operation, INT64_C(4));
     aim = span_row(&operation, INT64_C(1));
+    first = (int64_t)((*cspan_at(&progress, INT64_C(6))));
     failed = INT64_C(0);
-    for (attempt = INT64_C(0); attempt < most_attempts(); attempt += INT64_C(1))
+    if (first > INT64_C(0))
+    {
+        failed = (int64_t)((*cspan_at(&progress, INT64_C(7))));
+    }
+    tries = INT64_C(0);
+    (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    for (attempt = first; attempt < most_attempts(); attempt += INT64_C(1))
     {
         if ((!is_worth(attempt, failed, aim)) || keeps_stopping(attempt, operation))
         {
             continue;
         }
-        (*cspan_at(&progress, INT64_C(7))) = (*cspan_at(&progress, INT64_C(7))) + 1.0;
+        if (tries == most_in_step())
+        {
+            (*cspan_at(&progress, INT64_C(6))) = attempt;
+            (*cspan_at(&progress, INT64_C(7))) = failed;
+            return 0;
+        }
+        tries = tries + INT64_C(1);
+        (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
         set_attempt(attempt, operation, limits, known);
         found = 0;
         if (((*cspan_at(&aim, INT64_C(0))) > 0.5) && (attempt < first_stop()))
@@ -24041,8 +24046,8 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
         {
             for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
             {
-                (*cspan_at(&operation, INT64_C(17), axis)) = (*cspan_at(&aim, INT64_C(1) + axis));
-                (*cspan_at(&operation, INT64_C(11), axis)) = share_of(attempt, axis);
+                (*cspan_at(&operation, INT64_C(16), axis)) = (*cspan_at(&aim, INT64_C(1) + axis));
+                (*cspan_at(&operation, INT64_C(12), axis)) = share_of(attempt, axis);
             }
             found = seek_velocity(operation, span_matrix(&limits, INT64_C(1)), known, timing, coefficients, offsets, states, lead);
         }
@@ -24073,19 +24078,28 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
 {
     array_double_1d command;
     array_double_1d progress;
+    int64_t i;
     double elapsed;
     bool taken;
     int64_t status;
     bool result;
     command = span_row(&operation, INT64_C(0));
-    progress = span_row(&operation, INT64_C(3));
+    progress = span_row(&operation, INT64_C(4));
     if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
     {
         return 0;
     }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(2), i)) = (*cspan_at(&operation, INT64_C(1), i));
+    }
     write_aim(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets);
     elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
-    taken = is_taken(operation);
+    taken = is_aim(INT64_C(3), operation);
+    if (!is_aim(INT64_C(2), operation))
+    {
+        (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    }
     if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0))
     {
         if (holds_long_enough(elapsed, operation))
@@ -24095,15 +24109,18 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     }
     else if (taken && ((*cspan_at(&command, INT64_C(0))) < (*cspan_at(&progress, INT64_C(4)))))
     {
-        return 0;
+        if ((*cspan_at(&progress, INT64_C(6))) == 0.0)
+        {
+            return 0;
+        }
     }
     note_present(elapsed, operation, timing, coefficients, offsets);
-    if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0))
+    if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0) && ((*cspan_at(&progress, INT64_C(6))) == 0.0))
     {
         copy_plan(INT64_C(1), INT64_C(4), timing, coefficients, offsets);
         if (prolong_holds(elapsed, operation, known, timing, coefficients, offsets))
         {
-            (*cspan_at(&progress, INT64_C(7))) = (*cspan_at(&progress, INT64_C(7))) + 1.0;
+            (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
             status = prove_plan(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack);
             if (status == INT64_C(0))
             {
@@ -24148,12 +24165,12 @@ double segfmu_next_operation(array_double_2d operation)
     double renewed;
     double following;
     command = span_row(&operation, INT64_C(0));
-    progress = span_row(&operation, INT64_C(3));
+    progress = span_row(&operation, INT64_C(4));
     if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
     {
         return 1e+300;
     }
-    if ((*cspan_at(&progress, INT64_C(3))) > 0.0)
+    if (((*cspan_at(&progress, INT64_C(3))) > 0.0) || ((*cspan_at(&progress, INT64_C(6))) > 0.0))
     {
         following = span_max((*cspan_at(&progress, INT64_C(4))), (*cspan_at(&command, INT64_C(0))) + 0.25 * (*cspan_at(&command, INT64_C(14))));
         return following;
@@ -24161,7 +24178,7 @@ double segfmu_next_operation(array_double_2d operation)
     following = 1e+300;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        held = span_row(&operation, INT64_C(5) + axis);
+        held = span_row(&operation, INT64_C(6) + axis);
         if ((*cspan_at(&held, INT64_C(2))) > 0.5)
         {
             renewed = (*cspan_at(&held, INT64_C(1))) - 0.5 * (*cspan_at(&command, INT64_C(14)));

@@ -2886,7 +2886,7 @@ static PyObject *call_begin_operation(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_time)
         && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 27)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 26)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)) {
         segfmu_begin_operation(
             in_time,
@@ -2928,7 +2928,7 @@ static PyObject *call_operate(
         && (in_stack = take_array(&call, 10, 3, 'd', true)) != NULL
         && has_at_least(&call, "limits", 2, in_limits->shape[2], 1)
         && has_extent(&call, "states", 2, in_states->shape[2], in_limits->shape[2])
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 27)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 26)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
@@ -3007,7 +3007,7 @@ static PyObject *call_next_operation(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_operation = take_array(&call, 0, 2, 'd', false)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 27)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 26)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)) {
         answer = PyFloat_FromDouble(segfmu_next_operation(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}}));

@@ -15,6 +15,11 @@ def most_attempts() -> int:
     return 9
 
 
+def most_in_step() -> int:
+    """Number of the attempts in a step; the next one goes on with the others."""
+    return 3
+
+
 def first_stop() -> int:
     """Number of the first attempt that is a stop."""
     return 6

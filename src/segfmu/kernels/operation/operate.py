@@ -11,6 +11,7 @@ from segfmu.kernels.operation.attempts import (
     first_stop,
     is_worth,
     most_attempts,
+    most_in_step,
     set_attempt,
     share_of,
 )
@@ -66,16 +67,21 @@ def operate(
     progress = operation[Operation.PROGRESS, :]
     if int(command[Command.MODE]) == OperationMode.MISSION:
         return False
+    for i in range(Aim.SIZE):
+        operation[Operation.BEFORE, i] = operation[Operation.AIM, i]
     write_aim(operation, limits[0, :, :], known, timing, coefficients, offsets)
     elapsed = command[Command.TIME] - progress[Progress.BEGIN]
-    taken = is_taken(operation)
+    taken = is_aim(Operation.TAKEN, operation)
+    if not is_aim(Operation.BEFORE, operation):
+        progress[Progress.NEXT] = 0.0
     if taken and progress[Progress.ATTEMPT] == 0.0:
         if holds_long_enough(elapsed, operation):
             return False
     elif taken and command[Command.TIME] < progress[Progress.RETRY]:
-        return False
+        if progress[Progress.NEXT] == 0.0:
+            return False
     note_present(elapsed, operation, timing, coefficients, offsets)
-    if taken and progress[Progress.ATTEMPT] == 0.0:
+    if taken and progress[Progress.ATTEMPT] == 0.0 and progress[Progress.NEXT] == 0.0:
         copy_plan(Slot.REST, Slot.TRIED, timing, coefficients, offsets)
         if prolong_holds(elapsed, operation, known, timing, coefficients, offsets):
             progress[Progress.ATTEMPTS] = progress[Progress.ATTEMPTS] + 1.0
@@ -108,10 +114,20 @@ def attempt_plans(
     """Try plans for the aim in turn, until one is taken; as `operate`."""
     progress = operation[Operation.PROGRESS, :]
     aim = operation[Operation.AIM, :]
+    first = int(progress[Progress.NEXT])
     failed = int(OperationStatus.TAKEN)
-    for attempt in range(most_attempts()):
+    if first > 0:
+        failed = int(progress[Progress.FAILED])
+    tries = 0
+    progress[Progress.NEXT] = 0.0
+    for attempt in range(first, most_attempts()):
         if not is_worth(attempt, failed, aim) or keeps_stopping(attempt, operation):
             continue
+        if tries == most_in_step():
+            progress[Progress.NEXT] = attempt
+            progress[Progress.FAILED] = failed
+            return False
+        tries = tries + 1
         progress[Progress.ATTEMPTS] = progress[Progress.ATTEMPTS] + 1.0
         set_attempt(attempt, operation, limits, known)
         found = False
@@ -167,14 +183,14 @@ def keeps_stopping(attempt: int, operation: 'float[:,:]') -> bool:
     stopping = operation[Operation.PROGRESS, Progress.ATTEMPT]
     # after all have failed, the present plan is for something else
     if first_stop() <= stopping < most_attempts():
-        return is_taken(operation)
+        return is_aim(Operation.TAKEN, operation)
     return False
 
 
-def is_taken(operation: 'float[:,:]') -> bool:
-    """Whether the present plan is for the aim."""
+def is_aim(row: int, operation: 'float[:,:]') -> bool:
+    """Whether the aim in a row is the present one."""
     for i in range(Aim.SIZE):
-        if not operation[Operation.AIM, i] == operation[Operation.TAKEN, i]:
+        if not operation[Operation.AIM, i] == operation[row, i]:
             return False
     return True
 

@@ -42,7 +42,7 @@ def next_operation(operation: 'float[:,:]') -> float:
     progress = operation[Operation.PROGRESS, :]
     if int(command[Command.MODE]) == OperationMode.MISSION:
         return 1e300
-    if progress[Progress.ATTEMPT] > 0.0:
+    if progress[Progress.ATTEMPT] > 0.0 or progress[Progress.NEXT] > 0.0:
         return max(progress[Progress.RETRY], command[Command.TIME] + 0.25 * command[Command.HOLD])
     following = 1e300
     for axis in range(3):

@@ -126,26 +126,26 @@ def room_left(axis: int, operation: 'float[:,:]', known: 'float[:,:]') -> float:
     )
 
 
-def narrow_shares(operation: 'float[:,:]', known: 'float[:,:]', first: bool) -> bool:
-    """Halve the interval of the shares of axes that do not stop in time; whether there are any.
+def shrink_shares(last: bool, operation: 'float[:,:]', known: 'float[:,:]') -> bool:
+    """Lower the shares of axes that do not stop before the end of their way; whether there are any.
 
-    Shares of 0 to 1 stop in time up to some share. At first it is between 0 and the share tried.
+    The way to rest grows with the square of the velocity at most, and with its power 4 / 3 where
+    the snap decides. An axis that is too fast the last time stops at once.
     """
-    wrong = False
+    found = False
     for axis in range(3):
-        share = operation[Operation.SHARE, axis]
-        fits_in = room_left(axis, operation, known) >= 0.0
-        if first:
-            operation[Operation.LEAST, axis] = 0.0
-            operation[Operation.MOST, axis] = share
-            if fits_in:
-                operation[Operation.LEAST, axis] = share
-        elif fits_in:
-            operation[Operation.LEAST, axis] = max(share, operation[Operation.LEAST, axis])
-        else:
-            operation[Operation.MOST, axis] = min(share, operation[Operation.MOST, axis])
-        wrong = wrong or operation[Operation.LEAST, axis] < operation[Operation.MOST, axis]
-    return wrong
+        left = room_left(axis, operation, known)
+        if left < 0.0:
+            found = True
+            stopping = operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION]
+            way = abs(stopping - operation[Operation.NOW + axis, WaypointState.POSITION])
+            share = 0.0
+            if not last and way + left > 0.0:
+                # what this leaves of the way, the hold uses
+                ratio = (way + left) / way
+                share = 0.95 * ratio ** 0.7
+            operation[Operation.SHARE, axis] = share * operation[Operation.SHARE, axis]
+    return found
 
 
 def seek_velocity(
@@ -158,24 +158,14 @@ def seek_velocity(
     The row SHARE of `operation` tells which share of it each axis gets; it becomes less where the
     way is too short.
     """
-    if not reach_and_stop(
-        operation, limits, timing, coefficients, offsets, states, lead
-    ):
-        return False
-    if narrow_shares(operation, known, True):
-        # the hold uses what this leaves of the way
-        for i in range(7):
-            for axis in range(3):
-                least = operation[Operation.LEAST, axis]
-                # the last time with shares that are known to do
-                if i < 6:
-                    least = 0.5 * (least + operation[Operation.MOST, axis])
-                operation[Operation.SHARE, axis] = least
-            if not reach_and_stop(
-                operation, limits, timing, coefficients, offsets, states, lead
-            ):
-                return False
-            narrow_shares(operation, known, False)
+    tries = 5
+    for i in range(tries):
+        if not reach_and_stop(
+            operation, limits, timing, coefficients, offsets, states, lead
+        ):
+            return False
+        if not shrink_shares(i == tries - 2, operation, known):
+            break
     hold_shares(operation, known)
     return join_held(operation, timing, coefficients, offsets)
 

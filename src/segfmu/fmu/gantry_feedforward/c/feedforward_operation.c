@@ -182,7 +182,9 @@ bool operation_sound(const feedforward *m)
     const operation_arrays a = arrays_of(m);
     const double *progress = row_of(&a.operation, OPERATION_PROGRESS);
     bool sound = a.offsets.data[0] == 0 && a.offsets.data[AXES] <= OPERATION_ROWS_KEPT
-        && isfinite(progress[PROGRESS_BEGIN]);
+        && isfinite(progress[PROGRESS_BEGIN])
+        && progress[PROGRESS_NEXT] >= 0.0 && progress[PROGRESS_NEXT] <= OPERATION_ROWS_KEPT
+        && progress[PROGRESS_FAILED] >= 0.0 && progress[PROGRESS_FAILED] <= OPERATION_STATUS_DRIVES;
     for (int axis = 0; axis < AXES && sound; axis++) {
         const double *held = row_of(&a.operation, OPERATION_HELD + axis);
         int64_t pieces = a.offsets.data[axis + 1] - a.offsets.data[axis];

@@ -1,9 +1,10 @@
-"""Cranes under random commands, and what their loads do, found without the product's kernels."""
+"""Cranes under random commands, and what their loads need, found without the kernels."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ class Site:
     clearance: Clearance
     step: float
 
-    def operator(self, **options: object) -> Operator:
+    def operator(self, **options: Any) -> Operator:
         return Operator(
             self.crane, self.limits, self.start, bounds=self.bounds, clearance=self.clearance,
             **options,
@@ -62,11 +63,11 @@ PORT = Site(
 SITES = {"lab": LAB, "port": PORT}
 
 
-def commands(site: Site, rng: np.random.Generator, steps: int) -> Iterator[dict[str, object]]:
+def commands(site: Site, rng: np.random.Generator, steps: int) -> Iterator[dict[str, Any]]:
     """A command for each step, often the one before."""
     low, high = site.clearance.minimum, site.clearance.maximum
     most = 1.2 * np.asarray(site.limits.velocity)
-    command: dict[str, object] = {}
+    command: dict[str, Any] = {}
     left = 0
     for _ in range(steps):
         if left == 0:
@@ -88,7 +89,7 @@ def needs(crane: Crane, places: np.ndarray, step: float) -> dict[str, np.ndarray
     (samples, 3), and both sway angles (samples, 2).
     """
     def second(values: np.ndarray) -> np.ndarray:
-        return (values[2:] - 2.0 * values[1:-1] + values[:-2]) / step**2
+        return np.asarray((values[2:] - 2.0 * values[1:-1] + values[:-2]) / step**2)
 
     acceleration = second(places)
     pull = acceleration + np.array([0.0, 0.0, crane.gravity])
