@@ -95,9 +95,23 @@ def test_three_fmus_in_a_ring(native_fmus, pendulums, fmi: int, coupling: str) -
     for connections in (None, ring):
         rows = both(fmus, values, connections=connections, coupling=coupling)
         assert np.ptp(rows["sway.angle"]) > 0.1
+    # the pendulum with a step of its own, while steps of the plan end at events and changes
+    both(fmus, values, connections=ring, coupling=coupling, steps={"pendulum": 5 * STEP},
+         changes=[Change(0.31934, "crane", {"wind.x": 0.3})])
     # what blows moves the load aside
     alone = both(fmus, {"crane": UNKIND}, connections=ring, coupling=coupling)
     assert np.abs(rows["load.position.y"] - alone["load.position.y"]).max() > 1e-4
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_swing_does_not_depend_on_its_own_steps(native_fmus, pendulums, fmi: int) -> None:
+    fmus = {"plan": native_fmus[fmi][0], "pendulum": pendulums[fmi]}
+    values = {"pendulum": {"sway.angle": 0.2}}
+    short = both(fmus, values, connections=[], record={"pendulum": None})
+    long = both(fmus, values, connections=[], record={"pendulum": None}, steps={"pendulum": 0.02})
+    assert np.ptp(short["sway.angle"]) > 0.1
+    assert long["sway.angle"][::10] == pytest.approx(short["sway.angle"][::10], abs=1e-5)
+    assert np.all(np.diff(long["sway.angle"])[1:9] == 0.0)
 
 
 def test_fmus_in_python(fmus: tuple[Path, Path]) -> None:

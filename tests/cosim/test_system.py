@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from segfmu.cosim import System, native, simulate
+from segfmu.cosim import Change, System, native, simulate
 from segfmu.errors import InputError, SimulationError
 from tests.cosim.probe.build import build
 
@@ -55,6 +55,60 @@ def test_parallel_passes_on_at_the_end_of_a_step(probes, engine: str) -> None:
         time = 0.1 * i
         x_a, x_b = 0.25 * x_b + time, 0.5 * x_a + time
         assert (row["a.y"], row["b.y"]) == pytest.approx((0.5 * x_a + time, 0.25 * x_b + time))
+
+
+@pytest.mark.parametrize("coupling", ["sequential", "parallel"])
+def test_an_fmu_with_longer_steps_holds_its_outputs(probes, engine: str, coupling: str) -> None:
+    """y = gain x + t at the end of each step of three; the first FMU steps with every one."""
+    with System(
+        {"a": probes[2], "b": probes[3], "c": probes[2]}, step=0.1, steps={"b": 0.3},
+        connections=[*CHAIN, ("b", "y", "c", "x")], coupling=coupling, engine=engine,
+    ) as system:
+        values = {"a": {"x": 2.0, "gain": 3.0}, "b": {"gain": 0.5}, "c": {"gain": 2.0}}
+        rows = system.run(values, stop_time=1.0)
+        again = system.run(values, stop_time=1.0)
+    assert all(np.array_equal(rows[n], again[n]) for n in ("a.y", "b.y", "c.y"))
+    times = 0.1 * np.arange(11)
+    assert rows["a.y"] == pytest.approx(6.0 + times)
+    own = 0.3 * (np.arange(11) // 3)
+    b = 0.5 * (6.0 + own) + own
+    assert rows["b.y"][3:] == pytest.approx(b[3:])
+    passed_on = b.copy()
+    if coupling == "parallel":
+        # as in any parallel step, what it hands on at its end has the inputs of its beginning
+        passed_on[::3] -= 0.5 * 0.3
+    assert rows["c.y"][3:] == pytest.approx((2.0 * passed_on + times)[3:])
+
+
+def test_a_change_between_long_steps_counts_from_the_beginning_of_one(probes, engine: str) -> None:
+    with System({"a": probes[2], "b": probes[3]}, step=0.1, steps={"b": 0.2}, connections=CHAIN,
+                engine=engine) as system:
+        rows = system.run(
+            {"a": {"gain": 0.0}, "b": {"gain": 1.0}}, stop_time=0.8,
+            changes=[Change(0.25, "a", {"x": 1.0}), Change(0.25, "a", {"gain": 1.0})],
+        )
+    times = 0.1 * np.arange(9)
+    y = np.where(times > 0.25, 1.0, 0.0) + times
+    assert rows["a.y"] == pytest.approx(y)
+    # the change cuts the step of the first FMU, not that of the second
+    assert rows["b.y"][::2] == pytest.approx((y + times)[::2])
+    assert rows["b.y"][1::2] == pytest.approx(rows["b.y"][:-1:2])
+
+
+@pytest.mark.parametrize(("steps", "options", "text"), [
+    ({"b": 0.25}, {}, r"step 0\.25 s of b is no multiple of the communication step 0\.1 s"),
+    ({"b": 0.05}, {}, "of b is no multiple"),
+    ({"a": 0.2}, {}, "a steps first"),
+    ({"c": 0.2}, {}, "no FMU c in the system"),
+    ({"b": -0.1}, {}, "step must be a time > 0 s"),
+    ({"b": 0.2}, {"coupling": "derivatives"}, "needs one step for all FMUs"),
+])
+def test_steps_that_do_not_fit_are_refused(
+    probes, steps: dict[str, float], options: dict[str, Any], text: str
+) -> None:
+    with pytest.raises(InputError, match=text):
+        System({"a": probes[2], "b": probes[3]}, step=0.1, steps=steps, connections=CHAIN,
+               **options)
 
 
 def test_runs_leave_nothing_behind(native_fmus, engine: str) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from segfmu.errors import InputError
 from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.suite import Runner
@@ -129,6 +130,24 @@ def test_a_third_fmu_takes_part(runner: Runner, tmp_path: Path) -> None:
     assert np.abs(wind).max() > 5.0
     assert rows["y"] == pytest.approx(wind, abs=1e-12)
     assert rows["power.wind"] == pytest.approx(wind * rows["load.velocity.x"], abs=1e-9)
+
+
+def test_a_third_fmu_has_a_step_of_its_own(runner: Runner, tmp_path: Path) -> None:
+    text = HEAD + VELOCITY + CRITERION + third(tmp_path, "wind.x")
+    (tmp_path / "s.toml").write_text(
+        text.replace('name = "probe"', 'name = "probe"\nstep = 0.02'), encoding="utf-8"
+    )
+    rows = runner.run(load_scenario(tmp_path / "s.toml")).rows
+    assert rows is not None
+    own = 4 * (np.arange(rows.size) // 4)
+    wind = (0.5 * rows["velocity.bridge"] + rows["time"])[own]
+    # its outputs are held, but for a last step that is shorter
+    assert rows["y"][4:-4] == pytest.approx(wind[4:-4], abs=1e-12)
+    (tmp_path / "s.toml").write_text(
+        text.replace('name = "probe"', 'name = "probe"\nstep = 0.007'), encoding="utf-8"
+    )
+    with pytest.raises(InputError, match=r"step 0\.007 s of probe is no multiple"):
+        runner.run(load_scenario(tmp_path / "s.toml"))
 
 
 def test_a_third_fmu_stands_between(runner: Runner, tmp_path: Path) -> None:

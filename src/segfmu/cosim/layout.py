@@ -17,7 +17,7 @@ TYPES = {
 }
 # enum form, kind and outcome
 FORMS = ("access2", "access3", "slopes")
-KINDS = ("call", "copy", "step", "meet")
+KINDS = ("call", "copy", "step", "meet", "gate")
 OUTCOMES = ("done", "call", "step", "enter", "update", "leave", "step ended", "event ended",
             "stalled", "event stalled")
 
@@ -91,5 +91,5 @@ class CSimulation(Structure):
         *_fields(c_void_p, "assignments", "points", "rows"), ("row_size", c_int64),
         ("instant", c_double), ("most_stalls", c_int64),
         *_fields(c_double, "time", "reached"),
-        *_fields(c_int64, "stalls", "outcome", "item", "status"),
+        *_fields(c_int64, "stalls", "outcome", "item", "status", "row"), ("lasts", c_void_p),
     ]

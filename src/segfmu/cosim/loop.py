@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim.change import Due
-from segfmu.cosim.schedule import Meet, Operation, Operations, Schedule, Step
+from segfmu.cosim.schedule import Gate, Meet, Operation, Operations, Schedule, Step
 from segfmu.cosim.table import Column, Table
 from segfmu.cosim.unit import INSTANT, MOST_STALLS, Unit
 from segfmu.errors import SimulationError
@@ -42,8 +42,10 @@ class Loop:
             self._bound,
             (schedule.advance, schedule.refresh, schedule.exchange, schedule.point),
         )
-        self._time = self._reached = 0.0
-        self._stalls = 0
+        self._time = self._reached = self._point_time = 0.0
+        self._stalls = self._row = 0
+        # the time that each unit has reached
+        self._lasts = [0.0] * len(units)
 
     def run(
         self, times: NDArray[np.float64], changes: Sequence[Due], progress: Progress
@@ -53,9 +55,12 @@ class Loop:
         pending = deque(changes)
         points = times.tolist()
         self._time, self._stalls = points[0], 0
+        self._reached, self._lasts = points[0], [points[0]] * len(self._units)
+        self._row, self._point_time = 0, points[0]
         if self._change(pending):
             _perform(self._exchange)
         for i, end in enumerate(points):
+            self._row, self._point_time = i, end
             if i > 0:
                 self._time = points[i - 1]
             while self._time < end:
@@ -72,16 +77,24 @@ class Loop:
     def _callable(self, operation: Operation) -> Callable[[], Any]:
         if isinstance(operation, Step):
             unit = self._units[operation.unit]
-            if operation.unit == 0:
-                return lambda: self._lead(unit)
-            return lambda: unit.step(self._time, self._reached)
+            return lambda: self._advance_unit(operation.unit, unit)
+        if isinstance(operation, Gate):
+            behind = self._bound(operation.operations)
+            return lambda: _perform(behind if self._is_open(operation.every) else ())
         if isinstance(operation, Meet):
             leader, calls = self._units[operation.unit], operation.calls
             return lambda: _perform(calls if leader.meet_event() else ())
         return operation
 
-    def _lead(self, unit: Unit) -> None:
-        self._reached = unit.step(self._time, self._reached)
+    def _advance_unit(self, place: int, unit: Unit) -> None:
+        """A step to the time reached, from where the unit is; the first one may end it earlier."""
+        reached = unit.step(self._lasts[place], self._reached)
+        if place == 0:
+            self._reached = reached
+        self._lasts[place] = self._reached
+
+    def _is_open(self, every: int) -> bool:
+        return self._row % every == 0 and self._reached >= self._point_time
 
     def _step(self, end: float, pending: deque[Due]) -> None:
         """A step of all units towards `end`, or to an earlier event or change."""

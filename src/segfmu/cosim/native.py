@@ -29,7 +29,7 @@ from segfmu.cosim.layout import (
     CUnit,
 )
 from segfmu.cosim.loop import Progress, stalled
-from segfmu.cosim.schedule import Meet, Operation, Operations, Schedule, Step
+from segfmu.cosim.schedule import Gate, Meet, Operation, Operations, Schedule, Step
 from segfmu.cosim.table import Column, row_type
 from segfmu.cosim.unit import INSTANT, MOST_STALLS, Unit
 from segfmu.errors import SimulationError
@@ -79,6 +79,8 @@ class NativeLoop:
             setattr(program, name, self._sequence(getattr(schedule, name)))
         self._fixed = len(self._calls)
         self._states = _packed(CUnit, [_unit(u) for u in units])
+        self._lasts = np.zeros(len(units))
+        program.lasts = self._lasts.ctypes.data
         program.units = ctypes.addressof(self._states)
         program.copies = self._array(CCopy, [_copy(c) for c in self._copies])
         fields = _columns(recorded, self._type)
@@ -93,6 +95,7 @@ class NativeLoop:
         program = self._program
         program.points, program.rows = times.ctypes.data, rows.ctypes.data
         program.stalls = program.next_change = 0
+        self._lasts[:] = times[0]
         for state in self._states:
             state.at_event = 0
         kept = self._changes(changes)
@@ -111,6 +114,8 @@ class NativeLoop:
             items.append(self._operation(operation))
             if isinstance(operation, Meet):
                 items += map(self._operation, operation.calls)
+            if isinstance(operation, Gate):
+                items += map(self._operation, operation.operations)
         return CSequence(self._array(COperation, items), len(items))
 
     def _operation(self, operation: Operation) -> COperation:
@@ -122,6 +127,8 @@ class NativeLoop:
             return COperation(KINDS.index("copy"), len(self._copies) - 1, 0)
         if isinstance(operation, Step):
             return COperation(KINDS.index("step"), operation.unit, 0)
+        if isinstance(operation, Gate):
+            return COperation(KINDS.index("gate"), operation.every, len(operation.operations))
         return COperation(KINDS.index("meet"), operation.unit, len(operation.calls))
 
     def _changes(self, changes: Sequence[Due]) -> list[Any]:
@@ -157,7 +164,7 @@ class NativeLoop:
             return call.unit.refusal(call.doing, call.function, program.status)
         unit: Unit = self._units[program.item]
         if outcome == "step":
-            return unit.refused_step(program.time, program.status)
+            return unit.refused_step(float(self._lasts[program.item]), program.status)
         if outcome in EVENTS:
             return unit.refusal(*EVENTS[outcome], program.status)
         if outcome == "stalled":

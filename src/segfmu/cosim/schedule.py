@@ -31,7 +31,15 @@ class Meet:
     calls: tuple[Call, ...] = ()
 
 
-Operation = Call | Copy | Step | Meet
+@dataclass(frozen=True)
+class Gate:
+    """Operations of a unit with steps of its own: at every so many communication points."""
+
+    every: int
+    operations: tuple[Call | Copy | Step, ...]
+
+
+Operation = Call | Copy | Step | Meet | Gate
 Operations = tuple[Operation, ...]
 
 
@@ -62,12 +70,14 @@ class Schedule:
 
 def scheduled(
     units: Sequence[Unit], links: Sequence[Link], coupling: Coupling, *, events: bool,
-    ahead: bool,
+    ahead: bool, every: Sequence[int] = (),
 ) -> Schedule:
     """Operations of a coupling.
 
     With `events`, steps also end at them; `ahead`: outputs are ahead of time by a communication
-    step, so that all steps have to be equal.
+    step, so that all steps have to be equal. `every`: how many communication steps a step of each
+    unit has; 1 by default, and of the first one. Those of more get their inputs at its end, or, but
+    for the sequential coupling, at its beginning; their outputs are held.
 
     Sequential: a unit's step has the outputs of the units before it at the end of the step, and
     those of the units behind it at its beginning. Else all have those of its beginning.
@@ -78,18 +88,21 @@ def scheduled(
     sources = [u for u in units if u in told or any(k.source is u for k in links)]
     others = [u for u in units if u not in sources]
     sinks = [u for u in sources if any(k.sink is u for k in links)]
-    transfers = tuple(o for link in links for o in link.transfer)
+    long = {unit: count for unit, count in zip(units, every, strict=False) if count > 1}
+    transfers = tuple(o for link in links for o in _gated(long.get(link.sink), link.transfer))
     if coupling == "sequential":
         leader = _reads(units[:1]) if units[0] in sources else ()
         advance: list[Operation] = []
         for i, unit in enumerate(units):
-            advance += [o for link in links if link.sink is unit for o in link.transfer]
-            advance += [Step(i), *(_reads([unit]) if unit in sources else ())]
+            taken = (o for link in links if link.sink is unit for o in link.transfer)
+            own = (*taken, Step(i), *(_reads([unit]) if unit in sources else ()))
+            advance += _gated(long.get(unit), own)
         return Schedule(
             (*advance, Meet(0, leader)), _reads(sources), (), _reads(others), list(told.values())
         )
     slopes = [s for link in links for s in link.slopes()] if coupling == "derivatives" else []
-    steps: Operations = (*slopes, *(Step(i) for i in range(len(units))), Meet(0))
+    each = (o for i, unit in enumerate(units) for o in _gated(long.get(unit), (Step(i),)))
+    steps: Operations = (*slopes, *each, Meet(0))
     if ahead:
         # an FMU measures its errors against the inputs that it has, so outputs are read first
         return Schedule(steps, (), (), (*_reads(units), *transfers), [])
@@ -119,6 +132,10 @@ def initialise(units: Sequence[Unit], links: Sequence[Link], leading: Sequence[U
     for link in links:
         if units.index(link.source) > units.index(link.sink):
             link.pass_on()
+
+
+def _gated(every: int | None, own: Sequence[Call | Copy | Step]) -> Operations:
+    return tuple(own) if every is None else (Gate(every, tuple(own)),)
 
 
 def _reads(units: Sequence[Unit]) -> tuple[Call, ...]:

@@ -24,6 +24,8 @@ from segfmu.planning.arrays import require_mapping
 
 # parameter of a source by which its outputs are ahead of time
 LEAD = "setpoint.lead"
+# a share of a step that is rounding
+SAME = 1e-9
 
 Engine = Literal["auto", "c", "python"]
 
@@ -38,6 +40,10 @@ class System:
         sequence, the names are those of the models.
     step : float
         Communication step [s].
+    steps : mapping of str to float, optional
+        Longer steps of some FMUs, multiples of `step` [s]: a sampled controller at 10 ms beside a
+        crane at 1 ms. Their outputs are held meanwhile. Not of the first FMU, and not with
+        "derivatives", which then is not the default.
     connections : iterable of Connection, optional
         Each (source, output, sink, input). By default outputs are connected to the inputs of the
         same names of the FMUs behind.
@@ -80,6 +86,7 @@ class System:
         fmus: Mapping[str, Path] | Sequence[Path],
         *,
         step: float,
+        steps: Mapping[str, float] | None = None,
         connections: Iterable[Sequence[str]] | None = None,
         coupling: Coupling | None = None,
         events: bool = True,
@@ -105,8 +112,9 @@ class System:
             self.connections = checked(self._units, given)
             self._recorded = chosen(self._units, record)
             self._observe()
+            self._every = self._counts(steps or {}, coupling)
             if coupling is None:
-                derivatives = all(link.has_slopes for link in self._links)
+                derivatives = all(link.has_slopes for link in self._links) and not steps
                 coupling = "derivatives" if derivatives else "sequential"
             self._coupling: Coupling = coupling
             self._loop = self._prepared()
@@ -242,10 +250,33 @@ class System:
             for (source, sink), names in pairs.items()
         ]
 
+    def _counts(self, steps: Mapping[str, float], coupling: Coupling | None) -> list[int]:
+        """How many communication steps a step of each FMU has."""
+        require_mapping("steps", steps)
+        self._require_units({owner: {} for owner in steps})
+        counts = dict.fromkeys(self.names, 1)
+        for owner, own in steps.items():
+            require_step(own)
+            counts[owner] = round(own / self._step)
+            if abs(counts[owner] * self._step - own) > SAME * own:
+                raise InputError(
+                    f"step {own} s of {owner} is no multiple of the communication step "
+                    f"{self._step} s"
+                )
+        if counts[self.names[0]] > 1:
+            raise InputError(
+                f"{self.names[0]} steps first, and with the communication step; name another FMU "
+                "first, or leave out its step"
+            )
+        if coupling == "derivatives" and max(counts.values()) > 1:
+            raise InputError('coupling "derivatives" needs one step for all FMUs')
+        return list(counts.values())
+
     def _prepared(self) -> Loop | native.NativeLoop:
         units = list(self._units.values())
         schedule = scheduled(
-            units, self._links, self._coupling, events=self._events, ahead=self._ahead
+            units, self._links, self._coupling, events=self._events, ahead=self._ahead,
+            every=self._every,
         )
         kind = native.NativeLoop if self.engine == "c" else Loop
         return kind(units, schedule, columns(self._units, self._recorded))

@@ -249,6 +249,7 @@ class Runner:
         pair = self._pairs.get(scenario.mission, trajectory, file.fmi)
         archives, outputs = pair.paths, [v.name for v in pair.interfaces[1].where("output")]
         others = {unit.name: Path(unit.path) for unit in file.fmus}
+        steps = {unit.name: unit.step for unit in file.fmus if unit.step is not None}
         for name in others:
             if name in (FEEDFORWARD, CRANE):
                 raise InputError(f"fmus: {name} is the name of one of the two FMUs")
@@ -266,10 +267,10 @@ class Runner:
             rows = None if planned else {**dict.fromkeys(others), CRANE: [*outputs, *_shared()]}
             return System(
                 {**first, **others, CRANE: archives[1]}, record=rows,
-                step=step, coupling=file.coupling, connections=[*own, *links],
+                step=step, steps=steps, coupling=file.coupling, connections=[*own, *links],
             )
 
-        key = (planned, *archives, step, file.coupling, *others.items(), *links)
+        key = (planned, *archives, step, *steps.items(), file.coupling, *others.items(), *links)
         return self._systems.get(key, make)
 
 

@@ -36,17 +36,17 @@ static bool do_call(simulation *s, int64_t item)
     return status <= WARNING || stop(s, CALL_FAILED, item, status);
 }
 
-/* A step to s->reached; the first unit may end it earlier. */
+/* A step to s->reached, from where the unit is; the first one may end it earlier. */
 static bool do_step(simulation *s, int64_t item)
 {
     unit *u = &s->units[item];
-    double end = s->reached, told = end;
+    double start = s->lasts[item], end = s->reached, told = end;
     bool event = false, terminate = false, early = false;
     int status;
     if (u->version == 2) {
-        status = ((step2)u->do_step)(u->instance, s->time, end - s->time, 1);
+        status = ((step2)u->do_step)(u->instance, start, end - start, 1);
     } else {
-        status = ((step3)u->do_step)(u->instance, s->time, end - s->time, true, &event, &terminate,
+        status = ((step3)u->do_step)(u->instance, start, end - start, true, &event, &terminate,
                                      &early, &told);
     }
     if (status > WARNING) {
@@ -60,6 +60,7 @@ static bool do_step(simulation *s, int64_t item)
     if (item == 0 && early && told < end - s->instant) {
         s->reached = told;
     }
+    s->lasts[item] = s->reached;
     return true;
 }
 
@@ -108,6 +109,11 @@ static bool perform(simulation *s, sequence q)
             break;
         case STEP:
             good = do_step(s, o->item);
+            break;
+        case GATE:
+            if (s->row % o->item != 0 || s->reached < s->points[s->row]) {
+                i += o->extra;
+            }
             break;
         default:
             if (s->units[o->item].at_event) {
@@ -193,6 +199,7 @@ static bool begin(simulation *s)
 
 static bool run_row(simulation *s, int64_t i)
 {
+    s->row = i;
     if (i == 0) {
         if (!begin(s)) {
             return false;

@@ -15,8 +15,9 @@ enum type { F64, F32, I8, U8, I16, U16, I32, U32, I64, U64, BOOL };
 /* Forms of the functions that get and set. */
 enum form { ACCESS2, ACCESS3, SLOPES };
 
-/* Operations; MEET makes the next `extra` ones depend on an event. */
-enum kind { CALL, COPY, STEP, MEET };
+/* Operations; MEET makes the next `extra` ones depend on an event, GATE on a communication point
+ * whose number is a multiple of `item`. */
+enum kind { CALL, COPY, STEP, MEET, GATE };
 
 /* How a run ended. */
 enum outcome { DONE, CALL_FAILED, STEP_FAILED, ENTER_FAILED, UPDATE_FAILED, LEAVE_FAILED,
@@ -88,6 +89,9 @@ typedef struct {
     /* where a run stands, and what ended it */
     double time, reached;
     int64_t stalls, outcome, item, status;
+    /* the communication point that is next, and the time that each unit has reached */
+    int64_t row;
+    double *lasts;
 } simulation;
 
 /* Copy values of one buffer to another place, each converted to its type. */

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
 
 from segfmu.errors import InputError
-from segfmu.validation.files.keys import Key, NotNegative, Number, Table, printable
+from segfmu.validation.files.keys import Key, NotNegative, Number, Positive, Table, printable
 
 INSTANT = re.compile(r"(start|arrival|end)(?:\s*([+-])\s*(\d+\.?\d*(?:[eE][+-]?\d+)?))?")
 CRANE = "GantryCrane"
@@ -110,6 +110,11 @@ class UnitTable(Table):
     name: Annotated[Name, Key("in connections, events and the names of variables")]
     path: Annotated[Name, Key("file of the FMU")]
     values: Annotated[Values, Key("parameters and start values")] = {}
+    step: Annotated[
+        Positive | None,
+        Key("its own step, a multiple of the communication step; its outputs are held meanwhile",
+            "s", default="the communication step"),
+    ] = None
     connections: Annotated[
         list[Annotated[list[Name], Field(min_length=4, max_length=4)]],
         Key(
