@@ -35,6 +35,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "t": ("coming_inside", ("ruckig",)),
     "r": ("replanning", ()),
     "u": ("operation", ()),
+    "x": ("joystick", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),
 }

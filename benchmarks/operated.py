@@ -25,10 +25,8 @@ class Site:
     step: float
 
     def operator(self, **options: Any) -> Operator:
-        return Operator(
-            self.crane, self.limits, self.start, bounds=self.bounds, clearance=self.clearance,
-            **options,
-        )
+        known = {"bounds": self.bounds, "clearance": self.clearance} | options
+        return Operator(self.crane, self.limits, self.start, **known)
 
 
 LAB = Site(

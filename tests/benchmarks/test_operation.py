@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from benchmarks.joystick import rows_of, swung
 from benchmarks.operated import LAB
 from benchmarks.operation import Found, judge, run, shortest_overrun
 
@@ -36,3 +37,18 @@ def test_what_is_exceeded_is_counted() -> None:
     found = Found()
     judge(LAB, motion, found)
     assert set(+found.exceeded) == {"limits", "drives", "workspace", "boxes"}
+
+
+def test_a_trolley_that_starts_to_accelerate_swings_its_load_to_twice_the_lean() -> None:
+    times = 0.001 * np.arange(4000.0)
+    most = 0.3
+    _, speed, angle = swung(LAB, times, np.full(times.size, most), np.full(times.size, 0.45))
+    assert angle.min() == pytest.approx(-2.0 * np.arctan(most / LAB.crane.gravity), rel=1e-4)
+    assert speed[-1] == pytest.approx(most * times[-1], abs=0.2)
+
+
+def test_a_shaped_stick_leaves_no_sway_and_a_flat_ramp_does() -> None:
+    rows = {str(r["way to follow"]): r for r in rows_of(LAB)}
+    assert float(rows["flat ramp"]["largest sway [deg]"]) > 5.0
+    for name in ("ZV", "ZVD", "operator"):
+        assert float(rows[name]["sway at rest [deg]"]) < 0.02

@@ -401,3 +401,10 @@ def test_a_mission_is_operated() -> None:
     operator.command("stop")
     follow(operator, 5.0)
     np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
+
+
+def test_a_hundred_thousand_steps_end_when_they_should() -> None:
+    operator = free()
+    for _ in range(100_000):
+        operator.step(0.001)
+    assert operator.time == 100.0

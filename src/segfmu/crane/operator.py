@@ -122,7 +122,7 @@ class Operator:
         self.crane = crane
         self._motion = OperatedMotion(limits.table(3, smoothness), known)
         self._masses = np.array(crane.masses)
-        self._time = 0.0
+        self._time, self._lost = 0.0, 0.0
         self._motion.command[Command.HOLD], self._motion.command[Command.SCALE] = given, 1.0
         self._begin(start, smoothness)
 
@@ -215,7 +215,11 @@ class Operator:
         if given <= 0.0:
             raise InputError(f"duration must be a time > 0 s, got {shown(duration)}")
         self._motion.operate(self._time, given)
-        self._time += given
+        # without the rounding errors of many steps
+        late = given - self._lost
+        after = self._time + late
+        self._lost = (after - self._time) - late
+        self._time = after
         return self.load
 
     @property
