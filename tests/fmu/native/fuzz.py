@@ -14,12 +14,17 @@ from pathlib import Path
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
-from segfmu.fmu.standard.spec import Spec
+from segfmu.fmu.standard.spec import Spec, started
 
 DRIVERS = Path(__file__).parent / "c"
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w", *SANITIZERS)
-SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
+# one that follows a stick from the start
+COMMANDED = started(gantry_feedforward.native_spec(), {
+    "command.enabled": True, "command.mode": "velocity", "command.velocity.x": 0.2,
+    "command.velocity.z": 0.05, "workspace.x.max": 1.2, "drive.bridge.acceleration_max": 1.5,
+})
+SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec(), COMMANDED)
 
 
 def program(compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1") -> Path:
@@ -58,15 +63,15 @@ def run(target: Path, sequences: int, first: int, timeout: float | None = None) 
 
 
 def main() -> None:
-    """All four programs, with as many sequences each as asked for."""
+    """All programs, with as many sequences each as asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sequences", type=int, default=1_000_000)
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--compiler", default="cc")
     chosen = parser.parse_args()
-    with tempfile.TemporaryDirectory() as work:
-        for fmi in (2, 3):
-            for spec in SPECS:
+    for fmi in (2, 3):
+        for spec in SPECS:
+            with tempfile.TemporaryDirectory() as work:
                 target = program(chosen.compiler, spec, fmi, Path(work))
                 print(f"{spec.name}, FMI {fmi}: {run(target, chosen.sequences, chosen.first)}")
 

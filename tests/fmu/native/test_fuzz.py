@@ -11,6 +11,10 @@ from tests.campaign import SOAK, campaign
 from tests.compiler import CC, require_cc
 from tests.fmu.native import fuzz
 
+COMMANDED = [
+    pytest.param(fmi, fuzz.COMMANDED, marks=pytest.mark.soak) for fmi in (2, 3) if SOAK
+]
+
 
 @pytest.fixture(scope="module")
 def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
@@ -30,7 +34,10 @@ def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @campaign(200, 20_000)
 # every source is in one of the two; the command makes all four
-@pytest.mark.parametrize(("fmi", "spec"), [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1])])
+@pytest.mark.parametrize(
+    ("fmi", "spec"),
+    [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1]), *COMMANDED],
+)
 def test_random_calls_end_with_a_status(
     compiler: str, tmp_path: Path, spec, fmi: int, count: int
 ) -> None:
