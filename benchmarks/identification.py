@@ -28,9 +28,10 @@ KINDS: tuple[Kind, ...] = tuple(product(("lab", "quay"), ("velocity", "force")))
 def measure(settings: Settings) -> Part:
     """Coverage and fit of 100 logs of each kind."""
     count = settings.samples // 5
-    return Part(TITLE, [
-        Section(f"{', '.join(kind)} drives", _records(kind, count)) for kind in KINDS
-    ], ("load: fit index of the load's path in another log of the same crane",))
+    return Part(
+        TITLE, [section for kind in KINDS for section in _sections(kind, count)],
+        ("load: fit index of the load's path in another log of the same crane",),
+    )
 
 
 def identified(kind: Kind, seed: int) -> tuple[Identification, dict[str, float]]:
@@ -49,20 +50,22 @@ def _one(task: tuple[Kind, int]) -> tuple[dict[str, bool], float, float]:
     return covered, unseen.load, perf_counter() - before
 
 
-def _records(kind: Kind, count: int) -> list[Record]:
+def _sections(kind: Kind, count: int) -> list[Section]:
     with ProcessPoolExecutor(cpu_count()) as pool:
         results = list(pool.map(_one, [(kind, seed) for seed in range(count)]))
     covered: dict[str, list[bool]] = defaultdict(list)
     for parameters, _, _ in results:
         for key, right in parameters.items():
             covered[key].append(right)
-    rows: list[Record] = [
-        {"": key, "told in": len(right), "covered in": sum(right)}
+    title = f"{', '.join(kind)} drives"
+    intervals: list[Record] = [
+        {"parameter": key, "told in": len(right), "covered in": sum(right)}
         for key, right in covered.items()
     ]
     loads = [load for _, load, _ in results]
-    return [
-        *rows, {"": "load, median and least", "told in": float(np.median(loads)),
-                "covered in": min(loads)},
-        {"": "time [s], median", "told in": float(np.median([time for *_, time in results]))},
-    ]
+    times = [time for *_, time in results]
+    followed: Record = {
+        "logs": count, "load, least": min(loads), "load, median": float(np.median(loads)),
+        "time of one, median [s]": float(np.median(times)),
+    }
+    return [Section(title, intervals), Section(f"{title}: another log", [followed])]
