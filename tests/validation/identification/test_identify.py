@@ -44,7 +44,7 @@ def test_lag_and_dead_time_of_a_ramp_that_has_a_closed_form(size: str) -> None:
     assert part.load is None and part.signals[0].index > 0.999
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", ["quay", *soaked("lab")])
 def test_rope_sway_zeros_and_damping_of_a_pendulum(size: str) -> None:
     *_, load, length = SIZES[size]
     time = np.sqrt(length / GRAVITY)
