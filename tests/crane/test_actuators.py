@@ -20,7 +20,6 @@ from segfmu import (
     plan,
     plan_actuated,
 )
-from segfmu.crane import actuators
 from segfmu.crane.bounds import NAMES
 from segfmu.crane.demand import peaks
 from tests.campaign import campaign, soaked
@@ -257,22 +256,3 @@ def test_a_wall_is_kept_whatever_the_limits(way: str) -> None:
     )
     assert limited.passed and limited.trajectory.extrema(0)[1][0] <= 6.01 + 1e-9
     assert limited.trajectory.duration < resting.trajectory.duration
-
-
-@pytest.mark.parametrize("refused", [{1}, {2, 3}, *soaked({2}, {3})])
-def test_one_refused_search_of_free_states_is_not_the_end(
-    refused: set[int], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    search, calls = actuators._search, []
-
-    def some(*given: object) -> object:
-        calls.append(given)
-        if len(calls) in refused:
-            raise InfeasibleError("none found")
-        return search(*given)
-
-    monkeypatch.setattr(actuators, "_search", some)
-    bounds = ActuatorBounds(velocity=0.8, acceleration=0.6)
-    points = [Waypoint([0.0, 0.0, -1.0]), Waypoint([1.0, 0.0, -1.0], "free", "free"),
-              Waypoint([2.0, 0.0, -1.0])]
-    assert plan_actuated(CRANE, points, None, bounds).passed

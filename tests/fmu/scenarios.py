@@ -183,6 +183,10 @@ def boxes(axis: int, side: int, rope: bool = False) -> Values:
     return values
 
 
+# the second waypoint at rest, with bounds that the default limits exceed
+REST: Values = {
+    f"waypoint[2].{name}.{axis}": 0.0 for name in ("velocity", "acceleration") for axis in "xy"
+} | {"drive.trolley.acceleration_max": 0.05}
 FEEDFORWARD: dict[str, Scenario] = {
     "paper": Scenario({}, np.linspace(0.0, 5.0, 26), motion=still),
     "zigzag": Scenario(ZIGZAG, np.linspace(0.0, 60.0, 31), motion=still),
@@ -191,6 +195,7 @@ FEEDFORWARD: dict[str, Scenario] = {
     "slowed": Scenario(
         {"drive.trolley.acceleration_max": 0.05, "planner.slows_down": True}, TIMES[:2], still
     ),
+    "found": Scenario(BOUNDS | REST | {"planner.finds_limits": True}, TIMES[:2], still),
 }
 BOXES = {
     f"{('beyond', 'before')[side]} {'xyz'[axis]}": Scenario(boxes(axis, side), TIMES[:2], still)
@@ -279,6 +284,7 @@ REFUSALS: dict[str, dict[str, tuple[str, Any, str]]] = {
     "feedforward": {
         "crane.rope_min": ("paper", 0.55, "rope length passes rope_min"),
         "crane.rope_max": ("paper", 0.45, "rope length passes rope_max"),
+        "planner.finds_limits": ("found", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
         "planner.slows_down": ("slowed", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
         **of_bounds(), **of_space(),
     },

@@ -51,7 +51,6 @@ from segfmu.kernels.crane.records import (
     FlatSeries,
     FrictionSeries,
     LoadPartials,
-    Pace,
     Plant,
     PlantFault,
     PlantState,
@@ -63,6 +62,17 @@ from segfmu.kernels.crane.records import (
     RopeWork,
     State,
     Work,
+)
+from segfmu.kernels.limits.records import (
+    AxisTask,
+    LimitFault,
+    LimitRow,
+    Pace,
+    Search,
+    SearchValues,
+    Starts,
+    Unknown,
+    Values,
 )
 from segfmu.kernels.numerics.records import RangeFault, Sinusoid
 from segfmu.kernels.operation.records import (
@@ -118,8 +128,8 @@ def zeros(*shape: int) -> np.ndarray:
 def calls() -> dict[str, Call]:
     """The arguments by the names of the entry points."""
     return (
-        planner_calls() | trajectory_calls() | crane_calls() | operation_calls() | control_calls()
-        | rig_calls()
+        planner_calls() | trajectory_calls() | crane_calls() | limit_calls() | operation_calls()
+        | control_calls() | rig_calls()
     )
 
 
@@ -326,6 +336,38 @@ def trajectory_calls() -> dict[str, Call]:
     }
 
 
+def limit_calls() -> dict[str, Call]:
+    """Of a search for limits from waypoint to waypoint, of which the first one is free."""
+    points = np.array([[0.0, 0.0, -1.0], [1.0, 0.5, -0.8], [2.0, 1.5, -1.2]])
+    rest, bounds, known = zeros(3, 3), zeros(DriveBounds.SIZE), zeros(Resistance.SIZE)
+    bounds[DriveBounds.VELOCITY_MAX : DriveBounds.POWER_MAX] = 0.6
+    bounds[DriveBounds.VELOCITY_MIN] = -0.4
+    known[: Resistance.VISCOUS] = 2.0, 1.0, 1.0, 9.81
+    caps, axes = zeros(3, LimitRow.SIZE), zeros(3, AxisTask.SIZE)
+    backend.write_axes(points, rest, rest, bounds, caps, known, axes)
+    starts, fault = zeros(Starts.COUNT, 24), zeros(LimitFault.SIZE)
+    backend.write_starts(1.2, bounds, known, axes, starts, fault)
+    kinds = np.repeat([float(Unknown.LIMIT), float(Unknown.STATE)], [18, 6])
+    search, peaks = zeros(Search.SIZE, 24), np.linspace(0.0, 0.7, 28).reshape(2, 14)
+    backend.begin_limits(starts, kinds, search)
+    work = zeros(SearchValues.SIZE, Values.SIZE), zeros(24, Values.SIZE), zeros(48, 24)
+    return {
+        "begin_pace": (1.0, 0.999, zeros(Pace.SIZE)),
+        "next_pace": (1.4, np.array([0.8, 1.0, 0.999, 0.5, 1.0, 1.0, 1.9, 2.0])),
+        "write_axes": (points, rest, rest, bounds, caps, known, axes.copy()),
+        "narrow_bounds": (bounds.copy(), caps + 1.0),
+        "write_kinds": (axes, kinds.copy()),
+        "write_limits": (starts[0].copy(), axes, zeros(3, LimitRow.SIZE)),
+        "write_shares": (peaks, bounds, axes, zeros(28)),
+        "write_starts": (1.2, bounds, known, axes, starts.copy(), fault),
+        "write_passing": (points, kinds, axes, starts[0].copy()),
+        "begin_limits": (starts, kinds, search.copy()),
+        "next_limits": (5.0, peaks.ravel().copy(), starts, search.copy(), *work),
+        "write_best": (0.9, search.copy()),
+        "keep_best": (0.9, search.copy()),
+    }
+
+
 def crane_calls() -> dict[str, Call]:
     rig = everything()
     plant = rig.parameters(LAB, True)
@@ -353,13 +395,14 @@ def crane_calls() -> dict[str, Call]:
             np.stack([flat[:5], flat[:5]]), np.array([0.0, 1.0]), plant[: Resistance.SIZE].copy(),
             np.stack([rows] * 3), zeros(DemandWork.SIZE, DemandWork.COLUMNS), zeros(2, Demand.SIZE),
         ),
-        "demand_peaks": (
-            *planned, plant[: Resistance.SIZE].copy(), np.stack([rows] * 3),
-            zeros(DemandPeaks.SIZE, DemandPeaks.COLUMNS), zeros(2, Demand.SIZE),
-            zeros(2, Demand.SIZE),
-        ),
-        "begin_pace": (zeros(Pace.SIZE),),
-        "next_pace": (1.4, np.array([0.8, 0.5, 1.0, 0.7, 1.9, 2.0])),
+        **{
+            name: (
+                *planned, plant[: Resistance.SIZE].copy(), np.stack([rows] * 3),
+                zeros(DemandPeaks.SIZE, DemandPeaks.COLUMNS), zeros(2, Demand.SIZE),
+                zeros(2, Demand.SIZE),
+            )
+            for name in ("demand_peaks", "demand_samples")
+        },
         "bound_uses": (
             np.linspace(0.0, 2.0, 2 * Demand.SIZE).reshape(2, -1), zeros(2, Demand.SIZE) + 0.5,
             np.where(np.arange(DriveBounds.SIZE) < DriveBounds.FORCE_MIN, 1.1, -0.7),

@@ -46,20 +46,20 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real crane_gravity(unit = "m/s2", min = 1e-09) = 9.81 "nominal crane: gravity" annotation(Dialog(tab = "crane"));
   parameter Real crane_rope_min(unit = "m", min = 0.0) = 0.16 "nominal crane: shortest rope; 0: no bound" annotation(Dialog(tab = "crane"));
   parameter Real crane_rope_max(unit = "m", min = 0.0) = 1.5 "nominal crane: longest rope; 0: no bound" annotation(Dialog(tab = "crane"));
-  parameter Real limits_x_velocity(unit = "m/s", min = 0.0) = 1.0 "limit of the load's velocity in x" annotation(Dialog(tab = "limits"));
-  parameter Real limits_x_acceleration(unit = "m/s2", min = 0.0) = 1.0 "limit of the load's acceleration in x" annotation(Dialog(tab = "limits"));
+  parameter Real limits_x_velocity(unit = "m/s", min = 0.0) = 1.0 "limit of the load's velocity in x; 0: none, if they are found" annotation(Dialog(tab = "limits"));
+  parameter Real limits_x_acceleration(unit = "m/s2", min = 0.0) = 1.0 "limit of the load's acceleration in x; 0: none, if they are found" annotation(Dialog(tab = "limits"));
   parameter Real limits_x_jerk(unit = "m/s3", min = 0.0) = 1.0 "limit of the load's jerk in x; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_x_snap(unit = "m/s4", min = 0.0) = 10.0 "limit of the load's snap in x; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_x_velocity_min(unit = "m/s", max = 0.0) = 0.0 "limit of the load's velocity in the negative direction of x, below 0; 0: as in the positive one" annotation(Dialog(tab = "limits"));
   parameter Real limits_x_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "limit of the load's acceleration in the negative direction of x, below 0; 0: as in the positive one" annotation(Dialog(tab = "limits"));
-  parameter Real limits_y_velocity(unit = "m/s", min = 0.0) = 0.4 "limit of the load's velocity in y" annotation(Dialog(tab = "limits"));
-  parameter Real limits_y_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in y" annotation(Dialog(tab = "limits"));
+  parameter Real limits_y_velocity(unit = "m/s", min = 0.0) = 0.4 "limit of the load's velocity in y; 0: none, if they are found" annotation(Dialog(tab = "limits"));
+  parameter Real limits_y_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in y; 0: none, if they are found" annotation(Dialog(tab = "limits"));
   parameter Real limits_y_jerk(unit = "m/s3", min = 0.0) = 0.5 "limit of the load's jerk in y; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_y_snap(unit = "m/s4", min = 0.0) = 5.0 "limit of the load's snap in y; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_y_velocity_min(unit = "m/s", max = 0.0) = 0.0 "limit of the load's velocity in the negative direction of y, below 0; 0: as in the positive one" annotation(Dialog(tab = "limits"));
   parameter Real limits_y_acceleration_min(unit = "m/s2", max = 0.0) = 0.0 "limit of the load's acceleration in the negative direction of y, below 0; 0: as in the positive one" annotation(Dialog(tab = "limits"));
-  parameter Real limits_z_velocity(unit = "m/s", min = 0.0) = 0.3 "limit of the load's velocity in z" annotation(Dialog(tab = "limits"));
-  parameter Real limits_z_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in z" annotation(Dialog(tab = "limits"));
+  parameter Real limits_z_velocity(unit = "m/s", min = 0.0) = 0.3 "limit of the load's velocity in z; 0: none, if they are found" annotation(Dialog(tab = "limits"));
+  parameter Real limits_z_acceleration(unit = "m/s2", min = 0.0) = 0.5 "limit of the load's acceleration in z; 0: none, if they are found" annotation(Dialog(tab = "limits"));
   parameter Real limits_z_jerk(unit = "m/s3", min = 0.0) = 0.5 "limit of the load's jerk in z; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_z_snap(unit = "m/s4", min = 0.0) = 5.0 "limit of the load's snap in z; 0: no limit" annotation(Dialog(tab = "limits"));
   parameter Real limits_z_velocity_min(unit = "m/s", max = 0.0) = 0.0 "limit of the load's velocity in the negative direction of z, below 0; 0: as in the positive one" annotation(Dialog(tab = "limits"));
@@ -69,6 +69,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Types.Synchronization planner_synchronization = Types.Synchronization.waypoints "where the axes meet" annotation(Dialog(tab = "planner"));
   parameter Real planner_sample_time(unit = "s", min = 0.0) = 0.0 "waypoint intervals and dwells become multiples of it; 0: any duration" annotation(Dialog(tab = "planner"));
   parameter Real planner_duration(unit = "s", min = 0.0) = 0.0 "duration to take; 0: the shortest one" annotation(Dialog(tab = "planner"));
+  parameter Boolean planner_finds_limits = false "where the plan with the limits of the load exceeds bounds of the drives, limits up to these are found with which the motion is short and keeps the bounds; false: it is refused, or slows down" annotation(Dialog(tab = "planner"));
   parameter Boolean planner_slows_down = false "where the plan exceeds bounds of the drives, the whole motion becomes as slow as they need, waypoint velocities included; false: it is refused" annotation(Dialog(tab = "planner"));
   parameter Real planner_start_time(unit = "s", min = -1000000000.0) = -1000000000.0 "time at which the motion starts; -1e+09: the start of the simulation" annotation(Dialog(tab = "planner"));
   parameter Real setpoint_lead(unit = "s", min = 0.0) = 0.0 "all outputs are those of so much later, from the end of initialisation on: the communication step of importers that couple in parallel" annotation(Dialog(tab = "setpoint"));
@@ -283,6 +284,24 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
   final parameter Real plan_pace(fixed = false) "pace of the motion; 1 unless it was slowed down";
+  final parameter Real plan_limits_x_velocity(unit = "m/s", fixed = false) "limit of the plan: velocity in x; 0: none";
+  final parameter Real plan_limits_x_acceleration(unit = "m/s2", fixed = false) "limit of the plan: acceleration in x; 0: none";
+  final parameter Real plan_limits_x_jerk(unit = "m/s3", fixed = false) "limit of the plan: jerk in x; 0: none";
+  final parameter Real plan_limits_x_snap(unit = "m/s4", fixed = false) "limit of the plan: snap in x; 0: none";
+  final parameter Real plan_limits_x_velocity_min(unit = "m/s", fixed = false) "limit of the plan: velocity_min in x; 0: none";
+  final parameter Real plan_limits_x_acceleration_min(unit = "m/s2", fixed = false) "limit of the plan: acceleration_min in x; 0: none";
+  final parameter Real plan_limits_y_velocity(unit = "m/s", fixed = false) "limit of the plan: velocity in y; 0: none";
+  final parameter Real plan_limits_y_acceleration(unit = "m/s2", fixed = false) "limit of the plan: acceleration in y; 0: none";
+  final parameter Real plan_limits_y_jerk(unit = "m/s3", fixed = false) "limit of the plan: jerk in y; 0: none";
+  final parameter Real plan_limits_y_snap(unit = "m/s4", fixed = false) "limit of the plan: snap in y; 0: none";
+  final parameter Real plan_limits_y_velocity_min(unit = "m/s", fixed = false) "limit of the plan: velocity_min in y; 0: none";
+  final parameter Real plan_limits_y_acceleration_min(unit = "m/s2", fixed = false) "limit of the plan: acceleration_min in y; 0: none";
+  final parameter Real plan_limits_z_velocity(unit = "m/s", fixed = false) "limit of the plan: velocity in z; 0: none";
+  final parameter Real plan_limits_z_acceleration(unit = "m/s2", fixed = false) "limit of the plan: acceleration in z; 0: none";
+  final parameter Real plan_limits_z_jerk(unit = "m/s3", fixed = false) "limit of the plan: jerk in z; 0: none";
+  final parameter Real plan_limits_z_snap(unit = "m/s4", fixed = false) "limit of the plan: snap in z; 0: none";
+  final parameter Real plan_limits_z_velocity_min(unit = "m/s", fixed = false) "limit of the plan: velocity_min in z; 0: none";
+  final parameter Real plan_limits_z_acceleration_min(unit = "m/s2", fixed = false) "limit of the plan: acceleration_min in z; 0: none";
   final parameter Real plan_use_bridge_force(fixed = false) "largest use of the bound of bridge force; 1: all; 0: no bound";
   final parameter Real plan_use_bridge_force_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_trolley_force(fixed = false) "largest use of the bound of trolley force; 1: all; 0: no bound";
@@ -312,66 +331,66 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [301, 302, 303;
-      311, 312, 313;
-      321, 322, 323;
-      331, 332, 333;
-      341, 342, 343;
-      351, 352, 353;
-      361, 362, 363;
-      371, 372, 373;
-      381, 382, 383;
-      391, 392, 393;
-      401, 402, 403;
-      411, 412, 413;
-      421, 422, 423;
-      431, 432, 433;
-      441, 442, 443;
-      451, 452, 453];
-  constant Integer waypoint_velocity_references[16, 3] = [304, 305, 306;
-      314, 315, 316;
-      324, 325, 326;
-      334, 335, 336;
-      344, 345, 346;
-      354, 355, 356;
-      364, 365, 366;
-      374, 375, 376;
-      384, 385, 386;
-      394, 395, 396;
-      404, 405, 406;
-      414, 415, 416;
-      424, 425, 426;
-      434, 435, 436;
-      444, 445, 446;
-      454, 455, 456];
-  constant Integer waypoint_acceleration_references[16, 3] = [307, 308, 309;
-      317, 318, 319;
-      327, 328, 329;
-      337, 338, 339;
-      347, 348, 349;
-      357, 358, 359;
-      367, 368, 369;
-      377, 378, 379;
-      387, 388, 389;
-      397, 398, 399;
-      407, 408, 409;
-      417, 418, 419;
-      427, 428, 429;
-      437, 438, 439;
-      447, 448, 449;
-      457, 458, 459];
-  constant Integer waypoint_dwell_references[16] = {310, 320, 330, 340, 350, 360, 370, 380, 390, 400, 410, 420, 430, 440, 450, 460};
+  constant Integer waypoint_position_references[16, 3] = [320, 321, 322;
+      330, 331, 332;
+      340, 341, 342;
+      350, 351, 352;
+      360, 361, 362;
+      370, 371, 372;
+      380, 381, 382;
+      390, 391, 392;
+      400, 401, 402;
+      410, 411, 412;
+      420, 421, 422;
+      430, 431, 432;
+      440, 441, 442;
+      450, 451, 452;
+      460, 461, 462;
+      470, 471, 472];
+  constant Integer waypoint_velocity_references[16, 3] = [323, 324, 325;
+      333, 334, 335;
+      343, 344, 345;
+      353, 354, 355;
+      363, 364, 365;
+      373, 374, 375;
+      383, 384, 385;
+      393, 394, 395;
+      403, 404, 405;
+      413, 414, 415;
+      423, 424, 425;
+      433, 434, 435;
+      443, 444, 445;
+      453, 454, 455;
+      463, 464, 465;
+      473, 474, 475];
+  constant Integer waypoint_acceleration_references[16, 3] = [326, 327, 328;
+      336, 337, 338;
+      346, 347, 348;
+      356, 357, 358;
+      366, 367, 368;
+      376, 377, 378;
+      386, 387, 388;
+      396, 397, 398;
+      406, 407, 408;
+      416, 417, 418;
+      426, 427, 428;
+      436, 437, 438;
+      446, 447, 448;
+      456, 457, 458;
+      466, 467, 468;
+      476, 477, 478];
+  constant Integer waypoint_dwell_references[16] = {329, 339, 349, 359, 369, 379, 389, 399, 409, 419, 429, 439, 449, 459, 469, 479};
   final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
-      65, 69, 70, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91,
-      92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 131, 132, 133, 134, 135, 136, 137, 138, 139,
-      140, 141, 142, 144, 145, 146, 147, 148, 149, 150, 152, 153, 154, 155, 156, 157, 158, 160,
-      161, 162, 163, 164, 165, 166, 168, 169, 170, 171, 172, 173, 174, 176, 177, 178, 179, 180,
-      181, 182, 184, 185, 186, 187, 188, 189, 190, 192, 193, 194, 195, 196, 197, 198, 200, 201,
-      202, 203, 204, 205, 206, 208, 209, 210, 211, 212, 213, 214, 216, 217, 218, 219, 220, 221,
-      222, 224, 225, 226, 227, 228, 229, 230, 232, 233, 234, 235, 236, 237, 238, 240, 241, 242,
-      243, 244, 245, 246, 248, 249, 250, 251, 252, 253, 254, 256, 257, 258, 259, 260, 261, 262,
-      264, 265, 266, 267, 268, 269, 270, 274, 275, 276, 277, 278, 279, 281, 282, 283, 284, 285,
-      286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299},
+      65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
+      109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 150, 151, 152, 153, 154,
+      155, 156, 157, 158, 159, 160, 161, 163, 164, 165, 166, 167, 168, 169, 171, 172, 173, 174,
+      175, 176, 177, 179, 180, 181, 182, 183, 184, 185, 187, 188, 189, 190, 191, 192, 193, 195,
+      196, 197, 198, 199, 200, 201, 203, 204, 205, 206, 207, 208, 209, 211, 212, 213, 214, 215,
+      216, 217, 219, 220, 221, 222, 223, 224, 225, 227, 228, 229, 230, 231, 232, 233, 235, 236,
+      237, 238, 239, 240, 241, 243, 244, 245, 246, 247, 248, 249, 251, 252, 253, 254, 255, 256,
+      257, 259, 260, 261, 262, 263, 264, 265, 267, 268, 269, 270, 271, 272, 273, 275, 276, 277,
+      278, 279, 280, 281, 283, 284, 285, 286, 287, 288, 289, 293, 294, 295, 296, 297, 298, 300,
+      301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -433,22 +452,24 @@ protected
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[6] = {66, 67, 68, 143, 273, 300};
+  constant Integer integer_references[6] = {84, 85, 86, 162, 292, 319};
   final parameter Integer integers[6] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, Integer(command_mode), waypoint_count};
-  constant Integer boolean_references[19] = {71, 151, 159, 167, 175, 183, 191, 199, 207, 215, 223, 231, 239, 247, 255, 263, 271, 272, 280};
-  final parameter Integer booleans[19] = {if planner_slows_down then 1 else 0, if obstacle_1_rope then 1 else 0, if obstacle_2_rope
-      then 1 else 0, if obstacle_3_rope then 1 else 0, if obstacle_4_rope then 1 else 0, if
-      obstacle_5_rope then 1 else 0, if obstacle_6_rope then 1 else 0, if obstacle_7_rope then 1
-      else 0, if obstacle_8_rope then 1 else 0, if obstacle_9_rope then 1 else 0, if
-      obstacle_10_rope then 1 else 0, if obstacle_11_rope then 1 else 0, if obstacle_12_rope then
-      1 else 0, if obstacle_13_rope then 1 else 0, if obstacle_14_rope then 1 else 0, if
-      obstacle_15_rope then 1 else 0, if obstacle_16_rope then 1 else 0, if command_enabled then 1
-      else 0, if command_go then 1 else 0};
+  constant Integer boolean_references[20] = {89, 90, 170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290, 291,
+      299};
+  final parameter Integer booleans[20] = {if planner_finds_limits then 1 else 0, if planner_slows_down then 1 else 0, if
+      obstacle_1_rope then 1 else 0, if obstacle_2_rope then 1 else 0, if obstacle_3_rope then 1
+      else 0, if obstacle_4_rope then 1 else 0, if obstacle_5_rope then 1 else 0, if
+      obstacle_6_rope then 1 else 0, if obstacle_7_rope then 1 else 0, if obstacle_8_rope then 1
+      else 0, if obstacle_9_rope then 1 else 0, if obstacle_10_rope then 1 else 0, if
+      obstacle_11_rope then 1 else 0, if obstacle_12_rope then 1 else 0, if obstacle_13_rope then
+      1 else 0, if obstacle_14_rope then 1 else 0, if obstacle_15_rope then 1 else 0, if
+      obstacle_16_rope then 1 else 0, if command_enabled then 1 else 0, if command_go then 1 else
+      0};
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{c778fd40-bc15-20dc-ebcb-d10b06a82bcb}", 0);
+      "{845e364b-b52f-c4ed-d5f1-6c36238c7114}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -458,7 +479,13 @@ initial equation
   started = FMI.start(fmu, time, real_references, reals, integer_references, integers,
       boolean_references, booleans);
   begun = FMI.begin(fmu, input_references, inputs, started);
-  {plan_duration, plan_pace, plan_use_bridge_force, plan_use_bridge_force_time,
+  {plan_duration, plan_pace, plan_limits_x_velocity, plan_limits_x_acceleration,
+      plan_limits_x_jerk, plan_limits_x_snap, plan_limits_x_velocity_min,
+      plan_limits_x_acceleration_min, plan_limits_y_velocity, plan_limits_y_acceleration,
+      plan_limits_y_jerk, plan_limits_y_snap, plan_limits_y_velocity_min,
+      plan_limits_y_acceleration_min, plan_limits_z_velocity, plan_limits_z_acceleration,
+      plan_limits_z_jerk, plan_limits_z_snap, plan_limits_z_velocity_min,
+      plan_limits_z_acceleration_min, plan_use_bridge_force, plan_use_bridge_force_time,
       plan_use_trolley_force, plan_use_trolley_force_time, plan_use_hoist_force,
       plan_use_hoist_force_time, plan_use_bridge_velocity, plan_use_bridge_velocity_time,
       plan_use_trolley_velocity, plan_use_trolley_velocity_time, plan_use_hoist_velocity,
@@ -468,8 +495,9 @@ initial equation
       plan_use_hoist_acceleration_time, plan_use_bridge_power, plan_use_bridge_power_time,
       plan_use_trolley_power, plan_use_trolley_power_time, plan_use_hoist_power,
       plan_use_hoist_power_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
-      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {40, 41, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119,
-      120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130}, started);
+      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {40, 41, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 122, 123,
+      124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141,
+      142, 143, 144, 145, 146, 147, 148, 149}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);

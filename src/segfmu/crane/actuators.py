@@ -1,14 +1,13 @@
 """Plans that are as short as the drives of a crane allow.
 
-limit_search.py finds the limits of the load's motion; starting_limits.py where to begin;
-demand.py measures what the result asks of the drives.
+limit_search.py finds the limits of the load's motion; demand.py measures what the result asks of
+the drives.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,31 +16,15 @@ from numpy.typing import ArrayLike, NDArray
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import demands_in_state, peaks
-from segfmu.crane.drive_refusals import exceeded, refused, require_start
-from segfmu.crane.drive_task import (
-    COLUMNS,
-    DIRECTED,
-    SEARCHED,
-    Task,
-    first_senses,
-    with_motion,
-)
+from segfmu.crane.drive_refusals import exceeded, refused, require_below, require_start
+from segfmu.crane.drive_task import Task, with_motion
 from segfmu.crane.equipment import Friction
-from segfmu.crane.evolution import precedes
 from segfmu.crane.inverse import require_flat
-from segfmu.crane.limit_search import (
-    EXACT,
-    KEPT,
-    Found,
-    attempt,
-    just_kept,
-    paced,
-    shortest,
-)
+from segfmu.crane.limit_search import KEPT, Found, LimitSearch
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
-from segfmu.crane.starting_limits import starting_tables
 from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels.limits.records import LimitRow
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import NAMES, Limits, limited
@@ -51,17 +34,12 @@ from segfmu.planning.request import checked_request
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
-# generations of the search: this many, and more for every unknown
-GENERATIONS = 40
-MORE_GENERATIONS = 4
 # a bound is active if it is used beyond this share
 ACTIVE = 0.999
 # for the checks of arguments where none are given
 ANY_LIMITS = Limits(1.0, 1.0)
-# shares of free velocities and accelerations that the planner chooses, where a search begins
-CALM = np.array([0.8, 0.0])
-# share of the bounds kept free in a second search, where samples missed a peak
-MARGIN = 0.02
+# limits that are searched for; higher ones stay as they are given
+SEARCHED = LimitRow.VELOCITY_MIN
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,12 +145,11 @@ def plan_actuated(
     task = _task(crane, request.waypoints, limits, bounds, options, clearance, friction)
     try:
         _require_states(task, bounds)
-        require_start(task)
-        best = _searched(task, bounds, progress)
+        require_start(task, bounds)
+        require_below(task)
+        best = _searched(task, bounds, timing, progress)
     except InfeasibleError as error:
         raise refusal or error from None
-    if duration is not None or sample_time is not None:
-        best = _timed(best, replace(best.task, options=options | timing), bounds, progress)
     return _measured(crane, bounds, friction, best.trajectory)
 
 
@@ -229,28 +206,23 @@ def _task(
     rest = np.nan_to_num(np.swapaxes(states, 1, 2))
     resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))
     free = _passing(waypoints, first) & np.isnan(np.swapaxes(states, 1, 2)[:, 1:])
-    senses = first_senses(resting)
-    caps, higher = _caps(limits, senses)
+    caps, higher = _caps(limits)
     return Task(
-        crane, resting, free, first, bounds.table, caps, senses, higher, options, clearance,
-        friction,
+        crane, resting, free, first, bounds.record, caps, higher, options, clearance, friction
     )
 
 
-def _caps(limits: Limits | None, senses: FloatArray) -> tuple[FloatArray, dict[str, Any]]:
-    """Given limits as the task has them, (3, 6), and those above the snap."""
-    caps, higher = np.full((3, COLUMNS), np.inf), {}
+def _caps(limits: Limits | None) -> tuple[FloatArray, dict[str, Any]]:
+    """Given limits as the task has them, (3, LimitRow.SIZE), and those above the snap."""
+    caps, higher = np.zeros((3, LimitRow.SIZE)), {}
     if limits is not None:
         for i, name in enumerate(NAMES):
             values = np.broadcast_to(getattr(limits, name), (3,))
             if i < SEARCHED:
-                caps[:, i] = values
+                caps[:, i] = np.where(np.isfinite(values), values, 0.0)
             elif limited(values):
                 higher[name] = values
-        both = caps[:, :DIRECTED].copy(), limits.lower(3)
-        turned = senses[:, None] < 0.0
-        caps[:, :DIRECTED] = np.where(turned, *both[::-1])
-        caps[:, SEARCHED:] = np.where(turned, *both)
+        caps[:, SEARCHED:] = limits.lower(3)
     return caps, higher
 
 
@@ -280,109 +252,12 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
             raise exceeded(f"waypoint {number}: ", found, "its state alone")
 
 
-def _searched(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
-    """The shortest plan found; none with the smaller bounds in both directions is shorter."""
-    if not task.directed.any():
-        return _freely(task, bounds, progress)
-    try:
-        narrow = _freely(task.narrow, bounds, lambda share: progress(0.5 * share))
-    except InfeasibleError:
-        return _freely(task, bounds, progress)
-    known = replace(narrow, task=replace(narrow.task, bounds=task.bounds, caps=task.caps))
-    with suppress(InfeasibleError):
-        found = _search(task, bounds, lambda share: progress(0.5 * (1.0 + share)), known)
-        if precedes(found.rank, known.rank):
-            return found
-    return known
-
-
-def _freely(task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]) -> Found:
-    """The shortest plan found; none with rest at the free states is shorter."""
-    if not task.free.any():
-        return _search(task, bounds, progress)
-    try:
-        rest = _search(replace(task, free=np.zeros_like(task.free)), bounds, _part(progress, 0))
-    except InfeasibleError:
-        return _search(task, bounds, _part(progress, 1))
-    best = rest
-    # where the planner's own choice of states leads nowhere, rest is the better start
-    for part, known in ((1, None), (2, replace(rest, task=replace(rest.task, free=task.free)))):
-        with suppress(InfeasibleError):
-            found = _search(task, bounds, _part(progress, part), known)
-            if precedes(found.rank, best.rank):
-                return found
-    return best
-
-
-def _part(progress: Callable[[float], None], part: int) -> Callable[[float], None]:
-    """Progress of one of three parts of the work, from 0."""
-    return lambda share: progress((part + share) / 3.0)
-
-
-def _search(
-    task: Task, bounds: ActuatorBounds, progress: Callable[[float], None],
-    known: Found | None = None,
+def _searched(
+    task: Task, bounds: ActuatorBounds, timing: dict[str, Any], progress: Callable[[float], None]
 ) -> Found:
-    """The shortest plan found, its peaks exact; perhaps from a plan that is known."""
-    tables = starting_tables(task)
-    starts = [(task, paced(task, table, 1.0)) for table in tables]
-    calm: list[tuple[Task, FloatArray]] = []
-    if task.free.any():
-        freed = [start for table in tables if (start := _freed(task, table)) is not None]
-        starts += freed
-        # the planner's own choice is at the edge of what has a plan
-        calm = [(one.with_states(CALM[:, None] * one.states), table) for one, table in freed]
-    if known is not None:
-        calm.append((known.task, known.table))
-    unknowns = SEARCHED * task.moving.size + int(task.free.sum())
-    unknowns += int(task.directed[task.moving].sum())
-    generations = GENERATIONS + MORE_GENERATIONS * unknowns
-    for margin in (0.0, MARGIN):
-        aims = [(replace(t, bounds=(1.0 - margin) * task.bounds), table) for t, table in starts]
-        quiet = [(replace(t, bounds=(1.0 - margin) * task.bounds), table) for t, table in calm]
-        rough = shortest(aims, quiet, generations, progress)
-        if rough is None:
-            break
-        exact = just_kept(replace(rough.task, bounds=task.bounds), rough.table, EXACT)
-        if exact is not None and exact.kept:
-            return exact
-        starts.append((rough.task, rough.table))
-    raise refused(starts, bounds)
-
-
-def _timed(
-    found: Found, task: Task, bounds: ActuatorBounds, progress: Callable[[float], None]
-) -> Found:
-    """The plan with a sample time or a duration; slower, so it usually keeps the bounds as well."""
-    best = attempt(task, found.table, 1.0, EXACT)
-    if best is None or not best.allowed:
-        # refused with the planner's reason, such as a duration that is too short
-        task.require_path(task.plan(found.table))
-    if best is None or not best.kept:
-        best = just_kept(task, found.table, EXACT)
-    if best is None or not best.kept:
-        rough = shortest([(task, found.table)], (), GENERATIONS, progress)
-        best = just_kept(rough.task, rough.table, EXACT) if rough else None
-    if best is None or not best.kept:
-        raise refused([(task, found.table)], bounds)
-    return best
-
-
-def _freed(task: Task, table: FloatArray) -> tuple[Task, FloatArray] | None:
-    """The task with the free states that the planner chooses; None if it finds no plan."""
-    states = np.where(task.free[task.first], np.nan, task.states)
-    points = [
-        with_motion(p, _words(state[0]), _words(state[1]))
-        for p, state in zip(task.waypoints, states, strict=True)
-    ]
-    try:
-        found = plan(points, task.limits(table), **task.options)
-    except InfeasibleError:
-        return None
-    chosen = [[p.velocity, p.acceleration] for p in found.waypoints]
-    return task.with_states(np.array(chosen)), table
-
-
-def _words(values: FloatArray) -> Any:
-    """Numbers as `Waypoint` takes them, None for NaN."""
-    return [None if np.isnan(v) else float(v) for v in values]
+    """The shortest plan found, with a sample time or a duration if there is one."""
+    search = LimitSearch(task)
+    found = search.run(timing, progress)
+    if found is None:
+        raise refused(task, search, bounds)
+    return found

@@ -61,31 +61,6 @@ def _of(
     return found
 
 
-def joints(trajectory: LoadTrajectory) -> FloatArray:
-    """Times at which a polynomial piece of any axis begins or ends, ascending."""
-    ends = [np.array([0.0, trajectory.duration])]
-    for axis in range(3):
-        starts, lengths, _ = trajectory.pieces(axis)
-        ends += [starts, starts + lengths]
-    times = np.unique(np.clip(np.concatenate(ends), 0.0, trajectory.duration))
-    apart = np.append(True, np.diff(times) > 1e-12 * max(trajectory.duration, 1e-300))
-    return np.asarray(times[apart])
-
-
-def rough_peaks(
-    crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
-) -> FloatArray:
-    """Greatest magnitudes among samples in both directions, (2, 14): a look, not a proof."""
-    ends = joints(trajectory)
-    shares = ends[:-1, None] + np.diff(ends)[:, None] * np.array([0.0, 0.21, 0.5, 0.79])
-    even = np.linspace(0.0, trajectory.duration, 129)
-    contacts = Contacts(crane, friction, trajectory)
-    turns = contacts.times
-    # friction is greatest as a contact begins to slide
-    times = np.sort(np.concatenate([shares.ravel(), even, turns, 0.5 * (turns[1:] + turns[:-1])]))
-    return sides(_at(contacts, trajectory, times))
-
-
 def peaks(
     crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
 ) -> tuple[FloatArray, FloatArray]:

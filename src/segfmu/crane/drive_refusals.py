@@ -2,50 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, uses
 from segfmu.crane.demand import peaks
-from segfmu.crane.drive_task import HOIST, WEIGHTLESS, Task
-from segfmu.crane.limit_search import ROUGH, just_kept
+from segfmu.crane.drive_task import Task
+from segfmu.crane.limit_search import LimitSearch
 from segfmu.errors import InfeasibleError
-from segfmu.kernels.crane.records import Demand
-from segfmu.planning.arrays import FloatArray
+from segfmu.kernels.crane.records import Axes, Demand, RopeDemand
+from segfmu.kernels.limits.records import AxisTask
+from segfmu.kernels.messages import ROPE_LIMITS
 from segfmu.planning.messages import told_apart
 
+BELOW = RopeDemand.BELOW_TROLLEY
+# a bound nearer to the weight than this leaves no room that could be measured
+WEIGHTLESS = 1e-6
 
-def refused(
-    starts: Sequence[tuple[Task, FloatArray]], bounds: ActuatorBounds
-) -> InfeasibleError:
+
+def refused(task: Task, search: LimitSearch, bounds: ActuatorBounds) -> InfeasibleError:
     """What the plan that comes closest exceeds; the planner's own reason if there is no plan."""
-    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
-    if not tried:
-        try:
-            task, table = starts[0]
-            task.require_path(task.plan(table))
-        except InfeasibleError as error:
-            return error
-    closest = min(tried, key=lambda found: found.use)
-    found = uses(bounds, *peaks(closest.task.crane, closest.trajectory, closest.task.friction))
+    closest = search.closest
+    if closest is None or closest.kept:
+        if search.refusal is None:
+            raise AssertionError("a search without a plan and without a refusal")
+        return search.refusal
+    found = uses(bounds, *peaks(task.crane, closest.trajectory, task.friction))
     worst = max(found, key=lambda use: use.use)
     return exceeded("", worst, f"even the slowest plan, at {worst.time:.3f} s")
 
 
-def require_start(task: Task) -> None:
+def require_below(task: Task) -> None:
+    """Refuse a waypoint that is not below the trolley."""
+    for number, height in enumerate(task.positions[:, Axes.ROPE].tolist(), 1):
+        if height >= 0.0:
+            raise InfeasibleError(
+                f"waypoint {number}: position z {abs(height):g} m must be below the trolley, "
+                "z < 0; lower the waypoint",
+                axis=Axes.ROPE, interval=max(number - 1, 1), limit=ROPE_LIMITS[BELOW],
+                value=height, bound=0.0,
+            )
+
+
+def require_start(task: Task, bounds: ActuatorBounds) -> None:
     """Refuse a drive that cannot move off, or can only just hold the load: any motion needs more.
 
     A hoist below the load's weight is refused by the search, which tells what a plan needs.
     """
+    table = bounds.table
     for i, side in product(range(len(DRIVES)), range(2)):
-        held = task.weight if i == HOIST else 0.0
+        sticking, held = task.axes[i, AxisTask.HELD : AxisTask.HELD + 2].tolist()
         # what the rope carries pulls against the drive or, where it pays out, with it
         weight = held if side else 0.0
-        friction = float(task.sticking[i]) if task.goes[side, i] else 0.0
+        friction = sticking if task.axes[i, AxisTask.GOES + side] else 0.0
         friction = friction if side else max(friction - held, 0.0)
-        bound = float(task.bounds[side, Demand.FORCE + i])
+        bound = float(table[side, Demand.FORCE + i])
         least = weight + friction
         if friction == 0.0 and bound < least * (1.0 - WEIGHTLESS):
             continue
@@ -54,7 +66,7 @@ def require_start(task: Task) -> None:
             what = " and ".join(text for text, force in parts.items() if force)
             remedy = {"lower the load's mass": weight, "lower the friction": friction}
             others = " or ".join(text for text, force in remedy.items() if force)
-            directed = side and bound != float(task.bounds[0, Demand.FORCE + i])
+            directed = side and bound != float(table[0, Demand.FORCE + i])
             name = f"{DRIVES[i]} force_min" if directed else f"{DRIVES[i]} force"
             raise InfeasibleError(
                 f"{name} needs more than {least:.9g} N, {what}, for any motion; "

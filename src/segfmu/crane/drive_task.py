@@ -2,41 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from segfmu.crane.contacts import resistance
 from segfmu.crane.equipment import Friction
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError
-from segfmu.kernels.crane.records import Demand
+from segfmu.kernels import backend
+from segfmu.kernels.limits.records import AxisTask, LimitRow, Unknown
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.clearance import Clearance
 from segfmu.planning.excursions import excursion, leaves
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
-# searched: velocity, acceleration, jerk, snap; behind them velocity and acceleration backwards
-SEARCHED, DIRECTED = 4, 2
-COLUMNS = SEARCHED + DIRECTED
-HOIST = 2
-# a bound nearer to the weight than this leaves no room that could be measured
-WEIGHTLESS = 1e-6
-
-
-def first_senses(waypoints: tuple[Waypoint, ...]) -> FloatArray:
-    """Where each axis goes first, -1 or 1, (3,); by its states where it stays in one place."""
-    places = np.diff([p.position for p in waypoints], axis=0)
-    states = [[p.velocity, p.acceleration] for p in waypoints]
-    moves = np.vstack([places, np.reshape(states, (-1, 3))])
-    first = (moves != 0.0).argmax(axis=0)
-    return np.where(moves[first, np.arange(3)] < 0.0, -1.0, 1.0)
+# of the unknowns: the limits of all axes
+LIMITS = 3 * LimitRow.SIZE
 
 
 def with_motion(point: Waypoint, velocity: ArrayLike, acceleration: ArrayLike) -> Waypoint:
@@ -47,6 +35,13 @@ def with_motion(point: Waypoint, velocity: ArrayLike, acceleration: ArrayLike) -
     )
 
 
+class PathCheck(Protocol):
+    """What a path keeps to and off, such as a `Clearance`."""
+
+    def require(self, trajectory: Trajectory, gravity: float, /) -> object:
+        """Raise InfeasibleError for a path that may not be taken."""
+
+
 @dataclass(frozen=True, eq=False)
 class Task:
     """What is planned: the crane, its bounds and all that `plan` takes.
@@ -54,24 +49,24 @@ class Task:
     Attributes
     ----------
     waypoints : tuple of Waypoint
-        Without free states.
+        With rest in place of free states.
     free : ndarray of bool, shape (waypoints, 2, 3)
         Velocities and accelerations that may be changed; of equal waypoints in a row those of the
         first one.
     first : ndarray of int, shape (waypoints,)
         The first one, from 0, of the equal waypoints that each is among.
-    bounds : ndarray, shape (2, 14)
-        Of the drives, as in `ActuatorBounds.table`.
-    caps : ndarray, shape (3, 6)
-        Largest limits allowed, infinite where there are none.
-    senses : ndarray, shape (3,)
-        Where an axis goes first, -1 or 1: ahead. A mirrored task is searched alike.
+    bounds : ndarray, shape (23,)
+        The kernels' `DriveBounds`.
+    caps : ndarray, shape (3, LimitRow.SIZE)
+        Largest limits allowed, 0 where there are none.
     higher : dict
         Limits above the snap, as given.
     options : dict
         Further arguments of `plan`.
-    clearance : Clearance or None
+    clearance : PathCheck or None
     friction : Friction
+    narrow : bool
+        Whether the smaller bounds and limits of both directions hold in both.
     """
 
     crane: Crane
@@ -80,53 +75,102 @@ class Task:
     first: NDArray[np.intp]
     bounds: FloatArray
     caps: FloatArray
-    senses: FloatArray
     higher: dict[str, Any]
     options: dict[str, Any]
-    clearance: Clearance | None
+    clearance: PathCheck | None
     friction: Friction
+    narrow: bool = False
 
     @cached_property
-    def directed(self) -> NDArray[np.bool_]:
-        """Whether velocity and acceleration of an axis have limits by direction, shape (3, 2).
+    def positions(self) -> FloatArray:
+        """Of the waypoints, shape (waypoints, 3)."""
+        return np.array([p.position for p in self.waypoints])
 
-        A velocity backwards does not tell where an axis does not turn, nor the force of a hoist,
-        which pulls, whichever way the load is accelerated.
-        """
-        differ = (self.bounds[0] != self.bounds[1])[: Demand.POWER].reshape(-1, 3)
-        force, velocity, acceleration = differ
-        turns = self.goes.all(axis=0)
-        found = np.column_stack([
-            velocity & turns, acceleration | (force & (np.arange(3) != HOIST)),
-        ])
-        return np.asarray(found | (self.caps[:, :DIRECTED] != self.caps[:, SEARCHED:]))
+    @cached_property
+    def states(self) -> FloatArray:
+        """Velocities and accelerations, shape (waypoints, 2, 3)."""
+        return np.array([[p.velocity, p.acceleration] for p in self.waypoints])
+
+    @cached_property
+    def resistance(self) -> FloatArray:
+        """The kernels' `Resistance`."""
+        return resistance(self.crane, self.friction)
 
     @property
-    def narrow(self) -> Task:
-        """The task with the smaller of the bounds and limits of both directions in both."""
-        least = np.minimum(self.caps[:, :DIRECTED], self.caps[:, SEARCHED:])
-        caps = np.hstack([least, self.caps[:, DIRECTED:SEARCHED], least])
-        bounds = np.broadcast_to(self.bounds.min(axis=0), self.bounds.shape).copy()
-        # what the rope carries has no other direction
-        bounds[:, Demand.FORCE + HOIST] = self.bounds[:, Demand.FORCE + HOIST]
-        return replace(self, bounds=bounds, caps=caps)
+    def record(self) -> FloatArray:
+        """The bounds of the search."""
+        return self._bounds[0]
 
-    def limits(self, table: FloatArray) -> Limits:
-        """Limits of a table (3, 6): ahead and, of velocity and acceleration, backwards."""
-        ahead, back = table[:, :DIRECTED], table[:, SEARCHED:]
-        turned = self.senses[:, None] < 0.0
-        upper, lower = np.where(turned, back, ahead), np.where(turned, ahead, back)
-        least = np.where(self.directed, -lower, -np.inf)
-        return Limits(
-            *upper.T, *table[:, DIRECTED:SEARCHED].T, **self.higher,
-            velocity_min=least[:, 0], acceleration_min=least[:, 1],
+    @cached_property
+    def _bounds(self) -> tuple[FloatArray, FloatArray]:
+        """The record of the bounds, and the largest limits."""
+        record, caps = self.bounds.copy(), self.caps.copy()
+        if self.narrow:
+            backend.narrow_bounds(record, caps)
+        return record, caps
+
+    @cached_property
+    def axes(self) -> FloatArray:
+        """The kernels' `AxisTask` of each axis."""
+        rows = np.zeros((3, AxisTask.SIZE))
+        velocities, accelerations = np.ascontiguousarray(self.states.swapaxes(0, 1))
+        backend.write_axes(
+            self.positions, velocities, accelerations, *self._bounds, self.resistance, rows
         )
+        higher = np.array([[p.jerk, p.snap] for p in self.waypoints])
+        first = AxisTask.FLOOR + LimitRow.JERK
+        rows[:, first : first + 2] = np.abs(higher).max(axis=0).T
+        return rows
 
-    def plan(self, table: FloatArray) -> Trajectory:
-        """The plan with a table of limits; its rope is taut and in its range."""
-        trajectory = plan(self.waypoints, self.limits(table), **self.options)
+    @cached_property
+    def kinds(self) -> FloatArray:
+        """The kernels' `Unknown` of every unknown: limits, then states of inner waypoints."""
+        states = np.where(self.free[1:-1], Unknown.STATE, Unknown.GIVEN)
+        kinds = np.zeros(LIMITS + (states.size if self.free.any() else 0))
+        backend.write_kinds(self.axes, kinds)
+        kinds[LIMITS:] = states.ravel()[: kinds.size - LIMITS]
+        return kinds
+
+    @property
+    def directed(self) -> NDArray[np.bool_]:
+        """Whether velocity and acceleration of an axis have limits by direction, shape (3, 2)."""
+        row = slice(AxisTask.DIRECTED, AxisTask.DIRECTED + 2)
+        return np.asarray(self.axes[:, row] > 0.0)
+
+    def planned(self, unknowns: FloatArray) -> Trajectory:
+        """The plan that unknowns stand for; its rope is taut and in its range.
+
+        Raises
+        ------
+        InfeasibleError
+            If there is none.
+        """
+        table = np.zeros((3, LimitRow.SIZE))
+        backend.write_limits(unknowns, self.axes, table)
+        points = self.waypoints
+        if self.free.any():
+            # shares of the limits of velocity and acceleration
+            shares = np.clip(unknowns[LIMITS:].reshape(-1, 2, 3), -1.0, 1.0)
+            states = self.states.copy()
+            states[1:-1] = np.where(self.free[1:-1], shares * table.T[:2], states[1:-1])
+            points = tuple(
+                with_motion(p, s[0], s[1])
+                for p, s in zip(points, states[self.first], strict=True)
+            )
+        trajectory = plan(points, self._limits(table), **self.options)
         require_rope(self.crane, trajectory)
         return trajectory
+
+    def _limits(self, table: FloatArray) -> Limits:
+        velocity, acceleration, jerk, snap, *least = table.T
+        backwards = [
+            np.where(own, -value, -np.inf)
+            for own, value in zip(self.directed.T, least, strict=True)
+        ]
+        return Limits(
+            velocity, acceleration, jerk, snap, **self.higher, velocity_min=backwards[0],
+            acceleration_min=backwards[1],
+        )
 
     def require_path(self, trajectory: Trajectory) -> None:
         """Refuse a path that is not clear, or leaves the box of waypoints with free states."""
@@ -153,86 +197,3 @@ class Task:
         """Intervals (from 1) and axes with free states at an end."""
         free = np.any(self.free[self.first], axis=1)
         return [(int(i) + 1, int(axis)) for i, axis in np.argwhere(free[:-1] | free[1:])]
-
-    @property
-    def weight(self) -> float:
-        """Of the load [N]."""
-        return self.crane.payload_mass * self.crane.gravity
-
-    @cached_property
-    def sticking(self) -> FloatArray:
-        """Dry friction [N] that axes which move break away from, (3,)."""
-        static = np.maximum(self.friction.static, self.friction.coulomb)
-        return np.asarray(np.where(np.isin(np.arange(3), self.moving), static, 0.0))
-
-    @cached_property
-    def rest(self) -> FloatArray:
-        """Demands that no slower plan reduces, (2, 14): dry friction, and the load's weight."""
-        rest = np.zeros(self.bounds.shape)
-        rest[:, Demand.FORCE : Demand.VELOCITY] = self.sticking
-        rest[:, Demand.FORCE + HOIST] += [-self.weight, self.weight]
-        rest = np.maximum(rest, 0.0)
-        return np.asarray(np.where(self.bounds > rest * (1.0 + WEIGHTLESS), rest, 0.0))
-
-    @cached_property
-    def room(self) -> FloatArray:
-        """What the bounds leave for motion, (2, 14)."""
-        return self.bounds - self.rest
-
-    @property
-    def states(self) -> FloatArray:
-        """Velocities and accelerations, shape (waypoints, 2, 3)."""
-        return np.array([[p.velocity, p.acceleration] for p in self.waypoints])
-
-    def with_states(self, states: FloatArray) -> Task:
-        """The task with other velocities and accelerations where they are free."""
-        if not self.free.any():
-            return self
-        states = np.where(self.free, states, self.states)[self.first]
-        points = tuple(
-            with_motion(point, state[0], state[1])
-            for point, state in zip(self.waypoints, states, strict=True)
-        )
-        return replace(self, waypoints=points)
-
-    def paced(self, pace: float) -> Task:
-        """The task with free states that are faster by a factor."""
-        if pace == 1.0 or not self.free.any():
-            return self
-        return self.with_states(np.array([pace, pace**2])[:, None] * self.states)
-
-    @property
-    def floors(self) -> FloatArray:
-        """Least limits that admit the states, shape (3, 6)."""
-        states = np.array([[p.velocity, p.acceleration, p.jerk, p.snap] for p in self.waypoints])
-        found = np.abs(states).max(axis=0).T
-        found = np.hstack([found, found[:, :DIRECTED]])
-        if self.directed.any():
-            ahead = (self.senses * states[:, :DIRECTED]).max(axis=0).T
-            back = -(self.senses * states[:, :DIRECTED]).min(axis=0).T
-            for columns, own in ((slice(DIRECTED), ahead), (slice(SEARCHED, None), back)):
-                found[:, columns] = np.where(
-                    self.directed, np.maximum(own, 0.0), found[:, columns]
-                )
-        return np.asarray(found)
-
-    @property
-    def goes(self) -> NDArray[np.bool_]:
-        """Whether a drive moves in the positive and in the negative direction, shape (2, 3).
-
-        A hoist goes the other way than the load.
-        """
-        ways = np.vstack([
-            np.diff([p.position for p in self.waypoints], axis=0), self.states[:, 0]
-        ])
-        found = np.array([(ways > 0.0).any(axis=0), (ways < 0.0).any(axis=0)])
-        # it swings back and forth, if it is only accelerated
-        found |= ~found.any(axis=0) & np.isin(np.arange(3), self.moving)
-        found[:, HOIST] = found[::-1, HOIST]
-        return np.asarray(found)
-
-    @property
-    def moving(self) -> NDArray[np.intp]:
-        """Axes that move."""
-        positions = np.array([p.position for p in self.waypoints])
-        return np.flatnonzero((np.ptp(positions, axis=0) > 0.0) | self.states.any(axis=(0, 1)))

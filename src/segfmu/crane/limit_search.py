@@ -2,42 +2,44 @@
 
 The drives' demands follow from the load's trajectory up to its snap. So the limits that matter are
 those of velocity, acceleration, jerk and snap of each axis, at ramp times near the pendulum's
-period as much as at the drives' own. Scaling the i-th limit by lambda^i scales time by 1 / lambda
-(section 3.2); so every choice of limits has one scale at which it just keeps the bounds, and the
-duration there is what the search minimises.
+period as much as at the drives' own. kernels/limits has the search; here its trials are planned.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from segfmu.crane.demand import peaks, rough_peaks
-from segfmu.crane.drive_task import DIRECTED, SEARCHED, Task
-from segfmu.crane.equipment import Friction
-from segfmu.crane.evolution import EQUAL, Evolution, precedes, ranked
-from segfmu.crane.parameters import Crane
+from segfmu.crane.contacts import Contacts
+from segfmu.crane.drive_task import LIMITS, Task
 from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels import backend
+from segfmu.kernels.crane.records import Demand, DemandPeaks
+from segfmu.kernels.limits.records import (
+    LimitFault,
+    LimitStatus,
+    Pace,
+    Search,
+    SearchState,
+    SearchValues,
+    Starts,
+    Values,
+)
+from segfmu.kernels.messages import LIMIT
 from segfmu.planning.arrays import FloatArray, shown
 from segfmu.planning.trajectory import Trajectory
 
-ORDERS = np.array([1, 2, 3, 4, 1, 2])
-# of the logarithms of limits: first standard deviation, and farthest from the start
-STEP = 0.35
-REACH = 5.0
-# moves of free states in units of the limit, relative to those of the limits' logarithms
-STATE_SHARE = 0.15
 # bounds used beyond this are exceeded: what is planned up to a bound uses it but for rounding
 KEPT = 1.0 + 1e-9
-# slower than this a plan does not keep the bounds either, and limits would vanish
-SLOWEST = 1e-6
-# paces without a plan, after which limits are given up
-FAILURES = 3
-# the search ends when so many generations gain less than this share
-PATIENCE = 20
-GAIN = 5e-4
+# a bound used up to this is used in full
+FULL = 1.0 - 1e-6
+# the largest pace of a motion relative to that which samples suggest
+FASTEST = 1e3
+# about so many plans a search takes, for its progress
+USUAL = 400
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,209 +48,164 @@ class Found:
 
     Attributes
     ----------
-    task : Task
-        With the states of its waypoints.
-    table : ndarray, shape (3, 6)
-        Its limits, see `Task.limits`.
     trajectory : Trajectory
-    use : float
-        Largest share of a bound, of what it leaves beyond the demand at rest.
+    uses : ndarray, shape (28,)
+        Of the bounds by motion: what it takes of what they leave beyond weight and dry friction.
     """
 
-    task: Task
-    table: FloatArray
     trajectory: Trajectory
-    use: float
+    uses: FloatArray
 
     @property
-    def duration(self) -> float:
-        """Duration of the plan [s]."""
-        return self.trajectory.duration
-
-    @property
-    def allowed(self) -> bool:
-        """Whether its path may be taken."""
-        return self.task.allows(self.trajectory)
+    def use(self) -> float:
+        """The largest one."""
+        return float(self.uses.max())
 
     @property
     def kept(self) -> bool:
         """Whether the bounds hold."""
         return self.use <= KEPT
 
-    @property
-    def rank(self) -> tuple[bool, float]:
-        """Plans that keep the bounds first, the shortest first; else by their use."""
-        return (not self.kept, self.duration if self.kept else self.use)
+
+def look(task: Task, trajectory: Trajectory, *, exact: bool) -> Found:
+    """What a plan uses of the bounds: at its exact peaks, or among samples."""
+    contacts = Contacts(task.crane, task.friction, trajectory)
+    peaks, times = np.zeros((2, 2, Demand.SIZE))
+    measure = backend.demand_peaks if exact else backend.demand_samples
+    measure(
+        *contacts.pieces, contacts.resistance, contacts.rows,
+        np.zeros((DemandPeaks.SIZE, DemandPeaks.COLUMNS)), peaks, times,
+    )
+    uses = np.zeros(2 * Demand.SIZE)
+    backend.write_shares(peaks, task.record, task.axes, uses)
+    return Found(trajectory, uses)
 
 
-@dataclass(frozen=True)
-class Look:
-    """How closely plans are looked at.
+class LimitSearch:
+    """The search of a task, trial by trial.
 
     Attributes
     ----------
-    peaks : callable
-        Greatest magnitudes of all demands in both directions for crane, trajectory and friction,
-        shape (2, 14).
-    full : float
-        A plan with a bound used up to this is fast enough.
-    trials : int
-        Paces tried.
+    closest : Found or None
+        Of the last plans the one that uses the bounds least.
+    refusal : InfeasibleError or None
+        Why the last trial without a plan has none.
     """
 
-    peaks: Callable[[Crane, Trajectory, Friction], FloatArray]
-    full: float
-    trials: int
+    def __init__(self, task: Task) -> None:
+        self.task = task
+        self.closest: Found | None = None
+        self.refusal: InfeasibleError | None = None
+        self._trials = 0
+        self._rows = np.zeros((Search.SIZE, task.kinds.size))
 
+    def run(
+        self, timing: dict[str, Any], progress: Callable[[float], None] = lambda _: None
+    ) -> Found | None:
+        """The shortest plan that keeps the bounds, by its exact peaks; None if there is none.
 
-ROUGH = Look(rough_peaks, 0.98, 6)
-EXACT = Look(lambda *motion: peaks(*motion)[0], 1.0 - 1e-6, 40)
+        timing: `sample_time` and `duration` as of `plan`.
+        """
+        if not callable(progress):
+            raise InputError(f"progress must be a function, got {shown(progress)}")
+        found, best = False, np.zeros(0)
+        for task in _narrower(self.task):
+            starts = _starts(task)
+            if found:
+                # so what is allowed in addition never makes the plan longer
+                starts[0, : best.size] = best
+                starts[0, best.size :] = 0.0
+            found = self._searched(task, starts, progress)
+            best = self._rows[Search.BEST, : task.kinds.size].copy()
+        progress(1.0)
+        plan = self._paced(self.task, FASTEST) if found else None
+        if plan is not None and any(timing.values()):
+            self.closest = self.refusal = None
+            # a little slower by then, so it usually keeps the bounds as well
+            plan = self._paced(replace(self.task, options=self.task.options | timing), 1.0)
+        return plan
 
+    def _searched(
+        self, task: Task, starts: FloatArray, progress: Callable[[float], None]
+    ) -> bool:
+        """Search from starts, by samples; whether there is a plan."""
+        self.closest = self.refusal = None
+        size = task.kinds.size
+        self._rows = np.zeros((Search.SIZE, size))
+        work = (
+            np.zeros((SearchValues.SIZE, Values.SIZE)), np.zeros((size, Values.SIZE)),
+            np.zeros((2 * size, size)),
+        )
+        backend.begin_limits(starts, task.kinds, self._rows)
+        more = True
+        while more:
+            found = self._tried(task, exact=False)
+            duration = 0.0 if found is None else found.trajectory.duration
+            uses = np.zeros(2 * Demand.SIZE) if found is None else found.uses
+            more = backend.next_limits(duration, uses, starts, self._rows, *work)
+            self._trials += 1
+            progress(1.0 - 0.5 ** (2.0 * self._trials / USUAL))
+        return bool(self._rows[Search.STATE, SearchState.BEST] < 1e300)
 
-def paced(task: Task, table: FloatArray, pace: float) -> FloatArray:
-    """A table whose motion is faster by a factor, within caps and floors."""
-    scaled = table * pace**ORDERS
-    return np.asarray(np.minimum(np.maximum(scaled, task.floors), task.caps))
+    def _paced(self, task: Task, fastest: float) -> Found | None:
+        """The plan found at the pace at which it just keeps the bounds, up to a pace.
 
-
-def attempt(task: Task, table: FloatArray, pace: float, look: Look) -> Found | None:
-    """The plan at a pace, None if there is none."""
-    moved = task.paced(pace)
-    chosen = paced(moved, table, pace)
-    try:
-        trajectory = moved.plan(chosen)
-    except InfeasibleError:
-        return None
-    found = look.peaks(task.crane, trajectory, task.friction)
-    use = float(((found - task.rest) / task.room).max())
-    return Found(moved, chosen, trajectory, use)
-
-
-def just_kept(task: Task, table: FloatArray, look: Look) -> Found | None:
-    """The fastest pace at which a table keeps the bounds; if none does, what comes closest."""
-    best: Found | None = None
-    # paces known to be too slow for the given states or to keep the bounds, and to be too fast
-    slow, fast, pace, growth = 0.0, np.inf, 1.0, 2.0
-    last: tuple[float, float] | None = None
-    failures, unclear = 0, False
-    for _ in range(look.trials):
-        found = attempt(task, table, pace, look)
-        gains = best is None or (found is not None and precedes(found.rank, best.rank))
-        # the path is looked at where it may become the result: that takes longer than the plan
-        if found is None or (gains and found.kept and not found.allowed):
-            failures, unclear = failures + 1, found is not None
-            if failures == FAILURES:
-                break
-            # a plan that lacks room for given states needs more pace, one that lifts the rope less
-            slow, fast = (pace, fast) if last is not None and pace < last[0] else (slow, pace)
-            pace = _between(slow, fast, pace)
-            continue
-        if last is not None and min(found.use, last[1]) > 0.0 and _differ(found.use, last[1]):
-            rise = np.log(found.use / last[1]) / np.log(pace / last[0])
-            growth = min(max(float(rise), 0.5), 4.0)
-        last = (pace, found.use)
-        if gains:
-            best = found
-        if found.kept:
-            slow = max(slow, pace)
-            capped = np.array_equal(found.table, paced(task, table, 2.0 * pace))
-            if found.use >= look.full or (capped and not task.free.any()):
-                break
-        else:
-            fast = min(fast, pace)
-        aim = 0.5 * (look.full + 1.0)
-        pace *= (aim / max(found.use, 1e-3)) ** (1.0 / growth)
-        # a pace that was tried is one but for rounding
-        if not slow * (1.0 + EQUAL) < pace < fast * (1.0 - EQUAL):
-            pace = _between(slow, fast, last[0])
-        if pace < SLOWEST:
-            break
-    # no matter how nearly others keep the bounds, if those that do have no clear path
-    return None if unclear and best is not None and not best.kept else best
-
-
-def _between(slow: float, fast: float, pace: float) -> float:
-    """A pace between a slow and a fast one."""
-    if not np.isfinite(fast):
-        return 2.0 * pace
-    return 0.5 * fast if slow == 0.0 else float((slow * fast) ** 0.5)
-
-
-def shortest(
-    starts: Sequence[tuple[Task, FloatArray]], calm: Sequence[tuple[Task, FloatArray]],
-    generations: int, progress: Callable[[float], None],
-) -> Found | None:
-    """The shortest plan that a search from tasks with tables of limits finds; None: no plan.
-
-    With free states the search begins at the best of `calm`, starts that are no extremes.
-    """
-    if not callable(progress):
-        raise InputError(f"progress must be a function, got {shown(progress)}")
-    tried = [found for found in (_best(starts), _best(calm)) if found is not None]
-    if not tried:
-        return None
-    best, first = _first(tried), tried[-1]
-    coordinates = _Coordinates(first)
-    if coordinates.size == 0:
+        It is the base of the next pace.
+        """
+        pace, best = np.zeros(Pace.SIZE), None
+        backend.begin_pace(fastest, FULL, pace)
+        more = True
+        while more:
+            backend.write_best(float(pace[Pace.PACE]), self._rows)
+            found = self._tried(task, exact=True)
+            if found is not None and found.kept:
+                best = found
+            more = backend.next_pace(1e300 if found is None else found.use, pace)
+        if best is not None:
+            backend.keep_best(float(pace[Pace.KEEPS]), self._rows)
         return best
-    evolution = Evolution(np.zeros(coordinates.size), STEP)
-    history: list[float] = []
 
-    def judged(place: FloatArray) -> tuple[bool, float] | None:
-        nonlocal best
-        found = just_kept(*coordinates.at(place), ROUGH)
-        if found is None:
+    def _tried(self, task: Task, *, exact: bool) -> Found | None:
+        """The plan of the row TRIAL, None if there is none or its path may not be taken."""
+        try:
+            trajectory = task.planned(self._rows[Search.TRIAL])
+        except InfeasibleError as error:
+            self.refusal = error
             return None
-        if precedes(found.rank, best.rank):
-            best = found
-        return found.rank
-
-    for generation in range(generations):
-        evolution.advance(judged)
-        progress((generation + 1) / generations)
-        history.append(best.rank[1] if not best.rank[0] else np.inf)
-        stale = len(history) > PATIENCE and history[-1] > (1.0 - GAIN) * history[-1 - PATIENCE]
-        if evolution.settled or (stale and np.isfinite(history[-1 - PATIENCE])):
-            break
-    return best
+        found = look(task, trajectory, exact=exact)
+        if self.closest is None or found.use < self.closest.use:
+            self.closest = found
+        # that takes longer than the plan; but free states lead astray
+        if (found.kept or task.free.any()) and not task.allows(trajectory):
+            return None
+        return found
 
 
-def _best(starts: Sequence[tuple[Task, FloatArray]]) -> Found | None:
-    tried = [found for found in (just_kept(*start, ROUGH) for start in starts) if found]
-    return _first(tried) if tried else None
+def _narrower(task: Task) -> list[Task]:
+    """The task with rest at free states and the smaller bounds, with its bounds, and as it is."""
+    tasks = [task]
+    if task.free.any():
+        tasks.insert(0, replace(task, free=np.zeros_like(task.free)))
+    if tasks[0].directed.any():
+        tasks.insert(0, replace(tasks[0], narrow=True))
+    return tasks
 
 
-def _differ(one: float, other: float) -> bool:
-    return abs(one - other) > EQUAL * max(one, other)
+def _starts(task: Task) -> FloatArray:
+    """Starts of the search, shape (16, unknowns).
 
-
-def _first(tried: Sequence[Found]) -> Found:
-    return tried[ranked([found.rank for found in tried])[0]]
-
-
-class _Coordinates:
-    """What is searched: limits of moving axes as logarithms, and free states of waypoints."""
-
-    def __init__(self, start: Found) -> None:
-        self.start = start
-        self.axes = start.task.moving
-        self.free = np.argwhere(start.task.free)
-        directed = np.argwhere(start.task.directed)
-        self.back = directed[np.isin(directed[:, 0], self.axes)]
-        self.size = SEARCHED * self.axes.size + len(self.back) + len(self.free)
-
-    def at(self, place: FloatArray) -> tuple[Task, FloatArray]:
-        """Task and table of a place, whose zero is the start."""
-        task, table = self.start.task, self.start.table.copy()
-        count = SEARCHED * self.axes.size
-        last = count + len(self.back)
-        factors = np.exp(np.clip(place[:last], -REACH, REACH))
-        own = factors[:count].reshape(-1, SEARCHED)
-        table[self.axes] *= np.hstack([own, own[:, :DIRECTED]])
-        for (axis, order), factor in zip(self.back, factors[count:], strict=True):
-            table[axis, SEARCHED + order] = factor * self.start.table[axis, SEARCHED + order]
-        states = task.states
-        for (point, order, axis), move in zip(self.free, place[last:], strict=True):
-            size = task.senses[axis] * self.start.table[axis, order]
-            states[point, order, axis] += STATE_SHARE * move * size
-        return task.with_states(states), table
+    Raises
+    ------
+    InputError
+        For an axis that moves although nothing bounds its acceleration, or hardly at all.
+    """
+    starts = np.zeros((Starts.COUNT, task.kinds.size))
+    fault = np.zeros(LimitFault.SIZE)
+    rope = float(-task.positions[:, 2].min())
+    status = backend.write_starts(rope, task.record, task.resistance, task.axes, starts, fault)
+    if status != LimitStatus.FOUND:
+        raise InputError(LIMIT.text(status, fault))
+    if task.kinds.size > LIMITS:
+        for start in starts:
+            backend.write_passing(task.positions, task.kinds, task.axes, start)
+    return starts

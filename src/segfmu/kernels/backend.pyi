@@ -469,18 +469,20 @@ def friction_derivative(
     /,
 ) -> float: ...
 
-def begin_pace(
-    pace: Floats,
+def demand_peaks(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    resistance: Floats,
+    contacts: Floats,
+    work: Floats,
+    peaks: Floats,
+    times: Floats,
     /,
 ) -> None: ...
 
-def next_pace(
-    use: float,
-    pace: Floats,
-    /,
-) -> bool: ...
-
-def demand_peaks(
+def demand_samples(
     timing: Floats,
     coefficients: Floats,
     offsets: Integers,
@@ -542,6 +544,105 @@ def bound_uses(
     fault: Floats,
     /,
 ) -> int: ...
+
+def begin_pace(
+    most: float,
+    full: float,
+    pace: Floats,
+    /,
+) -> None: ...
+
+def next_pace(
+    use: float,
+    pace: Floats,
+    /,
+) -> bool: ...
+
+def begin_limits(
+    starts: Floats,
+    kinds: Floats,
+    search: Floats,
+    /,
+) -> None: ...
+
+def next_limits(
+    duration: float,
+    uses: Floats,
+    starts: Floats,
+    search: Floats,
+    values: Floats,
+    slopes: Floats,
+    newton: Floats,
+    /,
+) -> bool: ...
+
+def write_best(
+    pace: float,
+    search: Floats,
+    /,
+) -> None: ...
+
+def keep_best(
+    pace: float,
+    search: Floats,
+    /,
+) -> None: ...
+
+def write_starts(
+    rope: float,
+    bounds: Floats,
+    resistance: Floats,
+    axes: Floats,
+    starts: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def write_passing(
+    positions: Floats,
+    kinds: Floats,
+    axes: Floats,
+    start: Floats,
+    /,
+) -> None: ...
+
+def write_axes(
+    positions: Floats,
+    velocities: Floats,
+    accelerations: Floats,
+    bounds: Floats,
+    caps: Floats,
+    resistance: Floats,
+    axes: Floats,
+    /,
+) -> None: ...
+
+def narrow_bounds(
+    bounds: Floats,
+    caps: Floats,
+    /,
+) -> None: ...
+
+def write_kinds(
+    axes: Floats,
+    kinds: Floats,
+    /,
+) -> None: ...
+
+def write_limits(
+    unknowns: Floats,
+    axes: Floats,
+    table: Floats,
+    /,
+) -> None: ...
+
+def write_shares(
+    peaks: Floats,
+    bounds: Floats,
+    axes: Floats,
+    uses: Floats,
+    /,
+) -> None: ...
 
 def check_range(
     value: float,

@@ -61,7 +61,6 @@ from segfmu.kernels.crane.records import (
     Load,
     LoadPartials,
     Masses,
-    Pace,
     Plant,
     PlantFault,
     PlantState,
@@ -73,6 +72,17 @@ from segfmu.kernels.crane.records import (
     State,
     Vector,
     Work,
+)
+from segfmu.kernels.limits.records import (
+    AxisTask,
+    LimitFault,
+    LimitRow,
+    Pace,
+    Search,
+    SearchState,
+    SearchValues,
+    Starts,
+    Values,
 )
 from segfmu.kernels.numerics.records import (
     RandomState,
@@ -142,6 +152,9 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
     )
 
 
+# unknowns of a search: limits of all axes, then the states of inner waypoints
+UNKNOWNS = f"search[{Search.STATE}, {SearchState.UNKNOWNS}]"
+STATES_TOO = f"{Vector.SIZE * LimitRow.SIZE} + {2 * Vector.SIZE} * (points - 2)"
 # what an axis of the smoothness in `axis`, `axes` or `options` has
 AXIS_WIDTH = f"2 * axis[{Axis.SMOOTHNESS}]"
 PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
@@ -441,8 +454,57 @@ ENTRY_POINTS = (
         "crane.uses", "bound_uses", peaks=(2, Demand.SIZE), times=(2, Demand.SIZE),
         bounds=DriveBounds.SIZE, uses=BoundUses.SIZE, fault=BoundFault.SIZE,
     ),
-    entry("crane.pace", "begin_pace", pace=Pace.SIZE),
-    entry("crane.pace", "next_pace", pace=Pace.SIZE),
+    entry(
+        "crane.peaks", "demand_samples", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets=Vector.SIZE + 1, ends=Vector.SIZE,
+        resistance=Resistance.SIZE, contacts=(Axes.SIZE, "contacts", Contact.SIZE),
+        work=(DemandPeaks.SIZE, DemandPeaks.COLUMNS), peaks=(2, Demand.SIZE),
+        times=(2, Demand.SIZE),
+    ),
+    entry("limits.pace", "begin_pace", pace=Pace.SIZE),
+    entry("limits.pace", "next_pace", pace=Pace.SIZE),
+    entry(
+        "limits.task", "write_axes", positions=("points", Vector.SIZE),
+        velocities=("points", Vector.SIZE), accelerations=("points", Vector.SIZE),
+        bounds=DriveBounds.SIZE, caps=(Vector.SIZE, LimitRow.SIZE), resistance=Resistance.SIZE,
+        axes=(Vector.SIZE, AxisTask.SIZE),
+    ),
+    entry(
+        "limits.task", "narrow_bounds", bounds=DriveBounds.SIZE,
+        caps=(Vector.SIZE, LimitRow.SIZE),
+    ),
+    entry(
+        "limits.task", "write_kinds", axes=(Vector.SIZE, AxisTask.SIZE),
+        kinds=Vector.SIZE * LimitRow.SIZE,
+    ),
+    entry(
+        "limits.task", "write_limits", unknowns=Vector.SIZE * LimitRow.SIZE,
+        axes=(Vector.SIZE, AxisTask.SIZE), table=(Vector.SIZE, LimitRow.SIZE),
+    ),
+    entry(
+        "limits.task", "write_shares", peaks=(2, Demand.SIZE), bounds=DriveBounds.SIZE,
+        axes=(Vector.SIZE, AxisTask.SIZE), uses=2 * Demand.SIZE,
+    ),
+    entry(
+        "limits.starts", "write_starts", bounds=DriveBounds.SIZE, resistance=Resistance.SIZE,
+        axes=(Vector.SIZE, AxisTask.SIZE), starts=(Starts.COUNT, Vector.SIZE * LimitRow.SIZE),
+        fault=LimitFault.SIZE,
+    ),
+    entry(
+        "limits.starts", "write_passing", positions=("points", Vector.SIZE), kinds=STATES_TOO,
+        axes=(Vector.SIZE, AxisTask.SIZE), start=STATES_TOO,
+    ),
+    entry(
+        "limits.search", "begin_limits", starts=("starts", "unknowns"), kinds=("unknowns",),
+        search=(Search.SIZE, "columns"),
+    ),
+    entry("limits.trials", "write_best", search=(Search.SIZE, UNKNOWNS)),
+    entry("limits.trials", "keep_best", search=(Search.SIZE, UNKNOWNS)),
+    entry(
+        "limits.search", "next_limits", uses=2 * Demand.SIZE, starts=("starts", UNKNOWNS),
+        search=(Search.SIZE, "columns"), values=(SearchValues.SIZE, Values.SIZE),
+        slopes=(UNKNOWNS, Values.SIZE), newton=(f"2 * {UNKNOWNS}", UNKNOWNS),
+    ),
     entry(
         "crane.contact", "contact_history", timing=("pieces", Timing.SIZE),
         coefficients=("pieces", "width"), offsets=Vector.SIZE + 1, ends=Vector.SIZE,

@@ -23,6 +23,7 @@ from segfmu.kernels.crane.records import (
     RopeFault,
     State,
 )
+from segfmu.kernels.limits.records import LimitFault, LimitStatus
 from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFault, RangeStatus
 from segfmu.kernels.operation.records import ReadyFault, ReadyStatus
 from segfmu.kernels.planner.records import PlanStatus, Refusal
@@ -164,6 +165,23 @@ def _bound(name: str, unit: str, remedy: str) -> str:
 
 
 # behind the start of the plan, where it exceeds a bound of the drives
+def _slow(name: str, unit: str) -> str:
+    return (
+        f"axis {{AXIS}}: {{DRIVE}} {name}{{SIDE}} must have a bound of at least 1e-05 {unit}, got "
+        f"{{VALUE:g}} {unit}; raise the bound"
+    )
+
+
+LIMIT = Messages(
+    "limit", LimitFault,
+    {
+        LimitStatus.UNBOUNDED: "axis {AXIS}: nothing bounds the acceleration; give a bound of the "
+        "{DRIVE}'s acceleration, force or power, or limits of the load",
+        LimitStatus.SLOW_VELOCITY: _slow("velocity", "m/s"),
+        LimitStatus.SLOW_ACCELERATION: _slow("acceleration", "m/s2"),
+    },
+    {"AXIS": ("x", "y", "z"), "DRIVE": DRIVES, "SIDE": ("", "_min")},
+)
 BOUND = Messages(
     "bound", BoundFault,
     {
@@ -321,4 +339,4 @@ START = Messages(
     {"PLACE": tuple(v for f in State.FIELDS.values() for v in f.variables)},
 )
 
-TABLES = (PLAN, ROPE, BOUND, SPACE, READY, PLANT, SETUP, RANGE, ACCESS, START)
+TABLES = (PLAN, ROPE, LIMIT, BOUND, SPACE, READY, PLANT, SETUP, RANGE, ACCESS, START)

@@ -19,7 +19,7 @@ from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import DriveBounds
 from segfmu.planning import Trajectory
 from segfmu.planning.clearance import Clearance
-from segfmu.planning.limits import LOWER
+from segfmu.planning.limits import LOWER, Limits
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
@@ -56,7 +56,10 @@ def specs(
         "step_size": mission.simulation.step,
     }
     return (
-        started(feedforward, feedforward_values(mission, trajectory), **changes),
+        started(
+            feedforward, feedforward_values(mission, trajectory) | limits_to_find(mission),
+            **changes,
+        ),
         gantry_crane.held(started(crane, crane_values(mission), **changes)),
     )
 
@@ -76,13 +79,7 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     """
     known = gantry_feedforward.spec().references
     values = {n: v for n, v in crane_parameters.parameters(mission.crane).items() if n in known}
-    table = trajectory.limits.table(len(AXES), len(LIMITS))
-    for axis, row in zip(AXES, table.tolist(), strict=True):
-        values |= {f"limits.{axis}.{name}": row[i] for i, name in enumerate(LIMITS)}
-    differing = np.where(trajectory.limits.lower(len(AXES)) == table[:, :2], 0.0, 1.0)
-    least = -differing * trajectory.limits.lower(len(AXES))
-    for axis, numbers in zip(AXES, least.tolist(), strict=True):
-        values |= dict(zip((f"limits.{axis}.{name}" for name in LOWER), numbers, strict=True))
+    values |= limit_values(trajectory.limits)
     bounds = (mission.build_bounds() or ActuatorBounds()).record.tolist()
     values |= {name: bounds[place] for place, name, _ in DriveBounds.feeds()}
     values |= space_values(mission.build_clearance())
@@ -98,6 +95,33 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     values["planner.sample_time"] = mission.sample_time or 0.0
     values["planner.duration"] = mission.duration or 0.0
     return values
+
+
+def limits_to_find(mission: Mission) -> dict[str, float | str]:
+    """Parameters of a GantryFeedforward that finds the limits of the load by itself.
+
+    So it plans what `segfmu plan` does, also after a change. Empty for a mission without bounds of
+    the drives, and for one with free waypoint states, which it does not choose.
+    """
+    bounds, limits = mission.build_bounds(), mission.build_limits()
+    free = any(np.isnan(p.planned).any() for p in mission.build_waypoints())
+    if free or bounds is None or not bounds.known:
+        return {}
+    none = {f"limits.{axis}.{name}": 0.0 for axis in AXES for name in (*LIMITS, *LOWER)}
+    given = none if limits is None else limit_values(limits)
+    return {**given, "planner.finds_limits": True}
+
+
+def limit_values(limits: Limits) -> dict[str, float]:
+    """Parameters of GantryFeedforward for limits of the load, 0 where there are none."""
+    table = limits.table(len(AXES), len(LIMITS))
+    lower = limits.lower(len(AXES))
+    least = np.where(lower == table[:, :2], 0.0, -lower)
+    rows = zip(AXES, np.hstack([table[:, : len(LIMITS)], least]).tolist(), strict=True)
+    return {
+        f"limits.{axis}.{name}": value
+        for axis, row in rows for name, value in zip((*LIMITS, *LOWER), row, strict=True)
+    }
 
 
 def space_values(clearance: Clearance) -> dict[str, float]:

@@ -250,6 +250,7 @@ NOT_OF_MISSIONS = {
     "planner.start_time": "a mission begins at once",
     "setpoint.lead": "a matter of the importer that couples the FMUs",
     "planner.slows_down": "a mission's own plan keeps the bounds",
+    "planner.finds_limits": "a mission has the limits that its plan has; see limits_to_find",
     **{
         name: "a matter of who operates the crane"
         for name in gantry_feedforward.spec().references

@@ -13,10 +13,11 @@ from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
 from segfmu.kernels.crane.records import Compensation, DriveBounds, Resistance, RopeBounds
+from segfmu.kernels.limits.records import LimitRow, PlanLimits
 from segfmu.kernels.messages import READY
 from segfmu.kernels.operation.records import Command, Known, OperationMode, ReadyFault, ReadyStatus
-from segfmu.kernels.planner.records import Lower, LowerLimits, PlanOptions
-from segfmu.planning import Limits, Trajectory
+from segfmu.kernels.planner.records import Lower, PlanOptions
+from segfmu.planning import Trajectory
 
 Value = Callable[[str], Any]
 
@@ -32,7 +33,7 @@ class Commands:
         If no command can be followed with these parameters.
     """
 
-    def __init__(self, value: Value, plan: Trajectory, limits: Limits, start: float) -> None:
+    def __init__(self, value: Value, plan: Trajectory, start: float) -> None:
         fault = np.zeros(ReadyFault.SIZE)
         status = backend.check_ready(
             filled(Compensation, value), filled(Resistance, value), int(plan.offsets[-1]), fault
@@ -40,7 +41,7 @@ class Commands:
         if status != ReadyStatus.READY:
             raise InfeasibleError(READY.text(status, fault))
         self._value = value
-        table = limits.table(3, plan.smoothness)
+        table = plan.limits.table(3, plan.smoothness)
         self.motion = OperatedMotion(table, np.zeros((Known.SIZE, Known.COLUMNS)))
         self.motion.begin(start, plan.timing, plan.coefficients, plan.offsets)
         self._fill_known()
@@ -54,8 +55,8 @@ class Commands:
             (Known.SPACE, Space), (Known.OPTIONS, PlanOptions),
         ):
             record.fill(known[row], self._value)
-        lower = -filled(LowerLimits, self._value).reshape(3, -1)
-        known[Known.LOWER : Known.OBSTACLES, : Lower.SIZE] = lower
+        limits = filled(PlanLimits, self._value).reshape(3, -1)
+        known[Known.LOWER : Known.OBSTACLES, : Lower.SIZE] = -limits[:, LimitRow.VELOCITY_MIN :]
         for i in range(SpaceLimits.OBSTACLES):
             ObstacleRow.fill(known[Known.OBSTACLES + i], self._value, i + 1)
 

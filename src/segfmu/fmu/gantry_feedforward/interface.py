@@ -21,6 +21,7 @@ from segfmu.fmu.standard.spec import (
 )
 from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import DRIVES, BoundUses
+from segfmu.kernels.limits.records import PlanLimits
 
 # waypoints: largest number in a plan, and default of an FMU
 MOST_WAYPOINTS = 256
@@ -47,6 +48,8 @@ MODES = Enumeration(
 )
 # an end of the workspace [m] that is none
 FAR = 1e9
+# what of the load has limits
+LIMIT_UNITS = {"velocity": "m/s", "acceleration": "m/s2", "jerk": "m/s3", "snap": "m/s4"}
 # what a drive may have a bound of
 DRIVE_BOUNDS = {"force": "N", "velocity": "m/s", "acceleration": "m/s2", "power": "W"}
 
@@ -139,11 +142,9 @@ def _commands() -> list[Variable]:
 def _limits() -> list[Variable]:
     rows = []
     for axis, values in LIMITS.items():
-        for name, unit, value in zip(
-            ("velocity", "acceleration", "jerk", "snap"), ("m/s", "m/s2", "m/s3", "m/s4"), values,
-            strict=True,
-        ):
-            free = "" if name in ("velocity", "acceleration") else "; 0: no limit"
+        for (name, unit), value in zip(LIMIT_UNITS.items(), values, strict=True):
+            own = name in ("velocity", "acceleration")
+            free = "; 0: none, if they are found" if own else "; 0: no limit"
             rows.append(
                 parameter(
                     f"limits.{axis}.{name}", value, unit,
@@ -158,6 +159,10 @@ def _limits() -> list[Variable]:
                     "0: as in the positive one", maximum=0.0,
                 )
             )
+    for name in (n for field in PlanLimits.FIELDS.values() for n in field.variables):
+        _, _, axis, quantity = name.split(".")
+        unit = LIMIT_UNITS[quantity.removesuffix("_min")]
+        rows.append(calculated(name, unit, f"limit of the plan: {quantity} in {axis}; 0: none"))
     return rows
 
 
@@ -200,6 +205,11 @@ def _planner() -> list[Variable]:
         ),
         parameter(
             "planner.duration", 0.0, "s", "duration to take; 0: the shortest one", minimum=0.0
+        ),
+        parameter(
+            "planner.finds_limits", False, None, "where the plan with the limits of the load "
+            "exceeds bounds of the drives, limits up to these are found with which the motion is "
+            "short and keeps the bounds; false: it is refused, or slows down", kind="Boolean",
         ),
         parameter(
             "planner.slows_down", False, None, "where the plan exceeds bounds of the drives, the "

@@ -13,10 +13,10 @@ from segfmu.kernels.crane.records import (
     DriveBounds,
     Feedforward,
     LoadMotion,
-    Pace,
     Resistance,
     RopeBounds,
 )
+from segfmu.kernels.limits.records import Pace, PlanLimits
 from segfmu.kernels.operation.records import Command
 from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 
@@ -28,8 +28,7 @@ GANTRY_FEEDFORWARD = Model(
     largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
     records=(
         Resistance, RopeBounds, PlanOptions, LoadLimits, LowerLimits, LoadMotion, Feedforward,
-        Compensation, DriveBounds, BoundUses, Space, ObstacleRow, Pace,
-        Command,
+        Compensation, DriveBounds, BoundUses, Space, ObstacleRow, Pace, PlanLimits, Command,
     ),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

@@ -9,6 +9,7 @@ import numpy as np
 
 from segfmu.crane import Crane, FlatInverse, Friction
 from segfmu.crane.demand import peaks
+from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import FRICTION
 from segfmu.crane.inverse import (
     ACCELERATION,
@@ -19,8 +20,10 @@ from segfmu.crane.inverse import (
     STATE,
     VELOCITY,
 )
+from segfmu.crane.limit_search import FULL, LimitSearch
+from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import build
-from segfmu.errors import InfeasibleError
+from segfmu.errors import InfeasibleError, SegfmuError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.gantry_feedforward.commands import Commands
 from segfmu.fmu.python.slave import SpecSlave
@@ -45,9 +48,9 @@ from segfmu.kernels.crane.records import (
     DriveBounds,
     Feedforward,
     LoadMotion,
-    Pace,
     RopeWork,
 )
+from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
 from segfmu.kernels.messages import BOUND, SPACE
 from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
@@ -56,6 +59,13 @@ from segfmu.planning.arrays import FloatArray
 AXES = ("x", "y", "z")
 # that of the sway is no matter of the drives
 KNOWN = {name: fed for name, fed in FRICTION.items() if name != "sway"}
+
+
+class _Path:
+    """What the parameters say of workspace and obstacles."""
+
+    def __init__(self, slave: FeedforwardSlave) -> None:
+        self.require = lambda trajectory, _: slave.require_space(trajectory)
 
 
 class FeedforwardSlave(SpecSlave):
@@ -106,43 +116,92 @@ class FeedforwardSlave(SpecSlave):
         if self._planned:
             return
         crane, friction = Crane.of(self.value), build(Friction, KNOWN, self.value)
-        pace, slows = np.zeros(Pace.SIZE), bool(self.value("planner.slows_down"))
-        backend.begin_pace(pace)
-        while True:
-            trajectory = self._planned_at(float(pace[Pace.PACE]))
-            inverse = FlatInverse(crane, trajectory, friction)
-            self._require_space(trajectory)
-            status, uses, fault = self._uses(crane, trajectory, friction)
-            largest = float(uses[: Demand.SIZE].max())
-            if not slows or not backend.next_pace(largest, pace):
-                break
-        if status != BoundStatus.KEPT:
-            raise InfeasibleError(BOUND.text(status, fault))
-        self._inverse, self._trajectory = inverse, trajectory
+        self.assign(("plan.pace",), (1.0,))
+        if self.value("planner.finds_limits"):
+            trajectory = self._as_found(crane, friction)
+        else:
+            trajectory = self._as_given(crane, friction)
+        self._inverse, self._trajectory = FlatInverse(crane, trajectory, friction), trajectory
+        self._show_limits(trajectory.limits)
         self._commands = None
         if self.value("command.enabled"):
-            self._commands = Commands(self.value, trajectory, self._limits(1.0), self._begin)
-        self.show(BoundUses, uses)
-        self.show(Pace, pace)
+            self._commands = Commands(self.value, trajectory, self._begin)
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
         self._planned = True
 
+    def _as_given(self, crane: Crane, friction: Friction) -> Trajectory:
+        """The plan with the given limits, slower if it may be."""
+        slows = self.value("planner.slows_down") and not self.value("planner.finds_limits")
+        pace = np.zeros(Pace.SIZE)
+        backend.begin_pace(1.0, FULL, pace)
+        while True:
+            trajectory = self._planned_at(float(pace[Pace.PACE]))
+            require_rope(crane, trajectory)
+            self.require_space(trajectory)
+            status, uses, fault = self._uses(crane, trajectory, friction)
+            largest = float(uses[: Demand.SIZE].max())
+            if not slows or not backend.next_pace(largest, pace):
+                break
+        self.show(Pace, pace)
+        self._keep(status, uses, fault)
+        return trajectory
+
+    def _as_found(self, crane: Crane, friction: Friction) -> Trajectory:
+        """The plan with limits that are found where those given do not keep the bounds."""
+        refusal: SegfmuError | None = None
+        if self._table()[:, : LimitRow.JERK].all():
+            try:
+                return self._as_given(crane, friction)
+            except SegfmuError as error:
+                refusal = error
+        options, points = self._options(), tuple(self._waypoints(1.0))
+        timing = {name: options.pop(name) for name in ("sample_time", "duration")}
+        caps = np.hstack([self._table(), self._least()])
+        task = Task(
+            crane, points, np.zeros((len(points), 2, len(AXES)), dtype=np.bool_),
+            np.arange(len(points)), self.filled(DriveBounds), caps, {}, options, _Path(self),
+            friction,
+        )
+        try:
+            found = self._search(task, timing)
+        except SegfmuError as error:
+            raise refusal or error from None
+        self._keep(*self._uses(crane, found, friction))
+        return found
+
+    def _search(self, task: Task, timing: dict[str, Any]) -> Trajectory:
+        search = LimitSearch(task)
+        found, closest = search.run(timing), search.closest
+        if found is None:
+            if closest is not None and not closest.kept:
+                self._keep(*self._uses(task.crane, closest.trajectory, task.friction))
+            raise search.refusal or AssertionError("a search without a plan and a refusal")
+        return found.trajectory
+
+    def _keep(self, status: int, uses: FloatArray, fault: FloatArray) -> None:
+        """Show what a plan uses of the bounds; refuse one that exceeds them."""
+        if status != BoundStatus.KEPT:
+            raise InfeasibleError(BOUND.text(status, fault))
+        self.show(BoundUses, uses)
+
     def _planned_at(self, pace: float) -> Trajectory:
         """The plan at a pace."""
+        return plan(self._waypoints(pace), self._limits(pace), **self._options())
+
+    def _options(self) -> dict[str, Any]:
+        """Arguments of `plan`."""
         options = self.filled(PlanOptions)
-        return plan(
-            self._waypoints(pace),
-            self._limits(pace),
-            smoothness=int(options[PlanOptions.SMOOTHNESS]),
-            shape=gantry_feedforward.SHAPES.items[int(options[PlanOptions.SHAPE])],
-            synchronize=gantry_feedforward.SYNCHRONIZATIONS.items[
+        return {
+            "smoothness": int(options[PlanOptions.SMOOTHNESS]),
+            "shape": gantry_feedforward.SHAPES.items[int(options[PlanOptions.SHAPE])],
+            "synchronize": gantry_feedforward.SYNCHRONIZATIONS.items[
                 int(options[PlanOptions.SYNCHRONIZATION])
             ],
-            sample_time=float(options[PlanOptions.SAMPLE_TIME]) or None,
-            duration=float(options[PlanOptions.DURATION]) or None,
-            axis_names=AXES,
-        )
+            "sample_time": float(options[PlanOptions.SAMPLE_TIME]) or None,
+            "duration": float(options[PlanOptions.DURATION]) or None,
+            "axis_names": AXES,
+        }
 
     def _uses(
         self, crane: Crane, trajectory: Trajectory, friction: Friction
@@ -155,7 +214,7 @@ class FeedforwardSlave(SpecSlave):
         fault = np.zeros(BoundFault.SIZE)
         return backend.bound_uses(found, times, bounds, uses, fault), uses, fault
 
-    def _require_space(self, trajectory: Trajectory) -> None:
+    def require_space(self, trajectory: Trajectory) -> None:
         """Refuse a plan that leaves the workspace or meets an obstacle."""
         space, fault = self.filled(Space), np.zeros(SpaceFault.SIZE)
         obstacles = np.zeros((SpaceLimits.OBSTACLES, ObstacleRow.SIZE))
@@ -172,16 +231,28 @@ class FeedforwardSlave(SpecSlave):
         if status != SpaceStatus.CLEAR:
             raise InfeasibleError(SPACE.text(status, fault))
 
+    def _table(self) -> FloatArray:
+        """Given limits of velocity to snap, shape (3, 4); 0: none."""
+        return self.filled(LoadLimits).reshape(len(AXES), -1)
+
+    def _least(self) -> FloatArray:
+        """Magnitudes of given velocities and accelerations backwards, shape (3, 2)."""
+        least = self.filled(LowerLimits).reshape(len(AXES), -1)
+        return np.where(least < 0.0, -least, self._table()[:, : LimitRow.JERK])
+
     def _limits(self, pace: float) -> Limits:
-        given = self.filled(LoadLimits).reshape(len(AXES), -1).T
+        given = self._table().T
         powers = pace ** np.arange(1.0, len(given) + 1.0)
         velocity, acceleration, *others = powers[:, None] * given
-        least = powers[:2, None] * self.filled(LowerLimits).reshape(len(AXES), -1).T
-        velocity_min, acceleration_min = np.where(least < 0.0, least, [-velocity, -acceleration])
+        velocity_min, acceleration_min = -powers[:2, None] * self._least().T
         return Limits(
             velocity, acceleration, *(np.where(c > 0.0, c, inf) for c in others),
             velocity_min=velocity_min, acceleration_min=acceleration_min,
         )
+
+    def _show_limits(self, limits: Limits) -> None:
+        table = limits.table(len(AXES), LimitRow.VELOCITY_MIN)[:, : LimitRow.VELOCITY_MIN]
+        self.show(PlanLimits, np.hstack([table, -limits.lower(len(AXES))]).ravel())
 
     def _waypoints(self, pace: float) -> list[Waypoint]:
         count = int(self.value("waypoint.count"))

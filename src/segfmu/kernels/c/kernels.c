@@ -215,7 +215,6 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
-static double pace_between(array_double_1d pace);
 static void write_transform(array_double_2d work);
 static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
 static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
@@ -257,6 +256,45 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
+static double pace_between(double use, array_double_1d pace);
+static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static double damped_step(int64_t n, double radius, double weight, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static void write_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static double without_digits(double value);
+static void write_paced(array_double_2d search);
+static void enter_paces(array_double_2d search);
+static void enter_start(array_double_2d starts, array_double_2d search);
+static double largest_share(array_double_1d uses);
+static double poll_change(int64_t way);
+static bool next_poll(double duration, array_double_1d uses, array_double_2d search);
+static bool leave_poll(array_double_2d search);
+static double change_of(array_double_2d search);
+static bool write_changed(array_double_2d search);
+static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes);
+static bool has_states(array_double_2d search);
+static bool enter_poll(array_double_2d search);
+static bool enter_descent(array_double_2d search);
+static bool leave_round(array_double_2d search);
+static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static void write_values(double duration, array_double_1d uses, array_double_1d row);
+static void note_best(array_double_2d search);
+static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values);
+static void note_start(array_double_2d search);
+static void enter_centre(array_double_2d search, array_double_2d values);
+static bool enter_round(array_double_2d search, array_double_2d values);
+static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault);
+static double least_of(double limit, double bound);
+static double rigid_mass(int64_t axis, array_double_1d resistance);
+static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row);
+static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row);
+static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
+static int64_t state_of(int64_t point, int64_t order, int64_t axis);
+static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
+static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
+static bool differs(int64_t i, array_double_1d bounds);
+static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
+static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static double least_scale(void);
@@ -8129,76 +8167,6 @@ double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, doub
     result = series_derivative(friction, order);
     return result;
 }
-void segfmu_begin_pace(array_double_1d pace)
-{
-    (*cspan_at(&pace, INT64_C(0))) = 1.0;
-    (*cspan_at(&pace, INT64_C(1))) = 0.0;
-    (*cspan_at(&pace, INT64_C(2))) = 1.0;
-    (*cspan_at(&pace, INT64_C(3))) = 0.0;
-    (*cspan_at(&pace, INT64_C(4))) = 0.0;
-    (*cspan_at(&pace, INT64_C(5))) = 0.0;
-}
-static double pace_between(array_double_1d pace)
-{
-    double lower;
-    double upper;
-    double aim;
-    double slower;
-    double share;
-    double rise;
-    lower = (*cspan_at(&pace, INT64_C(1)));
-    upper = (*cspan_at(&pace, INT64_C(2)));
-    aim = 1.0 - 5e-07;
-    if (lower <= 0.0)
-    {
-        slower = span_min(sqrt(aim / (*cspan_at(&pace, INT64_C(4)))), 0.999);
-        if ((*cspan_at(&pace, INT64_C(5))) > 2.5)
-        {
-            slower = 0.5;
-        }
-        return span_max(slower * upper, 0.001);
-    }
-    share = 0.5;
-    rise = (*cspan_at(&pace, INT64_C(4))) / (*cspan_at(&pace, INT64_C(3)));
-    if (span_floor_mod((int64_t)((*cspan_at(&pace, INT64_C(5)))), INT64_C(3)) > INT64_C(0))
-    {
-        share = log(aim / (*cspan_at(&pace, INT64_C(3)))) / log(rise);
-    }
-    share = span_min(span_max(share, 0.001), 0.999);
-    return lower * exp(share * log(upper / lower));
-}
-bool segfmu_next_pace(double use, array_double_1d pace)
-{
-    double last;
-    bool result;
-    last = (*cspan_at(&pace, INT64_C(0)));
-    if (use <= 1.0 + 1e-09)
-    {
-        (*cspan_at(&pace, INT64_C(1))) = last;
-        (*cspan_at(&pace, INT64_C(3))) = use;
-        if ((last >= 1.0) || (use >= 1.0 - 1e-06) || ((*cspan_at(&pace, INT64_C(5))) >= 40.0))
-        {
-            return 0;
-        }
-    }
-    else
-    {
-        (*cspan_at(&pace, INT64_C(2))) = last;
-        (*cspan_at(&pace, INT64_C(4))) = use;
-        if (last <= 0.001)
-        {
-            return 0;
-        }
-    }
-    (*cspan_at(&pace, INT64_C(5))) = (*cspan_at(&pace, INT64_C(5))) + 1.0;
-    (*cspan_at(&pace, INT64_C(0))) = pace_between(pace);
-    if ((*cspan_at(&pace, INT64_C(5))) >= 40.0)
-    {
-        (*cspan_at(&pace, INT64_C(0))) = (*cspan_at(&pace, INT64_C(1)));
-    }
-    result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
-    return result;
-}
 static void write_transform(array_double_2d work)
 {
     int64_t last;
@@ -8552,6 +8520,42 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
     while(end < 1e+300)
     {
         search_interval(begin, end, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+        begin = end;
+        end = next_joint(begin, duration, timing, offsets, ends, contacts);
+    }
+}
+void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
+{
+    double duration;
+    int64_t axis;
+    int64_t i;
+    int64_t side;
+    double begin;
+    double end;
+    int64_t count;
+    int64_t j;
+    duration = 0.0;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        duration = span_max(duration, (*cspan_at(&ends, axis)));
+    }
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            (*cspan_at(&peaks, side, i)) = 0.0;
+            (*cspan_at(&times, side, i)) = 0.0;
+        }
+    }
+    begin = 0.0;
+    end = next_joint(begin, duration, timing, offsets, ends, contacts);
+    while(end < 1e+300)
+    {
+        count = INT64_C(4) + (int64_t)(64.0 * (end - begin) / duration);
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            note_value(begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
+        }
         begin = end;
         end = next_joint(begin, duration, timing, offsets, ends, contacts);
     }
@@ -9330,6 +9334,1319 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
         }
     }
     return status;
+}
+void segfmu_begin_pace(double most, double full, array_double_1d pace)
+{
+    (*cspan_at(&pace, INT64_C(0))) = 1.0;
+    (*cspan_at(&pace, INT64_C(1))) = most;
+    (*cspan_at(&pace, INT64_C(2))) = full;
+    (*cspan_at(&pace, INT64_C(3))) = 0.0;
+    (*cspan_at(&pace, INT64_C(4))) = 1e+300;
+    (*cspan_at(&pace, INT64_C(5))) = 0.0;
+    (*cspan_at(&pace, INT64_C(6))) = 0.0;
+    (*cspan_at(&pace, INT64_C(7))) = 0.0;
+}
+static double pace_between(double use, array_double_1d pace)
+{
+    double tried;
+    double lower;
+    double upper;
+    double growth;
+    double aim;
+    double middle;
+    bool bracketed;
+    double found;
+    tried = (*cspan_at(&pace, INT64_C(0)));
+    lower = span_max((*cspan_at(&pace, INT64_C(3))), 0.001);
+    upper = span_min((*cspan_at(&pace, INT64_C(4))), (*cspan_at(&pace, INT64_C(1))));
+    growth = 2.0;
+    if ((0.0 < (*cspan_at(&pace, INT64_C(6)))) && ((*cspan_at(&pace, INT64_C(6))) < 1e+300) && (0.0 < use) && (use < 1e+300))
+    {
+        if (fabs(log((*cspan_at(&pace, INT64_C(5))) / tried)) > 1e-12)
+        {
+            growth = log((*cspan_at(&pace, INT64_C(6))) / use) / log((*cspan_at(&pace, INT64_C(5))) / tried);
+            growth = span_min(span_max(growth, 0.5), 4.0);
+        }
+    }
+    aim = 0.5 * (1.0 + (*cspan_at(&pace, INT64_C(2))));
+    found = tried * exp(log(aim / span_min(span_max(use, 0.01), 1000000.0)) / growth);
+    middle = 2.0 * tried;
+    if ((*cspan_at(&pace, INT64_C(4))) < 1e+300)
+    {
+        middle = 0.5 * upper;
+        if ((*cspan_at(&pace, INT64_C(3))) > 0.0)
+        {
+            middle = exp(0.5 * log(lower * upper));
+        }
+    }
+    bracketed = ((*cspan_at(&pace, INT64_C(3))) > 0.0) && ((*cspan_at(&pace, INT64_C(4))) < 1e+300);
+    if (((*cspan_at(&pace, INT64_C(3))) == 0.0) && ((*cspan_at(&pace, INT64_C(7))) > 2.5))
+    {
+        found = span_min(found, 0.5 * tried);
+    }
+    if ((use >= 1e+300) || (bracketed && (span_floor_mod((int64_t)((*cspan_at(&pace, INT64_C(7)))), INT64_C(3)) == INT64_C(2))))
+    {
+        found = middle;
+    }
+    if (!((lower * (1.0 + 1e-09) < found) && (found < upper * (1.0 - 1e-09))))
+    {
+        found = span_min(span_max(middle, lower), upper);
+    }
+    return found;
+}
+bool segfmu_next_pace(double use, array_double_1d pace)
+{
+    double tried;
+    bool result;
+    tried = (*cspan_at(&pace, INT64_C(0)));
+    if (use <= 1.0 + 1e-09)
+    {
+        (*cspan_at(&pace, INT64_C(3))) = tried;
+        if ((tried >= (*cspan_at(&pace, INT64_C(1)))) || (use >= (*cspan_at(&pace, INT64_C(2)))) || ((*cspan_at(&pace, INT64_C(7))) >= 40.0))
+        {
+            return 0;
+        }
+    }
+    else
+    {
+        (*cspan_at(&pace, INT64_C(4))) = tried;
+        if (tried <= 0.001)
+        {
+            return 0;
+        }
+    }
+    (*cspan_at(&pace, INT64_C(0))) = pace_between(use, pace);
+    (*cspan_at(&pace, INT64_C(5))) = tried;
+    (*cspan_at(&pace, INT64_C(6))) = use;
+    (*cspan_at(&pace, INT64_C(7))) = (*cspan_at(&pace, INT64_C(7))) + 1.0;
+    if ((*cspan_at(&pace, INT64_C(7))) >= 40.0)
+    {
+        (*cspan_at(&pace, INT64_C(0))) = (*cspan_at(&pace, INT64_C(3)));
+    }
+    result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
+    return result;
+}
+static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
+{
+    double room;
+    int64_t i;
+    double own;
+    int64_t j;
+    room = span_max(1.0 - (*cspan_at(&values, INT64_C(0), row)), 1e-05);
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        room = room - (*cspan_at(&search, INT64_C(13), i)) * (*cspan_at(&slopes, i, row)) * (*cspan_at(&search, INT64_C(7), i));
+    }
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        own = (*cspan_at(&search, INT64_C(13), i)) * (*cspan_at(&slopes, i, row)) / room;
+        (*cspan_at(&newton, n + i, INT64_C(0))) = (*cspan_at(&newton, n + i, INT64_C(0))) - own;
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&newton, i, j)) = (*cspan_at(&newton, i, j)) + own * (*cspan_at(&search, INT64_C(13), j)) * (*cspan_at(&slopes, j, row)) / room;
+        }
+    }
+}
+static double damped_step(int64_t n, double radius, double weight, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
+{
+    int64_t i;
+    int64_t j;
+    double above;
+    double below;
+    double force;
+    int64_t row;
+    double squared;
+    double decrement;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&newton, i, j)) = 0.0;
+        }
+        above = radius - (*cspan_at(&search, INT64_C(7), i));
+        below = radius + (*cspan_at(&search, INT64_C(7), i));
+        (*cspan_at(&newton, i, i)) = 1.0 / (above * above) + 1.0 / (below * below);
+        force = (*cspan_at(&search, INT64_C(13), i)) * weight * (*cspan_at(&slopes, i, INT64_C(0)));
+        (*cspan_at(&newton, n + i, INT64_C(0))) = (-force) - 1.0 / above + 1.0 / below;
+    }
+    for (row = INT64_C(1); row < slopes.shape[INT64_C(1)]; row += INT64_C(1))
+    {
+        if ((*cspan_at(&values, INT64_C(0), row)) > 0.3)
+        {
+            add_bound(n, row, search, values, slopes, newton);
+        }
+    }
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&newton, n + i, INT64_C(1))) = (*cspan_at(&newton, n + i, INT64_C(0)));
+    }
+    matrix_solve(n, INT64_C(1), span_rows(&newton, INT64_C(0), n), span_rows(&newton, n, INT64_C(2) * n));
+    squared = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        squared = squared + (*cspan_at(&newton, n + i, INT64_C(0))) * (*cspan_at(&newton, n + i, INT64_C(1)));
+    }
+    decrement = sqrt(span_max(squared, 0.0));
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(7), i)) = (*cspan_at(&search, INT64_C(7), i)) + (*cspan_at(&newton, n + i, INT64_C(0))) / (1.0 + decrement);
+    }
+    return decrement;
+}
+static void write_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
+{
+    int64_t n;
+    double radius;
+    double most;
+    int64_t i;
+    double weight;
+    int64_t level;
+    int64_t trial;
+    double promised;
+    n = (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1))));
+    radius = (*cspan_at(&search, INT64_C(0), INT64_C(9)));
+    most = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(7), i)) = 0.0;
+        most = most + (*cspan_at(&search, INT64_C(13), i)) * fabs((*cspan_at(&slopes, i, INT64_C(0)))) * radius;
+    }
+    (*cspan_at(&search, INT64_C(0), INT64_C(10))) = 0.0;
+    if (most <= 0.0)
+    {
+        return;
+    }
+    weight = (2.0 * n + INT64_C(1) + 28.0) / most;
+    for (level = INT64_C(0); level < INT64_C(6); level += INT64_C(1))
+    {
+        for (trial = INT64_C(0); trial < INT64_C(40); trial += INT64_C(1))
+        {
+            if (damped_step(n, radius, weight, search, values, slopes, newton) < 0.3)
+            {
+                break;
+            }
+        }
+        weight = 8.0 * weight;
+    }
+    promised = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        promised = promised - (*cspan_at(&search, INT64_C(7), i)) * (*cspan_at(&slopes, i, INT64_C(0)));
+    }
+    (*cspan_at(&search, INT64_C(0), INT64_C(10))) = promised;
+}
+static double without_digits(double value)
+{
+    return (int64_t)floor(value * 1048576.0 + 0.5) / 1048576.0;
+}
+static void write_paced(array_double_2d search)
+{
+    double faster;
+    int64_t i;
+    double moved;
+    faster = log((*cspan_at(&search, INT64_C(1), INT64_C(0))));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        moved = (*cspan_at(&search, INT64_C(5), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + without_digits(moved);
+    }
+}
+static void enter_paces(array_double_2d search)
+{
+    array_double_1d state;
+    state = span_row(&search, INT64_C(0));
+    segfmu_begin_pace(1000.0, 0.995, span_row(&search, INT64_C(1)));
+    (*cspan_at(&state, INT64_C(5))) = 0.0;
+    (*cspan_at(&state, INT64_C(6))) = 0.0;
+    (*cspan_at(&state, INT64_C(11))) = 1e+300;
+    write_paced(search);
+}
+static void enter_start(array_double_2d starts, array_double_2d search)
+{
+    int64_t row;
+    int64_t i;
+    row = (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(2))));
+    for (i = INT64_C(0); i < starts.shape[INT64_C(1)]; i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(3), i)) = (*cspan_at(&starts, row, i));
+        (*cspan_at(&search, INT64_C(5), i)) = 0.0;
+    }
+    enter_paces(search);
+}
+void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search)
+{
+    int64_t n;
+    array_double_1d state;
+    int64_t i;
+    int64_t slot;
+    n = kinds.shape[INT64_C(0)];
+    state = span_row(&search, INT64_C(0));
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
+    {
+        (*cspan_at(&state, i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(11), i)) = (*cspan_at(&kinds, i));
+        (*cspan_at(&search, INT64_C(12), i)) = 0.0;
+        if ((int64_t)((*cspan_at(&kinds, i))) == INT64_C(1))
+        {
+            (*cspan_at(&search, INT64_C(12), i)) = 1.0 + span_floor_mod(span_floor_mod(i, INT64_C(6)), INT64_C(4));
+        }
+    }
+    (*cspan_at(&state, INT64_C(1))) = n;
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(0);
+    (*cspan_at(&state, INT64_C(12))) = 1e+300;
+    for (slot = INT64_C(0); slot < INT64_C(2); slot += INT64_C(1))
+    {
+        (*cspan_at(&state, INT64_C(14) + slot)) = 1e+300;
+    }
+    enter_start(starts, search);
+}
+static double largest_share(array_double_1d uses)
+{
+    int64_t i;
+    double found;
+    found = 0.0;
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
+    {
+        found = span_max(found, (*cspan_at(&uses, i)));
+    }
+    return found;
+}
+static double poll_change(int64_t way)
+{
+    double size;
+    size = 0.15;
+    if (way > INT64_C(1))
+    {
+        size = 0.45;
+    }
+    if (span_floor_mod(way, INT64_C(2)) == INT64_C(1))
+    {
+        return -size;
+    }
+    return size;
+}
+static bool next_poll(double duration, array_double_1d uses, array_double_2d search)
+{
+    array_double_1d state;
+    int64_t n;
+    double merit;
+    int64_t i;
+    int64_t way;
+    double here;
+    double changed;
+    int64_t j;
+    state = span_row(&search, INT64_C(0));
+    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
+    if (duration > 0.0)
+    {
+        merit = log(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
+        if (merit < (*cspan_at(&state, INT64_C(16))) - 0.0001)
+        {
+            (*cspan_at(&state, INT64_C(16))) = merit;
+            for (i = INT64_C(0); i < n; i += INT64_C(1))
+            {
+                (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
+            }
+        }
+    }
+    while((*cspan_at(&state, INT64_C(3))) < n)
+    {
+        i = (int64_t)((*cspan_at(&state, INT64_C(3))));
+        way = (int64_t)((*cspan_at(&state, INT64_C(4))));
+        if ((i < INT64_C(0)) || (way > INT64_C(3)) || ((int64_t)((*cspan_at(&search, INT64_C(11), i))) != INT64_C(2)))
+        {
+            (*cspan_at(&state, INT64_C(3))) = (*cspan_at(&state, INT64_C(3))) + 1.0;
+            (*cspan_at(&state, INT64_C(4))) = 0.0;
+        }
+        else
+        {
+            (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + 1.0;
+            here = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
+            changed = span_min(span_max(here + poll_change(way), -1.0), 1.0);
+            if (fabs(changed - here) > 1e-06)
+            {
+                for (j = INT64_C(0); j < n; j += INT64_C(1))
+                {
+                    (*cspan_at(&search, INT64_C(2), j)) = (*cspan_at(&search, INT64_C(3), j)) + (*cspan_at(&search, INT64_C(4), j));
+                }
+                (*cspan_at(&search, INT64_C(2), i)) = changed;
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+static bool leave_poll(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(5), i)) = (*cspan_at(&search, INT64_C(4), i));
+    }
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
+    enter_paces(search);
+    return 1;
+}
+static double change_of(array_double_2d search)
+{
+    double size;
+    size = 0.02;
+    if ((int64_t)((*cspan_at(&search, INT64_C(11), (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(3))))))) == INT64_C(2))
+    {
+        size = 0.01;
+    }
+    if ((*cspan_at(&search, INT64_C(0), INT64_C(4))) > 0.5)
+    {
+        return size;
+    }
+    return -size;
+}
+static bool write_changed(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t n;
+    int64_t changed;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
+    changed = (int64_t)((*cspan_at(&state, INT64_C(3))));
+    if ((*cspan_at(&state, INT64_C(4))) > 0.5)
+    {
+        changed = changed + INT64_C(1);
+        while((changed < n) && ((int64_t)((*cspan_at(&search, INT64_C(11), changed))) == INT64_C(0)))
+        {
+            changed = changed + INT64_C(1);
+        }
+        (*cspan_at(&state, INT64_C(4))) = 0.0;
+    }
+    else
+    {
+        (*cspan_at(&state, INT64_C(4))) = 1.0;
+    }
+    (*cspan_at(&state, INT64_C(3))) = changed;
+    if (changed >= n)
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
+    }
+    (*cspan_at(&search, INT64_C(2), changed)) = (*cspan_at(&search, INT64_C(2), changed)) + change_of(search);
+    return 1;
+}
+static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes)
+{
+    array_double_1d state;
+    int64_t i;
+    double change;
+    array_double_1d centre;
+    int64_t j;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    i = (int64_t)((*cspan_at(&state, INT64_C(3))));
+    (*cspan_at(&search, INT64_C(13), i)) = 0.0;
+    if (duration > 0.0)
+    {
+        (*cspan_at(&search, INT64_C(13), i)) = 1.0;
+        change = change_of(search);
+        centre = span_row(&values, INT64_C(0));
+        (*cspan_at(&slopes, i, INT64_C(0))) = (log(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
+        for (j = INT64_C(0); j < INT64_C(2) * INT64_C(14); j += INT64_C(1))
+        {
+            (*cspan_at(&slopes, i, INT64_C(1) + j)) = ((*cspan_at(&uses, j)) - (*cspan_at(&centre, INT64_C(1) + j))) / change;
+        }
+        (*cspan_at(&state, INT64_C(4))) = 1.0;
+    }
+    result = write_changed(search);
+    return result;
+}
+static bool has_states(array_double_2d search)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&search, INT64_C(11), i))) == INT64_C(2))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static bool enter_poll(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(2);
+    (*cspan_at(&state, INT64_C(16))) = 1e+300;
+    (*cspan_at(&state, INT64_C(3))) = -1.0;
+    (*cspan_at(&state, INT64_C(4))) = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
+    }
+    return 1;
+}
+static bool enter_descent(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t slot;
+    int64_t i;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&state, INT64_C(2))) + 1.0;
+    slot = (int64_t)((*cspan_at(&state, INT64_C(2))));
+    if ((slot > INT64_C(1)) || ((*cspan_at(&state, INT64_C(14) + slot)) >= 1e+300))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(3), i)) = (*cspan_at(&search, INT64_C(9) + slot, i));
+        (*cspan_at(&search, INT64_C(4), i)) = 0.0;
+        (*cspan_at(&search, INT64_C(5), i)) = 0.0;
+    }
+    (*cspan_at(&state, INT64_C(8))) = 0.0;
+    if (has_states(search))
+    {
+        (*cspan_at(&state, INT64_C(13))) = (*cspan_at(&state, INT64_C(14) + slot));
+        result = enter_poll(search);
+        return result;
+    }
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
+    enter_paces(search);
+    return 1;
+}
+static bool leave_round(array_double_2d search)
+{
+    array_double_1d state;
+    double gain;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(8))) = (*cspan_at(&state, INT64_C(8))) + 1.0;
+    gain = (*cspan_at(&state, INT64_C(13))) - (*cspan_at(&state, INT64_C(12)));
+    if ((!has_states(search)) || (gain < 0.002) || ((*cspan_at(&state, INT64_C(8))) > 7.5))
+    {
+        result = enter_descent(search);
+        return result;
+    }
+    (*cspan_at(&state, INT64_C(13))) = (*cspan_at(&state, INT64_C(12)));
+    result = enter_poll(search);
+    return result;
+}
+static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
+{
+    array_double_1d state;
+    int64_t i;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    write_step(search, values, slopes, newton);
+    if ((*cspan_at(&state, INT64_C(10))) <= 1e-05)
+    {
+        result = leave_round(search);
+        return result;
+    }
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(5), i)) = (*cspan_at(&search, INT64_C(4), i)) + (*cspan_at(&search, INT64_C(7), i));
+    }
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(4);
+    enter_paces(search);
+    return 1;
+}
+static void write_values(double duration, array_double_1d uses, array_double_1d row)
+{
+    int64_t i;
+    (*cspan_at(&row, INT64_C(0))) = log(duration);
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&row, INT64_C(1) + i)) = (*cspan_at(&uses, i));
+    }
+}
+static void note_best(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    if ((*cspan_at(&state, INT64_C(11))) < (*cspan_at(&state, INT64_C(12))) - 1e-09)
+    {
+        (*cspan_at(&state, INT64_C(12))) = (*cspan_at(&state, INT64_C(11)));
+        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+        {
+            (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
+        }
+    }
+}
+static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values)
+{
+    array_double_1d state;
+    double use;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    use = 1e+300;
+    if (duration > 0.0)
+    {
+        use = largest_share(uses);
+        if ((use <= 1.0 + 1e-09) && (log(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09))
+        {
+            (*cspan_at(&state, INT64_C(11))) = log(duration);
+            write_values(duration, uses, span_row(&values, INT64_C(1)));
+            for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+            {
+                (*cspan_at(&search, INT64_C(6), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
+            }
+            note_best(search);
+        }
+    }
+    else
+    {
+        (*cspan_at(&state, INT64_C(6))) = (*cspan_at(&state, INT64_C(6))) + 1.0;
+    }
+    (*cspan_at(&state, INT64_C(5))) = (*cspan_at(&state, INT64_C(5))) + 1.0;
+    if (((*cspan_at(&state, INT64_C(5))) > 5.5) || ((*cspan_at(&state, INT64_C(6))) > 1.5))
+    {
+        return 0;
+    }
+    if (!segfmu_next_pace(use, span_row(&search, INT64_C(1))))
+    {
+        return 0;
+    }
+    write_paced(search);
+    return 1;
+}
+static void note_start(array_double_2d search)
+{
+    array_double_1d state;
+    double found;
+    int64_t slot;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    found = (*cspan_at(&state, INT64_C(11)));
+    for (slot = INT64_C(0); slot < INT64_C(2); slot += INT64_C(1))
+    {
+        if (found < (*cspan_at(&state, INT64_C(14) + slot)) - 1e-09)
+        {
+            for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+            {
+                if (slot == INT64_C(0))
+                {
+                    (*cspan_at(&search, INT64_C(9) + INT64_C(1), i)) = (*cspan_at(&search, INT64_C(9), i));
+                }
+                (*cspan_at(&search, INT64_C(9) + slot, i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(6), i));
+            }
+            if (slot == INT64_C(0))
+            {
+                (*cspan_at(&state, INT64_C(14) + INT64_C(1))) = (*cspan_at(&state, INT64_C(14)));
+            }
+            (*cspan_at(&state, INT64_C(14) + slot)) = found;
+            return;
+        }
+    }
+}
+static void enter_centre(array_double_2d search, array_double_2d values)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(6), i));
+    }
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    {
+        (*cspan_at(&values, INT64_C(0), i)) = (*cspan_at(&values, INT64_C(1), i));
+    }
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(3);
+    (*cspan_at(&state, INT64_C(3))) = -1.0;
+    (*cspan_at(&state, INT64_C(4))) = 1.0;
+}
+static bool enter_round(array_double_2d search, array_double_2d values)
+{
+    array_double_1d state;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    if ((*cspan_at(&state, INT64_C(11))) >= 1e+300)
+    {
+        result = enter_descent(search);
+        return result;
+    }
+    enter_centre(search, values);
+    (*cspan_at(&state, INT64_C(7))) = 0.0;
+    (*cspan_at(&state, INT64_C(9))) = 0.3;
+    result = write_changed(search);
+    return result;
+}
+static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
+{
+    array_double_1d state;
+    double gain;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    gain = (*cspan_at(&values, INT64_C(0), INT64_C(0))) - (*cspan_at(&state, INT64_C(11)));
+    if (gain > 1e-05)
+    {
+        if (gain > 0.7 * (*cspan_at(&state, INT64_C(10))))
+        {
+            (*cspan_at(&state, INT64_C(9))) = span_min(1.5 * (*cspan_at(&state, INT64_C(9))), 1.0);
+        }
+        else if (gain < 0.3 * (*cspan_at(&state, INT64_C(10))))
+        {
+            (*cspan_at(&state, INT64_C(9))) = 0.6 * (*cspan_at(&state, INT64_C(9)));
+        }
+        (*cspan_at(&state, INT64_C(7))) = (*cspan_at(&state, INT64_C(7))) + 1.0;
+        if ((*cspan_at(&state, INT64_C(7))) > 11.5)
+        {
+            result = leave_round(search);
+            return result;
+        }
+        enter_centre(search, values);
+        result = write_changed(search);
+        return result;
+    }
+    (*cspan_at(&state, INT64_C(9))) = 0.4 * (*cspan_at(&state, INT64_C(9)));
+    if ((*cspan_at(&state, INT64_C(9))) < 0.01)
+    {
+        result = leave_round(search);
+        return result;
+    }
+    result = enter_step(search, values, slopes, newton);
+    return result;
+}
+bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d starts, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
+{
+    array_double_1d state;
+    int64_t stage;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    stage = (int64_t)((*cspan_at(&state, INT64_C(0))));
+    if (stage == INT64_C(2))
+    {
+        if (next_poll(duration, uses, search))
+        {
+            return 1;
+        }
+        result = leave_poll(search);
+        return result;
+    }
+    if (stage == INT64_C(3))
+    {
+        if (next_slope(duration, uses, search, values, slopes))
+        {
+            return 1;
+        }
+        result = enter_step(search, values, slopes, newton);
+        return result;
+    }
+    if (next_of_paces(duration, uses, search, values))
+    {
+        return 1;
+    }
+    if (stage == INT64_C(0))
+    {
+        note_start(search);
+        (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&state, INT64_C(2))) + 1.0;
+        if ((int64_t)((*cspan_at(&state, INT64_C(2)))) < starts.shape[INT64_C(0)])
+        {
+            enter_start(starts, search);
+            return 1;
+        }
+        (*cspan_at(&state, INT64_C(2))) = -1.0;
+        result = enter_descent(search);
+        return result;
+    }
+    if (stage == INT64_C(1))
+    {
+        result = enter_round(search, values);
+        return result;
+    }
+    result = judge_step(search, values, slopes, newton);
+    return result;
+}
+void segfmu_write_best(double pace, array_double_2d search)
+{
+    double faster;
+    int64_t i;
+    faster = log(pace);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(8), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
+    }
+}
+void segfmu_keep_best(double pace, array_double_2d search)
+{
+    int64_t i;
+    segfmu_write_best(pace, search);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
+    }
+}
+static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
+{
+    int64_t side;
+    int64_t i;
+    double bound;
+    (*cspan_at(&fault, INT64_C(0))) = axis;
+    (*cspan_at(&fault, INT64_C(1))) = axis;
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            bound = bound_magnitude(INT64_C(3) + INT64_C(3) * i + axis, side, bounds);
+            if (((*cspan_at(&axes, axis, INT64_C(0))) > 0.5) && (0.0 < bound) && (bound < 1e-05))
+            {
+                (*cspan_at(&fault, INT64_C(2))) = side;
+                (*cspan_at(&fault, INT64_C(3))) = bound;
+                return INT64_C(2) + i;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static double least_of(double limit, double bound)
+{
+    if (bound > 0.0)
+    {
+        return span_min(limit, bound);
+    }
+    return limit;
+}
+static double rigid_mass(int64_t axis, array_double_1d resistance)
+{
+    double mass;
+    mass = (*cspan_at(&resistance, INT64_C(2)));
+    if (axis < INT64_C(2))
+    {
+        mass = mass + (*cspan_at(&resistance, INT64_C(1)));
+    }
+    if (axis == INT64_C(0))
+    {
+        mass = mass + (*cspan_at(&resistance, INT64_C(0)));
+    }
+    return mass;
+}
+static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row)
+{
+    double gravity;
+    int64_t side;
+    int64_t cap;
+    double velocity;
+    double strongest;
+    double acceleration;
+    double held;
+    double mass;
+    double force;
+    bool lowered;
+    double strong;
+    double steepest;
+    double sway;
+    double power;
+    double distance;
+    double time;
+    double fastest;
+    gravity = (*cspan_at(&resistance, INT64_C(3)));
+    side = way;
+    if (axis == INT64_C(2))
+    {
+        side = INT64_C(1) - way;
+    }
+    cap = INT64_C(15) + way * INT64_C(4);
+    velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
+    strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
+    acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
+    held = (*cspan_at(&row, INT64_C(7))) + (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
+    mass = rigid_mass(axis, resistance);
+    force = bound_magnitude(INT64_C(0) + axis, side, bounds);
+    if (axis == INT64_C(2))
+    {
+        force = bound_magnitude(INT64_C(0) + axis, INT64_C(1), bounds);
+    }
+    lowered = (axis == INT64_C(2)) && (side == INT64_C(0)) && ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) > 0.5);
+    if (lowered)
+    {
+        acceleration = span_min(acceleration, 0.9 * gravity);
+    }
+    else if (force > 0.0)
+    {
+        strong = span_min((force - held) / mass, 1e+299);
+        acceleration = span_min(acceleration, span_max(strong, 0.001 * gravity));
+    }
+    steepest = tan(1.0);
+    if (axis == INT64_C(2))
+    {
+        steepest = 0.9;
+    }
+    else if ((*cspan_at(&bounds, INT64_C(12) + axis)) > 0.0)
+    {
+        sway = tan(span_min((*cspan_at(&bounds, INT64_C(12) + axis)), 1.0));
+        acceleration = span_min(acceleration, gravity * sway);
+    }
+    power = (*cspan_at(&bounds, INT64_C(9) + axis));
+    distance = (*cspan_at(&row, INT64_C(1)));
+    if ((power > 0.0) && (acceleration >= 1e+300))
+    {
+        time = exp(log(span_max(mass * distance * distance / power, 1e-30)) / 3.0);
+        acceleration = span_min(velocity / time, distance / (time * time));
+    }
+    if (acceleration >= 1e+300)
+    {
+        (*result_0) = velocity;
+        (*result_1) = acceleration;
+        return 0;
+    }
+    acceleration = span_min(acceleration, gravity * steepest);
+    if (distance <= 0.0)
+    {
+        fastest = (*cspan_at(&row, INT64_C(2)));
+        distance = span_max(fastest * fastest / acceleration, 1e-09);
+    }
+    if (power > 0.0)
+    {
+        velocity = span_min(velocity, power / (held + mass * acceleration));
+    }
+    (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
+    (*result_1) = acceleration;
+    return 0;
+}
+static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row)
+{
+    double up;
+    double down;
+    up = (*cspan_at(&row, INT64_C(3)));
+    down = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
+    if (axis == INT64_C(2))
+    {
+        up = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
+        down = (*cspan_at(&row, INT64_C(3)));
+    }
+    if (down < 0.5)
+    {
+        return ahead;
+    }
+    if (up < 0.5)
+    {
+        return back;
+    }
+    return span_min(ahead, back);
+}
+static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts)
+{
+    array_double_1d row;
+    double ahead;
+    double rise;
+    double back;
+    double fall;
+    double least;
+    double time;
+    int64_t k;
+    double multiple;
+    double ramp;
+    double faster;
+    double calmer;
+    int64_t first;
+    double most;
+    row = span_row(&axes, axis);
+    rigid_limits(&ahead, &rise, axis, INT64_C(0), bounds, resistance, row);
+    rigid_limits(&back, &fall, axis, INT64_C(1), bounds, resistance, row);
+    if ((rise >= 1e+300) || (fall >= 1e+300))
+    {
+        return INT64_C(1);
+    }
+    if ((*cspan_at(&row, INT64_C(5))) < 0.5)
+    {
+        ahead = of_the_way(ahead, back, axis, row);
+        back = ahead;
+    }
+    if ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) < 0.5)
+    {
+        rise = of_the_way(rise, fall, axis, row);
+        fall = rise;
+    }
+    least = span_min(rise, fall);
+    time = span_min(ahead, back) / least;
+    if ((*cspan_at(&row, INT64_C(1))) > 0.0)
+    {
+        time = span_min(time, sqrt((*cspan_at(&row, INT64_C(1))) / least));
+    }
+    for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        multiple = 0.5 * exp(span_floor_mod(k, INT64_C(4)) * 0.46209812);
+        ramp = multiple * span_min(swing, 2.0 * time);
+        if (axis == INT64_C(2))
+        {
+            ramp = multiple * 0.3 * time;
+        }
+        faster = 0.0;
+        if (span_floor_mod(span_floor_div(k, INT64_C(4)), INT64_C(2)) == INT64_C(1))
+        {
+            faster = log(1.5);
+        }
+        calmer = 0.0;
+        if (span_floor_div(k, INT64_C(8)) == INT64_C(1))
+        {
+            calmer = log(0.75);
+        }
+        first = axis * INT64_C(6);
+        most = span_max(rise, fall);
+        (*cspan_at(&starts, k, first + INT64_C(0))) = log(ahead) + faster;
+        (*cspan_at(&starts, k, first + INT64_C(1))) = log(rise) + calmer;
+        (*cspan_at(&starts, k, first + INT64_C(2))) = log(1.9 * most / ramp);
+        (*cspan_at(&starts, k, first + INT64_C(3))) = log(5.8 * most / (ramp * ramp));
+        (*cspan_at(&starts, k, first + INT64_C(4))) = log(back) + faster;
+        (*cspan_at(&starts, k, first + INT64_C(5))) = log(fall) + calmer;
+    }
+    return INT64_C(0);
+}
+int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault)
+{
+    double swing;
+    int64_t axis;
+    int64_t k;
+    int64_t i;
+    int64_t status;
+    swing = 3.141592653589793 * sqrt(span_max(rope, 0.001) / (*cspan_at(&resistance, INT64_C(3))));
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        status = check_pace_of(axis, bounds, axes, fault);
+        if (status != INT64_C(0))
+        {
+            return status;
+        }
+        for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+            {
+                (*cspan_at(&starts, k, axis * INT64_C(6) + i)) = 0.0;
+            }
+        }
+        if ((*cspan_at(&axes, axis, INT64_C(0))) > 0.5)
+        {
+            status = write_axis_starts(axis, swing, bounds, resistance, axes, starts);
+            if (status != INT64_C(0))
+            {
+                return status;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static int64_t state_of(int64_t point, int64_t order, int64_t axis)
+{
+    return INT64_C(3) * INT64_C(6) + ((point - INT64_C(1)) * INT64_C(2) + order) * INT64_C(3) + axis;
+}
+static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start)
+{
+    double time;
+    int64_t i;
+    double way;
+    double velocity;
+    double acceleration;
+    double result;
+    time = 0.0;
+    for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&axes, i, INT64_C(0))) > 0.5)
+        {
+            way = fabs((*cspan_at(&positions, point, i)) - (*cspan_at(&positions, point - INT64_C(1), i)));
+            velocity = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(0))));
+            acceleration = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(1))));
+            time = span_max(time, span_max(way / velocity, 2.0 * sqrt(way / acceleration)));
+        }
+    }
+    result = ((*cspan_at(&positions, point, axis)) - (*cspan_at(&positions, point - INT64_C(1), axis))) / span_max(time, 1e-09);
+    return result;
+}
+void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start)
+{
+    int64_t point;
+    int64_t axis;
+    int64_t i;
+    double before;
+    double after;
+    double share;
+    for (point = INT64_C(1); point < positions.shape[INT64_C(0)] - INT64_C(1); point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            i = state_of(point, INT64_C(0), axis);
+            if ((*cspan_at(&kinds, i)) > 1.5)
+            {
+                before = mean_velocity(point, axis, positions, axes, start);
+                after = mean_velocity(point + INT64_C(1), axis, positions, axes, start);
+                share = 0.0;
+                if (before * after > 0.0)
+                {
+                    share = span_min(fabs(before), fabs(after)) / exp((*cspan_at(&start, axis * INT64_C(6))));
+                }
+                if (before < 0.0)
+                {
+                    share = -share;
+                }
+                (*cspan_at(&start, i)) = share;
+            }
+        }
+    }
+}
+static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
+{
+    double ahead;
+    double back;
+    int64_t k;
+    double velocity;
+    double way;
+    ahead = 0.0;
+    back = 0.0;
+    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        velocity = (*cspan_at(&velocities, k, axis));
+        (*cspan_at(&row, INT64_C(2))) = span_max((*cspan_at(&row, INT64_C(2))), fabs(velocity));
+        way = 0.0;
+        if (k > INT64_C(0))
+        {
+            way = (*cspan_at(&positions, k, axis)) - (*cspan_at(&positions, k - INT64_C(1), axis));
+        }
+        (*cspan_at(&row, INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(1))), fabs(way));
+        if ((velocity > 0.0) || (way > 0.0))
+        {
+            ahead = 1.0;
+        }
+        if ((velocity < 0.0) || (way < 0.0))
+        {
+            back = 1.0;
+        }
+        if ((velocity != 0.0) || ((*cspan_at(&accelerations, k, axis)) != 0.0) || (way != 0.0))
+        {
+            (*cspan_at(&row, INT64_C(0))) = 1.0;
+        }
+    }
+    if ((ahead < 0.5) && (back < 0.5))
+    {
+        ahead = (*cspan_at(&row, INT64_C(0)));
+        back = (*cspan_at(&row, INT64_C(0)));
+    }
+    (*cspan_at(&row, INT64_C(3))) = ahead;
+    (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = back;
+    if (axis == INT64_C(2))
+    {
+        (*cspan_at(&row, INT64_C(3))) = back;
+        (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = ahead;
+    }
+}
+static bool differs(int64_t i, array_double_1d bounds)
+{
+    bool result;
+    result = bound_magnitude(i, INT64_C(0), bounds) != bound_magnitude(i, INT64_C(1), bounds);
+    return result;
+}
+static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row)
+{
+    bool turns;
+    bool forced;
+    int64_t i;
+    int64_t caps;
+    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
+    if (turns && differs(INT64_C(3) + axis, bounds))
+    {
+        (*cspan_at(&row, INT64_C(5))) = 1.0;
+    }
+    forced = (axis != INT64_C(2)) && differs(INT64_C(0) + axis, bounds);
+    if (forced || differs(INT64_C(6) + axis, bounds))
+    {
+        (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        caps = INT64_C(15) + i;
+        if ((*cspan_at(&row, caps)) != (*cspan_at(&row, caps + INT64_C(4))))
+        {
+            (*cspan_at(&row, INT64_C(5) + i)) = 1.0;
+        }
+    }
+}
+static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
+{
+    int64_t k;
+    int64_t i;
+    double state;
+    int64_t ahead;
+    int64_t back;
+    bool directed;
+    for (k = INT64_C(0); k < velocities.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            state = (*cspan_at(&velocities, k, axis));
+            if (i == INT64_C(1))
+            {
+                state = (*cspan_at(&accelerations, k, axis));
+            }
+            ahead = INT64_C(9) + INT64_C(0) + i;
+            back = INT64_C(9) + INT64_C(4) + i;
+            directed = (*cspan_at(&row, INT64_C(5) + i)) > 0.5;
+            if ((state > 0.0) || (!directed))
+            {
+                (*cspan_at(&row, ahead)) = span_max((*cspan_at(&row, ahead)), fabs(state));
+            }
+            if ((state < 0.0) || (!directed))
+            {
+                (*cspan_at(&row, back)) = span_max((*cspan_at(&row, back)), fabs(state));
+            }
+        }
+    }
+}
+void segfmu_write_axes(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes)
+{
+    int64_t axis;
+    array_double_1d row;
+    int64_t i;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        row = span_row(&axes, axis);
+        for (i = INT64_C(0); i < INT64_C(21); i += INT64_C(1))
+        {
+            (*cspan_at(&row, i)) = 0.0;
+        }
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&row, INT64_C(15) + i)) = 1e+300;
+            if ((*cspan_at(&caps, axis, i)) > 0.0)
+            {
+                (*cspan_at(&row, INT64_C(15) + i)) = (*cspan_at(&caps, axis, i));
+            }
+        }
+        write_motion_of(axis, positions, velocities, accelerations, row);
+        write_directions(axis, bounds, row);
+        write_floors(axis, velocities, accelerations, row);
+        if ((*cspan_at(&row, INT64_C(0))) > 0.5)
+        {
+            (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
+        }
+        if (axis == INT64_C(2))
+        {
+            (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = (*cspan_at(&resistance, INT64_C(2))) * (*cspan_at(&resistance, INT64_C(3)));
+        }
+    }
+}
+void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps)
+{
+    int64_t i;
+    double least;
+    int64_t axis;
+    double ahead;
+    double back;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        least = (*cspan_at(&bounds, INT64_C(14) + i));
+        if ((least < 0.0) && (i != INT64_C(0) + INT64_C(2)))
+        {
+            if (((*cspan_at(&bounds, i)) == 0.0) || (-least < (*cspan_at(&bounds, i))))
+            {
+                (*cspan_at(&bounds, i)) = -least;
+            }
+            (*cspan_at(&bounds, INT64_C(14) + i)) = 0.0;
+        }
+    }
+    for (axis = INT64_C(0); axis < caps.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
+        {
+            ahead = (*cspan_at(&caps, axis, i));
+            back = (*cspan_at(&caps, axis, INT64_C(4) + i));
+            least = span_min(ahead, back);
+            if (least <= 0.0)
+            {
+                least = span_max(ahead, back);
+            }
+            (*cspan_at(&caps, axis, i)) = least;
+            (*cspan_at(&caps, axis, INT64_C(4) + i)) = least;
+        }
+    }
+}
+void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds)
+{
+    int64_t axis;
+    int64_t i;
+    bool own;
+    int64_t same;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(0);
+            own = (*cspan_at(&axes, axis, INT64_C(0))) > 0.5;
+            if (i >= INT64_C(4))
+            {
+                same = i - INT64_C(4);
+                own = own && ((*cspan_at(&axes, axis, INT64_C(5) + same)) > 0.5);
+            }
+            if (own)
+            {
+                (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(1);
+            }
+        }
+    }
+}
+void segfmu_write_limits(array_double_1d unknowns, array_double_2d axes, array_double_2d table)
+{
+    int64_t axis;
+    int64_t i;
+    int64_t own;
+    int64_t same;
+    double value;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            own = i;
+            if (i >= INT64_C(4))
+            {
+                same = i - INT64_C(4);
+                if ((*cspan_at(&axes, axis, INT64_C(5) + same)) < 0.5)
+                {
+                    own = same;
+                }
+            }
+            value = exp(span_min(span_max((*cspan_at(&unknowns, axis * INT64_C(6) + own)), -300.0), 300.0));
+            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(9) + own)));
+            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(15) + own)));
+        }
+    }
+}
+void segfmu_write_shares(array_double_2d peaks, array_double_1d bounds, array_double_2d axes, array_double_1d uses)
+{
+    int64_t i;
+    int64_t side;
+    double bound;
+    double held;
+    double weight;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            bound = bound_magnitude(i, side, bounds);
+            held = 0.0;
+            if (i < INT64_C(3))
+            {
+                weight = (*cspan_at(&axes, i, INT64_C(7) + INT64_C(1)));
+                held = span_max((*cspan_at(&axes, i, INT64_C(7))) + (2.0 * side - 1.0) * weight, 0.0);
+            }
+            if (bound <= held * (1.0 + 1e-06))
+            {
+                held = 0.0;
+            }
+            (*cspan_at(&uses, side * INT64_C(14) + i)) = 0.0;
+            if (bound > 0.0)
+            {
+                (*cspan_at(&uses, side * INT64_C(14) + i)) = span_max((*cspan_at(&peaks, side, i)) - held, 0.0) / (bound - held);
+            }
+        }
+    }
 }
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
 {

@@ -174,6 +174,43 @@ bool segfmu_rope_message(
     }
 }
 
+bool segfmu_limit_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    static const char *const drive[] = {"bridge", "trolley", "hoist"};
+    static const char *const side[] = {"", "_min"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "axis %s: nothing bounds the acceleration; give a bound of the %s's "
+            "acceleration, force or power, or limits of the load",
+            axis[(int)report[LIMIT_FAULT_AXIS]],
+            drive[(int)report[LIMIT_FAULT_DRIVE]]);
+        return true;
+    case 2:
+        snprintf(text, size,
+            "axis %s: %s velocity%s must have a bound of at least 1e-05 m/s, got %g m/s; "
+            "raise the bound",
+            axis[(int)report[LIMIT_FAULT_AXIS]],
+            drive[(int)report[LIMIT_FAULT_DRIVE]],
+            side[(int)report[LIMIT_FAULT_SIDE]],
+            report[LIMIT_FAULT_VALUE]);
+        return true;
+    case 3:
+        snprintf(text, size,
+            "axis %s: %s acceleration%s must have a bound of at least 1e-05 m/s2, got %g "
+            "m/s2; raise the bound",
+            axis[(int)report[LIMIT_FAULT_AXIS]],
+            drive[(int)report[LIMIT_FAULT_DRIVE]],
+            side[(int)report[LIMIT_FAULT_SIDE]],
+            report[LIMIT_FAULT_VALUE]);
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool segfmu_bound_message(
     int64_t status, const double *report, char *text, size_t size)
 {

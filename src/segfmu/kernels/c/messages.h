@@ -13,6 +13,8 @@ SEGFMU_API bool segfmu_plan_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_rope_message(
     int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_limit_message(
+    int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_bound_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_space_message(

@@ -1756,44 +1756,6 @@ static PyObject *call_friction_derivative(
     return answer;
 }
 
-static PyObject *call_begin_pace(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "begin_pace", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_pace;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && (in_pace = take_array(&call, 0, 1, 'd', true)) != NULL
-        && has_at_least(&call, "pace", 0, in_pace->shape[0], 6)) {
-        segfmu_begin_pace(
-            (array_double_1d){in_pace->buf, {in_pace->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_next_pace(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "next_pace", .values = values};
-    PyObject *answer = NULL;
-    double in_use;
-    Py_buffer *in_pace;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_use)
-        && (in_pace = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "pace", 0, in_pace->shape[0], 6)) {
-        answer = PyBool_FromLong(segfmu_next_pace(
-            in_use,
-            (array_double_1d){in_pace->buf, {in_pace->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_demand_peaks(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1837,6 +1799,64 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "times", 1, in_times->shape[1], 14)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         segfmu_demand_peaks(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_3d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1], in_contacts->shape[2]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_demand_samples(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "demand_samples", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_resistance;
+    Py_buffer *in_contacts;
+    Py_buffer *in_work;
+    Py_buffer *in_peaks;
+    Py_buffer *in_times;
+    (void)self;
+    if (take_count(&call, count, 9)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_contacts = take_array(&call, 5, 3, 'd', false)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_peaks = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
+        && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 74)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 17)
+        && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "times", 0, in_times->shape[0], 2)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 14)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        segfmu_demand_samples(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
@@ -2027,6 +2047,390 @@ static PyObject *call_bound_uses(
             (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
             (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_begin_pace(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "begin_pace", .values = values};
+    PyObject *answer = NULL;
+    double in_most;
+    double in_full;
+    Py_buffer *in_pace;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_most)
+        && take_float(&call, 1, &in_full)
+        && (in_pace = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "pace", 0, in_pace->shape[0], 8)) {
+        segfmu_begin_pace(
+            in_most,
+            in_full,
+            (array_double_1d){in_pace->buf, {in_pace->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_pace(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_pace", .values = values};
+    PyObject *answer = NULL;
+    double in_use;
+    Py_buffer *in_pace;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_use)
+        && (in_pace = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "pace", 0, in_pace->shape[0], 8)) {
+        answer = PyBool_FromLong(segfmu_next_pace(
+            in_use,
+            (array_double_1d){in_pace->buf, {in_pace->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_begin_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "begin_limits", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_starts;
+    Py_buffer *in_kinds;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_starts = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_search = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
+        && has_at_least(&call, "starts", 1, in_starts->shape[1], 1)
+        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
+        && has_extent(&call, "kinds", 0, in_kinds->shape[0], in_starts->shape[1])
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
+        segfmu_begin_limits(
+            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_limits", .values = values};
+    PyObject *answer = NULL;
+    double in_duration;
+    Py_buffer *in_uses;
+    Py_buffer *in_starts;
+    Py_buffer *in_search;
+    Py_buffer *in_values;
+    Py_buffer *in_slopes;
+    Py_buffer *in_newton;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_float(&call, 0, &in_duration)
+        && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_starts = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_search = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_values = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_slopes = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_newton = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
+        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "values", 0, in_values->shape[0], 2)
+        && has_at_least(&call, "values", 1, in_values->shape[1], 29)
+        && has_at_least(&call, "slopes", 1, in_slopes->shape[1], 29)
+        && has_at_least(&call, "starts", 1, in_starts->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
+        && has_at_least(&call, "slopes", 0, in_slopes->shape[0], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
+        && has_at_least(&call, "newton", 0, in_newton->shape[0], (2 * ((double *)in_search->buf)[0 * in_search->shape[1] + 1]))
+        && has_at_least(&call, "newton", 1, in_newton->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        answer = PyBool_FromLong(segfmu_next_limits(
+            in_duration,
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
+            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}},
+            (array_double_2d){in_slopes->buf, {in_slopes->shape[0], in_slopes->shape[1]}},
+            (array_double_2d){in_newton->buf, {in_newton->shape[0], in_newton->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_best", .values = values};
+    PyObject *answer = NULL;
+    double in_pace;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_pace)
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_write_best(
+            in_pace,
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_keep_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "keep_best", .values = values};
+    PyObject *answer = NULL;
+    double in_pace;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_pace)
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_keep_best(
+            in_pace,
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_starts(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_starts", .values = values};
+    PyObject *answer = NULL;
+    double in_rope;
+    Py_buffer *in_bounds;
+    Py_buffer *in_resistance;
+    Py_buffer *in_axes;
+    Py_buffer *in_starts;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_rope)
+        && (in_bounds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
+        && has_at_least(&call, "starts", 1, in_starts->shape[1], 18)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_write_starts(
+            in_rope,
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_passing(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_passing", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_kinds;
+    Py_buffer *in_axes;
+    Py_buffer *in_start;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_start = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
+        && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "start", 0, in_start->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))) {
+        segfmu_write_passing(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_start->buf, {in_start->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_axes(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_axes", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_accelerations;
+    Py_buffer *in_bounds;
+    Py_buffer *in_caps;
+    Py_buffer *in_resistance;
+    Py_buffer *in_axes;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_caps = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 5, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
+        && has_extent(&call, "velocities", 0, in_velocities->shape[0], in_positions->shape[0])
+        && has_extent(&call, "accelerations", 0, in_accelerations->shape[0], in_positions->shape[0])
+        && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
+        && has_at_least(&call, "velocities", 1, in_velocities->shape[1], 3)
+        && has_at_least(&call, "accelerations", 1, in_accelerations->shape[1], 3)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
+        && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
+        segfmu_write_axes(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_caps->buf, {in_caps->shape[0], in_caps->shape[1]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_narrow_bounds(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "narrow_bounds", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_bounds;
+    Py_buffer *in_caps;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_bounds = take_array(&call, 0, 1, 'd', true)) != NULL
+        && (in_caps = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
+        && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)) {
+        segfmu_narrow_bounds(
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_caps->buf, {in_caps->shape[0], in_caps->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_kinds(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_kinds", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_axes;
+    Py_buffer *in_kinds;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], 18)) {
+        segfmu_write_kinds(
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_limits", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_unknowns;
+    Py_buffer *in_axes;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_unknowns = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], 18)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "table", 0, in_table->shape[0], 3)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 6)) {
+        segfmu_write_limits(
+            (array_double_1d){in_unknowns->buf, {in_unknowns->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_shares(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_shares", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_peaks;
+    Py_buffer *in_bounds;
+    Py_buffer *in_axes;
+    Py_buffer *in_uses;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_peaks = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_bounds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_uses = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)) {
+        segfmu_write_shares(
+            (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}});
+        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -4117,15 +4521,27 @@ static PyMethodDef methods[] = {
     {"drive_demands", (PyCFunction)(void (*)(void))call_drive_demands, METH_FASTCALL, NULL},
     {"plant_failure", (PyCFunction)(void (*)(void))call_plant_failure, METH_FASTCALL, NULL},
     {"friction_derivative", (PyCFunction)(void (*)(void))call_friction_derivative, METH_FASTCALL, NULL},
-    {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
-    {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
     {"demand_peaks", (PyCFunction)(void (*)(void))call_demand_peaks, METH_FASTCALL, NULL},
+    {"demand_samples", (PyCFunction)(void (*)(void))call_demand_samples, METH_FASTCALL, NULL},
     {"seed_numbers", (PyCFunction)(void (*)(void))call_seed_numbers, METH_FASTCALL, NULL},
     {"next_uniform", (PyCFunction)(void (*)(void))call_next_uniform, METH_FASTCALL, NULL},
     {"noise_components", (PyCFunction)(void (*)(void))call_noise_components, METH_FASTCALL, NULL},
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
+    {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
+    {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
+    {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},
+    {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
+    {"write_best", (PyCFunction)(void (*)(void))call_write_best, METH_FASTCALL, NULL},
+    {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
+    {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
+    {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
+    {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},
+    {"narrow_bounds", (PyCFunction)(void (*)(void))call_narrow_bounds, METH_FASTCALL, NULL},
+    {"write_kinds", (PyCFunction)(void (*)(void))call_write_kinds, METH_FASTCALL, NULL},
+    {"write_limits", (PyCFunction)(void (*)(void))call_write_limits, METH_FASTCALL, NULL},
+    {"write_shares", (PyCFunction)(void (*)(void))call_write_shares, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
     {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},

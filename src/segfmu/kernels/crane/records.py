@@ -325,17 +325,6 @@ class BoundFault(Record):
     TIME = field("when, since the start of the plan", "s")
 
 
-class Pace(Record):
-    """State of the search for the pace at which a motion just keeps the bounds."""
-
-    PACE = field("pace to try; 1: the motion as it is given", variables=("plan.pace",))
-    KEEPS = field("largest pace that is known to keep the bounds, 0: none")
-    EXCEEDS = field("least pace that is known to exceed them")
-    KEPT_USE = field("largest use of a bound at the former")
-    EXCEEDED_USE = field("largest use of a bound at the latter")
-    TRIALS = field("paces tried so far")
-
-
 class DemandWork(Record):
     """Rows: the work space of `drive_demands`, parts of a `FlatInverse`."""
 

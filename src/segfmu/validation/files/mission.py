@@ -183,12 +183,16 @@ class Mission(Table):
             [r[0] for r in ranges], [r[1] for r in ranges], self.load_size, self.load_centre,
         )
 
+    def build_waypoints(self) -> list[Waypoint]:
+        """The waypoints for `plan`."""
+        return [Waypoint(**entry.model_dump()) for entry in self.waypoints]
+
     def plan(self, progress: Callable[[float], None] = lambda _: None) -> Trajectory:
         """Plan the mission's trajectory of x, y and z.
 
         `progress` is called with the share of a search for limits that is done, from 0 to 1.
         """
-        points = [Waypoint(**entry.model_dump()) for entry in self.waypoints]
+        points = self.build_waypoints()
         options: dict[str, Any] = {
             "smoothness": self.smoothness, "shape": self.shape,
             "synchronize": self.synchronization, "sample_time": self.sample_time,

@@ -16,6 +16,9 @@ enum {
     MOST_POINTS = MODEL_ROWS
 };
 
+/* a bound that is used up to this is used in full */
+static const double FULL = 1.0 - 1e-6;
+
 typedef struct {
     model base;
     int64_t points, smoothness, pieces;
@@ -37,6 +40,13 @@ typedef struct {
     double stops[AXES_SIZE];         /* s; when the axes of that come to rest, since its start */
     double space[];                  /* timing, coefficients, offsets, times, ends, contacts */
 } feedforward;
+
+/* What is planned: limits of the load, a row per axis; least ones are below 0, 0: as the others. */
+typedef struct {
+    double limits[LOAD_LIMITS_SIZE], lower[LOWER_LIMITS_SIZE];
+    double pace;                     /* of the given velocities and accelerations */
+    bool timed;                      /* whether a sample time and a duration are kept */
+} request;
 
 /* Pieces of each axis, as the kernels take them. */
 static inline array_int64_t_1d offsets_of(const segfmu_trajectory *t)
@@ -64,6 +74,20 @@ static void begin_lead(feedforward *m, char message[MESSAGE]);
 
 /* Plan by the parameters; false with a message where that cannot be done. */
 static bool feedforward_plan(feedforward *m, char message[MESSAGE]);
+
+/* Plan what is asked for, with a taut rope; false with a message where that cannot be done. */
+static bool plan_at(feedforward *m, const request *r, char message[MESSAGE]);
+
+/* Check that load and rope keep to the workspace and off the obstacles. Works in what the plan has
+   left of the block, which is more than this needs; the contacts there are found again. */
+static bool require_space(feedforward *m, char message[MESSAGE]);
+
+/* Greatest demands on the drives in both directions and their times, (2, DEMAND_SIZE): exact, or
+   among samples. */
+static void measure(feedforward *m, bool exact, double *peaks, double *times);
+
+/* Plan with limits of the load that are found; false with a message where there are none. */
+static bool feedforward_limits(feedforward *m, char message[MESSAGE]);
 
 /* Numbers of the plan in the block, without contacts. */
 static size_t planned_size(const feedforward *m);

@@ -67,24 +67,23 @@ static double *row_of(const array_double_2d *a, int64_t row)
     return a->data + row * a->shape[1];
 }
 
-/* What is known of the crane and its space, and the limits, as the parameters are. */
+/* What is known of the crane and its space, as the parameters are, and the limits of the plan. */
 static void fill_known(const feedforward *m, operation_arrays *a)
 {
-    double lower[LOWER_LIMITS_SIZE], limits[LOAD_LIMITS_SIZE];
+    double limits[PLAN_LIMITS_SIZE];
     feed_record(&feeds_resistance, &m->base, row_of(&a->known, KNOWN_CRANE));
     feed_record(&feeds_rope_bounds, &m->base, row_of(&a->known, KNOWN_ROPE));
     feed_record(&feeds_drive_bounds, &m->base, row_of(&a->known, KNOWN_BOUNDS));
     feed_record(&feeds_space, &m->base, row_of(&a->known, KNOWN_SPACE));
     feed_record(&feeds_plan_options, &m->base, row_of(&a->known, KNOWN_OPTIONS));
-    feed_record(&feeds_lower_limits, &m->base, lower);
-    feed_record(&feeds_load_limits, &m->base, limits);
+    feed_record(&feeds_plan_limits, &m->base, limits);
     for (int axis = 0; axis < AXES; axis++) {
+        const double *row = limits + axis * LIMIT_ROW_SIZE;
         for (int i = 0; i < LOWER_SIZE; i++) {
-            row_of(&a->known, KNOWN_LOWER + axis)[i] = -lower[axis * LOWER_SIZE + i];
+            row_of(&a->known, KNOWN_LOWER + axis)[i] = -row[LIMIT_ROW_VELOCITY_MIN + i];
         }
         for (int64_t i = 0; i <= m->smoothness; i++) {
-            a->limits.data[axis * (m->smoothness + 1) + i] = i < LIMITS ? limits[axis * LIMITS + i]
-                                                                       : 0.0;
+            a->limits.data[axis * (m->smoothness + 1) + i] = i < LIMITS ? row[i] : 0.0;
         }
     }
     for (int64_t i = 0; i < SPACE_LIMITS_OBSTACLES; i++) {

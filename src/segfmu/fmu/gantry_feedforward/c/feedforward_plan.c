@@ -100,28 +100,33 @@ static bool note_contacts(feedforward *m, char message[MESSAGE])
     return !segfmu_setup_message(status, fault, message, MESSAGE);
 }
 
+void measure(feedforward *m, bool exact, double *peaks, double *times)
+{
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    double known[RESISTANCE_SIZE], work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
+    feed_record(&feeds_resistance, &m->base, known);
+    (exact ? segfmu_demand_peaks : segfmu_demand_samples)(
+        timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
+        offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
+        contacts(m), matrix(work, DEMAND_PEAKS_SIZE, DEMAND_PEAKS_COLUMNS),
+        matrix(peaks, 2, DEMAND_SIZE), matrix(times, 2, DEMAND_SIZE));
+}
+
 /* What the plan uses of the bounds of the drives; a `BoundStatus`. */
 static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fault[BOUND_FAULT_SIZE])
 {
-    const segfmu_trajectory t = feedforward_trajectory(m);
-    double bounds[DRIVE_BOUNDS_SIZE], known[RESISTANCE_SIZE];
-    double work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
-    double space[2][2 * DEMAND_SIZE] = {{0.0}};
-    array_double_2d peaks = matrix(space[0], 2, DEMAND_SIZE), times = matrix(space[1], 2, DEMAND_SIZE);
+    double bounds[DRIVE_BOUNDS_SIZE], peaks[2 * DEMAND_SIZE] = {0.0}, times[2 * DEMAND_SIZE] = {0.0};
     bool bounded = false;
     feed_record(&feeds_drive_bounds, &m->base, bounds);
     for (int i = 0; i < DRIVE_BOUNDS_SIZE; i++) {
         bounded = bounded || bounds[i] != 0.0;
     }
     if (bounded) {
-        feed_record(&feeds_resistance, &m->base, known);
-        segfmu_demand_peaks(
-            timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
-            offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
-            contacts(m), matrix(work, DEMAND_PEAKS_SIZE, DEMAND_PEAKS_COLUMNS), peaks, times);
+        measure(m, true, peaks, times);
     }
     return segfmu_bound_uses(
-        peaks, times, vector(bounds, DRIVE_BOUNDS_SIZE), vector(uses, BOUND_USES_SIZE),
+        matrix(peaks, 2, DEMAND_SIZE), matrix(times, 2, DEMAND_SIZE),
+        vector(bounds, DRIVE_BOUNDS_SIZE), vector(uses, BOUND_USES_SIZE),
         vector(fault, BOUND_FAULT_SIZE));
 }
 
@@ -138,27 +143,39 @@ static void note_events(feedforward *m, const segfmu_trajectory *found)
     m->events[m->points - 1] = start + m->duration;
 }
 
-/* Limits at a pace as the planner takes them, (axes, n + 1). */
-static void gather_limits(const model *base, int64_t smoothness, double pace, double *table)
+/* The given limits at a pace. */
+static void gather_limits(const model *base, double pace, request *r)
 {
-    double limits[LOAD_LIMITS_SIZE];
-    feed_record(&feeds_load_limits, base, limits);
+    feed_record(&feeds_load_limits, base, r->limits);
+    feed_record(&feeds_lower_limits, base, r->lower);
     for (int axis = 0; axis < AXES; axis++) {
         double power = 1.0;
-        for (int64_t i = 0; i <= smoothness; i++) {
+        for (int i = 0; i < LIMITS; i++) {
             power *= pace;
-            table[axis * (smoothness + 1) + i] = i < LIMITS ? power * limits[axis * LIMITS + i] : 0.0;
+            r->limits[axis * LIMITS + i] *= power;
         }
     }
+    for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
+        r->lower[i] *= i % 2 == 0 ? pace : pace * pace;
+    }
+    r->pace = pace;
+    r->timed = true;
 }
 
-/* Magnitudes of the limits in the negative direction, (axes, 2). */
-static void gather_lower(const model *base, double pace, double *lower)
+/* Show the limits that a plan has. */
+static void show_limits(model *base, const request *r)
 {
-    feed_record(&feeds_lower_limits, base, lower);
-    for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
-        lower[i] *= i % 2 == 0 ? -pace : -pace * pace;
+    enum { LEAST = LIMIT_ROW_SIZE - LIMIT_ROW_VELOCITY_MIN };
+    double found[PLAN_LIMITS_SIZE];
+    for (int axis = 0; axis < AXES; axis++) {
+        double *row = found + axis * LIMIT_ROW_SIZE;
+        memcpy(row, r->limits + axis * LIMITS, LIMITS * sizeof *row);
+        for (int i = 0; i < LEAST; i++) {
+            const double least = r->lower[axis * LEAST + i];
+            row[LIMIT_ROW_VELOCITY_MIN + i] = least < 0.0 ? least : -row[i];
+        }
     }
+    show_record(&feeds_plan_limits, found, base);
 }
 
 /* Check that the load stays below the trolley, the rope taut, and its length within its range. */
@@ -177,9 +194,7 @@ static bool require_rope(const segfmu_trajectory *t, const model *base, char mes
     return !segfmu_rope_message(status, fault, message, MESSAGE);
 }
 
-/* Check that load and rope keep to the workspace and off the obstacles; works in what the planner has
-   left of the block, which is more than this needs. */
-static bool require_space(feedforward *m, char message[MESSAGE])
+bool require_space(feedforward *m, char message[MESSAGE])
 {
     enum { BOXES = SPACE_LIMITS_FACES + SPACE_LIMITS_OBSTACLES };
     const segfmu_trajectory t = feedforward_trajectory(m);
@@ -198,46 +213,56 @@ static bool require_space(feedforward *m, char message[MESSAGE])
         vector(space, SPACE_SIZE), matrix(obstacles, SPACE_LIMITS_OBSTACLES, OBSTACLE_ROW_SIZE),
         boxes, work, cuboid(left, STACK_ROWS, SPAN_SIZE, columns),
         matrix(ranges, RANGES_SIZE, AXES), vector(fault, SPACE_FAULT_SIZE));
-    return !segfmu_space_message(status, fault, message, MESSAGE);
+    return !segfmu_space_message(status, fault, message, MESSAGE) && note_contacts(m, message);
 }
 
-/* Plan at a pace; false with a message where that cannot be done. */
-static bool plan_at(feedforward *m, double pace, char message[MESSAGE])
+bool plan_at(feedforward *m, const request *r, char message[MESSAGE])
 {
     const double *real = m->base.real;
-    double limits[AXES * (MOST_SMOOTHNESS + 1)], lower[LOWER_LIMITS_SIZE];
+    double limits[AXES * (MOST_SMOOTHNESS + 1)] = {0.0}, lower[LOWER_LIMITS_SIZE];
     double velocity[MOST_POINTS * AXES], acceleration[MOST_POINTS * AXES];
     double options[PLAN_OPTIONS_SIZE];
     feed_record(&feeds_plan_options, &m->base, options);
     segfmu_problem problem = {
         m->base.integer[V_WAYPOINT_COUNT], AXES, (int64_t)options[PLAN_OPTIONS_SMOOTHNESS],
         (int64_t)options[PLAN_OPTIONS_SHAPE], (int64_t)options[PLAN_OPTIONS_SYNCHRONIZATION],
-        options[PLAN_OPTIONS_SAMPLE_TIME], options[PLAN_OPTIONS_DURATION],
+        r->timed ? options[PLAN_OPTIONS_SAMPLE_TIME] : 0.0,
+        r->timed ? options[PLAN_OPTIONS_DURATION] : 0.0,
         &real[V_WAYPOINT_POSITION], velocity, acceleration, &real[V_WAYPOINT_DWELL], limits, lower
     };
     segfmu_trajectory found;
     for (int64_t i = 0; i < problem.points * AXES; i++) {
-        velocity[i] = pace * real[V_WAYPOINT_VELOCITY + i];
-        acceleration[i] = pace * pace * real[V_WAYPOINT_ACCELERATION + i];
+        velocity[i] = r->pace * real[V_WAYPOINT_VELOCITY + i];
+        acceleration[i] = r->pace * r->pace * real[V_WAYPOINT_ACCELERATION + i];
     }
-    gather_limits(&m->base, problem.smoothness, pace, limits);
-    gather_lower(&m->base, pace, lower);
+    for (int axis = 0; axis < AXES; axis++) {
+        const double *own = r->limits + axis * LIMITS;
+        memcpy(limits + axis * (problem.smoothness + 1), own, LIMITS * sizeof *own);
+    }
+    for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
+        lower[i] = -r->lower[i];
+    }
     int status = segfmu_plan(&problem, m->space, &found);
     if (segfmu_plan_message(status, found.report, message, MESSAGE)
         || !require_rope(&found, &m->base, message)) {
         return false;
     }
     compact(m, &found);
-    return require_space(m, message) && note_contacts(m, message);
+    show_limits(&m->base, r);
+    return note_contacts(m, message);
 }
 
-bool feedforward_plan(feedforward *m, char message[MESSAGE])
+/* The plan with the given limits, slower if it may be. */
+static bool plan_as_given(feedforward *m, char message[MESSAGE])
 {
     double pace[PACE_SIZE], uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE], most;
+    const bool slows = m->base.integer[V_PLANNER_SLOWS_DOWN] && !m->base.integer[V_PLANNER_FINDS_LIMITS];
     int64_t status;
-    segfmu_begin_pace(vector(pace, PACE_SIZE));
+    request r;
+    segfmu_begin_pace(1.0, FULL, vector(pace, PACE_SIZE));
     do {
-        if (!plan_at(m, pace[PACE_PACE], message)) {
+        gather_limits(&m->base, pace[PACE_PACE], &r);
+        if (!plan_at(m, &r, message) || !require_space(m, message)) {
             return false;
         }
         status = note_uses(m, uses, fault);
@@ -245,10 +270,50 @@ bool feedforward_plan(feedforward *m, char message[MESSAGE])
         for (int i = 0; i < DEMAND_SIZE; i++) {
             most = fmax(most, uses[BOUND_USES_USE + i]);
         }
-    } while (m->base.integer[V_PLANNER_SLOWS_DOWN] && segfmu_next_pace(most, vector(pace, PACE_SIZE)));
-    const segfmu_trajectory plan = feedforward_trajectory(m);
-    note_events(m, &plan);
+    } while (slows && segfmu_next_pace(most, vector(pace, PACE_SIZE)));
     show_record(&feeds_bound_uses, uses, &m->base);
     show_record(&feeds_pace, pace, &m->base);
     return !segfmu_bound_message(status, fault, message, MESSAGE);
+}
+
+/* Whether limits are given with which a motion can be planned. */
+static bool has_limits(const model *base)
+{
+    request r;
+    gather_limits(base, 1.0, &r);
+    for (int axis = 0; axis < AXES; axis++) {
+        if (r.limits[axis * LIMITS] <= 0.0 || r.limits[axis * LIMITS + 1] <= 0.0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The plan with limits that are found where those given do not keep the bounds. */
+static bool plan_as_found(feedforward *m, char message[MESSAGE])
+{
+    double uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE];
+    char found[MESSAGE] = "";
+    const bool given = has_limits(&m->base);
+    if (given && plan_as_given(m, message)) {
+        return true;
+    }
+    if (!feedforward_limits(m, given ? found : message)) {
+        return false;
+    }
+    int64_t status = note_uses(m, uses, fault);
+    show_record(&feeds_bound_uses, uses, &m->base);
+    return !segfmu_bound_message(status, fault, message, MESSAGE);
+}
+
+bool feedforward_plan(feedforward *m, char message[MESSAGE])
+{
+    const bool finds = m->base.integer[V_PLANNER_FINDS_LIMITS];
+    m->base.real[V_PLAN_PACE] = 1.0;
+    if (!(finds ? plan_as_found(m, message) : plan_as_given(m, message))) {
+        return false;
+    }
+    const segfmu_trajectory plan = feedforward_trajectory(m);
+    note_events(m, &plan);
+    return true;
 }

@@ -1,0 +1,81 @@
+"""How fast a motion may be so that it just keeps the bounds of the drives.
+
+The i-th derivatives of all limits and waypoints times pace^i are the same motion in time / pace.
+Its demands fall with the pace, but for what holds the load and for Coulomb friction.
+"""
+
+from math import exp, log
+
+from segfmu.kernels.limits.records import Pace
+
+
+def begin_pace(most: float, full: float, pace: 'float[:]') -> None:
+    """Begin a search (Pace) at the motion as it is given, for paces up to `most`.
+
+    It ends where the largest use of a bound is between `full` and 1.
+    """
+    pace[Pace.PACE] = 1.0
+    pace[Pace.MOST] = most
+    pace[Pace.FULL] = full
+    pace[Pace.KEEPS] = 0.0
+    pace[Pace.EXCEEDS] = 1e300
+    pace[Pace.LAST] = 0.0
+    pace[Pace.LAST_USE] = 0.0
+    pace[Pace.TRIALS] = 0.0
+
+
+def next_pace(use: float, pace: 'float[:]') -> bool:
+    """Whether another pace has to be tried, `pace[Pace.PACE]`, after the largest use at the last.
+
+    The last one that is tried is the result: it keeps the bounds, or no pace does. A use of 1e300
+    stands for a motion that cannot be planned.
+    """
+    tried = pace[Pace.PACE]
+    if use <= 1.0 + 1e-9:
+        pace[Pace.KEEPS] = tried
+        if tried >= pace[Pace.MOST] or use >= pace[Pace.FULL] or pace[Pace.TRIALS] >= 40.0:
+            return False
+    else:
+        pace[Pace.EXCEEDS] = tried
+        if tried <= 1e-3:
+            return False
+    pace[Pace.PACE] = pace_between(use, pace)
+    pace[Pace.LAST] = tried
+    pace[Pace.LAST_USE] = use
+    pace[Pace.TRIALS] = pace[Pace.TRIALS] + 1.0
+    if pace[Pace.TRIALS] >= 40.0:
+        pace[Pace.PACE] = pace[Pace.KEEPS]
+    return pace[Pace.PACE] > 0.0
+
+
+def pace_between(use: float, pace: 'float[:]') -> float:
+    """The pace at which the use would reach the bounds by the power of the pace seen last.
+
+    Where that is no pace between those that keep and exceed the bounds, the one in the middle.
+    """
+    tried = pace[Pace.PACE]
+    lower = max(pace[Pace.KEEPS], 1e-3)
+    upper = min(pace[Pace.EXCEEDS], pace[Pace.MOST])
+    # most demands grow with the square of the pace
+    growth = 2.0
+    if 0.0 < pace[Pace.LAST_USE] < 1e300 and 0.0 < use < 1e300:
+        if abs(log(pace[Pace.LAST] / tried)) > 1e-12:
+            growth = log(pace[Pace.LAST_USE] / use) / log(pace[Pace.LAST] / tried)
+            growth = min(max(growth, 0.5), 4.0)
+    aim = 0.5 * (1.0 + pace[Pace.FULL])
+    found = tried * exp(log(aim / min(max(use, 0.01), 1e6)) / growth)
+    middle = 2.0 * tried
+    if pace[Pace.EXCEEDS] < 1e300:
+        middle = 0.5 * upper
+        if pace[Pace.KEEPS] > 0.0:
+            middle = exp(0.5 * log(lower * upper))
+    bracketed = pace[Pace.KEEPS] > 0.0 and pace[Pace.EXCEEDS] < 1e300
+    if pace[Pace.KEEPS] == 0.0 and pace[Pace.TRIALS] > 2.5:
+        # what no pace reduces leaves little to the rest
+        found = min(found, 0.5 * tried)
+    # every third one halves, so that the search ends
+    if use >= 1e300 or (bracketed and int(pace[Pace.TRIALS]) % 3 == 2):
+        found = middle
+    if not lower * (1.0 + 1e-9) < found < upper * (1.0 - 1e-9):
+        found = min(max(middle, lower), upper)
+    return found

@@ -1,0 +1,102 @@
+"""Trials of a search at the pace at which a plan just keeps the bounds.
+
+search: `Search`; values: `SearchValues`.
+"""
+
+from math import floor, log
+
+from segfmu.kernels.crane.records import Demand
+from segfmu.kernels.limits.pace import begin_pace, next_pace
+from segfmu.kernels.limits.records import (
+    Pace,
+    Search,
+    SearchState,
+    SearchValues,
+    Values,
+)
+
+
+def enter_paces(search: 'float[:,:]') -> None:
+    """Try the row BASE at the pace at which it just keeps the bounds, to 0.5 %."""
+    state = search[Search.STATE, :]
+    begin_pace(1e3, 0.995, search[Search.PACE, :])
+    state[SearchState.TRIALS] = 0.0
+    state[SearchState.FAILURES] = 0.0
+    state[SearchState.KEPT] = 1e300
+    write_paced(search)
+
+
+def without_digits(value: float) -> float:
+    """A value rounded to 2^-20: its last digits differ from processor to processor."""
+    return floor(value * 1048576.0 + 0.5) / 1048576.0
+
+
+def write_paced(search: 'float[:,:]') -> None:
+    """Write the trial: the row BASE at the pace."""
+    faster = log(search[Search.PACE, Pace.PACE])
+    for i in range(int(search[Search.STATE, SearchState.UNKNOWNS])):
+        moved = search[Search.BASE, i] + search[Search.ORDER, i] * faster
+        search[Search.TRIAL, i] = search[Search.ORIGIN, i] + without_digits(moved)
+
+
+def next_of_paces(
+    duration: float, uses: 'float[:]', search: 'float[:,:]', values: 'float[:,:]'
+) -> bool:
+    """Note a plan at a pace; whether another pace is tried, of six at most."""
+    state = search[Search.STATE, :]
+    use = 1e300
+    if duration > 0.0:
+        use = largest_share(uses)
+        if use <= 1.0 + 1e-9 and log(duration) < state[SearchState.KEPT] - 1e-9:
+            state[SearchState.KEPT] = log(duration)
+            write_values(duration, uses, values[SearchValues.KEPT, :])
+            for i in range(int(state[SearchState.UNKNOWNS])):
+                search[Search.KEPT, i] = search[Search.TRIAL, i] - search[Search.ORIGIN, i]
+            note_best(search)
+    else:
+        state[SearchState.FAILURES] = state[SearchState.FAILURES] + 1.0
+    state[SearchState.TRIALS] = state[SearchState.TRIALS] + 1.0
+    if state[SearchState.TRIALS] > 5.5 or state[SearchState.FAILURES] > 1.5:
+        return False
+    if not next_pace(use, search[Search.PACE, :]):
+        return False
+    write_paced(search)
+    return True
+
+
+def largest_share(uses: 'float[:]') -> float:
+    """The largest use."""
+    found = 0.0
+    for i in range(2 * Demand.SIZE):
+        found = max(found, uses[i])
+    return found
+
+
+def write_values(duration: float, uses: 'float[:]', row: 'float[:]') -> None:
+    """Write a row of `Values`."""
+    row[Values.DURATION] = log(duration)
+    for i in range(2 * Demand.SIZE):
+        row[Values.USE + i] = uses[i]
+
+
+def note_best(search: 'float[:,:]') -> None:
+    """Keep the plan of the row KEPT if it is the shortest."""
+    state = search[Search.STATE, :]
+    if state[SearchState.KEPT] < state[SearchState.BEST] - 1e-9:
+        state[SearchState.BEST] = state[SearchState.KEPT]
+        for i in range(int(state[SearchState.UNKNOWNS])):
+            search[Search.BEST, i] = search[Search.TRIAL, i]
+
+
+def write_best(pace: float, search: 'float[:,:]') -> None:
+    """Write the trial: the row BEST, faster by a factor."""
+    faster = log(pace)
+    for i in range(int(search[Search.STATE, SearchState.UNKNOWNS])):
+        search[Search.TRIAL, i] = search[Search.BEST, i] + search[Search.ORDER, i] * faster
+
+
+def keep_best(pace: float, search: 'float[:,:]') -> None:
+    """Make the row BEST faster by a factor."""
+    write_best(pace, search)
+    for i in range(int(search[Search.STATE, SearchState.UNKNOWNS])):
+        search[Search.BEST, i] = search[Search.TRIAL, i]
