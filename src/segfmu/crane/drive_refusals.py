@@ -23,11 +23,11 @@ WEIGHTLESS = 1e-6
 
 def refused(task: Task, search: LimitSearch, bounds: ActuatorBounds) -> InfeasibleError:
     """What the plan that comes closest exceeds; the planner's own reason if there is no plan."""
-    closest = search.closest
-    if closest is None or closest.kept:
-        if search.refusal is None:
-            raise AssertionError("a search without a plan and without a refusal")
-        return search.refusal
+    reason, closest = search.reason(), search.closest
+    if reason is not None:
+        return reason
+    if closest is None:
+        raise AssertionError("a search without a plan and without a refusal")
     found = uses(bounds, *peaks(task.crane, closest.trajectory, task.friction))
     worst = max(found, key=lambda use: use.use)
     return exceeded("", worst, f"even the slowest plan, at {worst.time:.3f} s")

@@ -89,7 +89,7 @@ class LimitSearch:
     closest : Found or None
         Of the last plans the one that uses the bounds least.
     refusal : InfeasibleError or None
-        Why the last trial without a plan has none.
+        Why the last trial without a plan has none; see `reason`.
     """
 
     def __init__(self, task: Task) -> None:
@@ -124,6 +124,17 @@ class LimitSearch:
             # a little slower by then, so it usually keeps the bounds as well
             plan = self._paced(replace(self.task, options=self.task.options | timing), 1.0)
         return plan
+
+    def reason(self) -> InfeasibleError | None:
+        """Why no plan may be taken; None if some may, but do not keep the bounds."""
+        if self.closest is None:
+            return self.refusal
+        if self.closest.kept:
+            try:
+                self.task.require_path(self.closest.trajectory)
+            except InfeasibleError as error:
+                return error
+        return None
 
     def _searched(
         self, task: Task, starts: FloatArray, progress: Callable[[float], None]

@@ -558,6 +558,18 @@ def next_pace(
     /,
 ) -> bool: ...
 
+def write_best(
+    pace: float,
+    search: Floats,
+    /,
+) -> None: ...
+
+def keep_best(
+    pace: float,
+    search: Floats,
+    /,
+) -> None: ...
+
 def begin_limits(
     starts: Floats,
     kinds: Floats,
@@ -575,18 +587,6 @@ def next_limits(
     newton: Floats,
     /,
 ) -> bool: ...
-
-def write_best(
-    pace: float,
-    search: Floats,
-    /,
-) -> None: ...
-
-def keep_best(
-    pace: float,
-    search: Floats,
-    /,
-) -> None: ...
 
 def write_starts(
     rope: float,

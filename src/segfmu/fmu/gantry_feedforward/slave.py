@@ -172,12 +172,13 @@ class FeedforwardSlave(SpecSlave):
 
     def _search(self, task: Task, timing: dict[str, Any]) -> Trajectory:
         search = LimitSearch(task)
-        found, closest = search.run(timing), search.closest
-        if found is None:
-            if closest is not None and not closest.kept:
-                self._keep(*self._uses(task.crane, closest.trajectory, task.friction))
-            raise search.refusal or AssertionError("a search without a plan and a refusal")
-        return found.trajectory
+        found = search.run(timing)
+        if found is not None:
+            return found.trajectory
+        reason = search.reason()
+        if reason is None and search.closest is not None:
+            self._keep(*self._uses(task.crane, search.closest.trajectory, task.friction))
+        raise reason or AssertionError("a search without a plan and without a refusal")
 
     def _keep(self, status: int, uses: FloatArray, fault: FloatArray) -> None:
         """Show what a plan uses of the bounds; refuse one that exceeds them."""

@@ -257,28 +257,28 @@ static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
 static double pace_between(double use, array_double_1d pace);
-static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
-static double damped_step(int64_t n, double radius, double weight, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
-static void write_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static double without_digits(double value);
 static void write_paced(array_double_2d search);
 static void enter_paces(array_double_2d search);
-static void enter_start(array_double_2d starts, array_double_2d search);
 static double largest_share(array_double_1d uses);
-static double poll_change(int64_t way);
-static bool next_poll(double duration, array_double_1d uses, array_double_2d search);
-static bool leave_poll(array_double_2d search);
-static double change_of(array_double_2d search);
-static bool write_changed(array_double_2d search);
-static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes);
-static bool has_states(array_double_2d search);
-static bool enter_poll(array_double_2d search);
-static bool enter_descent(array_double_2d search);
-static bool leave_round(array_double_2d search);
-static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static void write_values(double duration, array_double_1d uses, array_double_1d row);
 static void note_best(array_double_2d search);
 static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values);
+static bool has_states(array_double_2d search);
+static bool enter_poll(array_double_2d search);
+static double poll_change(int64_t way);
+static bool next_poll(double duration, array_double_1d uses, array_double_2d search);
+static bool leave_poll(array_double_2d search);
+static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static double damped_step(int64_t n, double radius, double weight, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static void write_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static void enter_start(array_double_2d starts, array_double_2d search);
+static double change_of(array_double_2d search);
+static bool write_changed(array_double_2d search);
+static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes);
+static bool enter_descent(array_double_2d search);
+static bool leave_round(array_double_2d search);
+static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static void note_start(array_double_2d search);
 static void enter_centre(array_double_2d search, array_double_2d values);
 static bool enter_round(array_double_2d search, array_double_2d values);
@@ -9426,6 +9426,227 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
     return result;
 }
+static double without_digits(double value)
+{
+    return (int64_t)floor(value * 1048576.0 + 0.5) / 1048576.0;
+}
+static void write_paced(array_double_2d search)
+{
+    double faster;
+    int64_t i;
+    double moved;
+    faster = log((*cspan_at(&search, INT64_C(1), INT64_C(0))));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        moved = (*cspan_at(&search, INT64_C(5), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + without_digits(moved);
+    }
+}
+static void enter_paces(array_double_2d search)
+{
+    array_double_1d state;
+    state = span_row(&search, INT64_C(0));
+    segfmu_begin_pace(1000.0, 0.995, span_row(&search, INT64_C(1)));
+    (*cspan_at(&state, INT64_C(5))) = 0.0;
+    (*cspan_at(&state, INT64_C(6))) = 0.0;
+    (*cspan_at(&state, INT64_C(11))) = 1e+300;
+    write_paced(search);
+}
+static double largest_share(array_double_1d uses)
+{
+    int64_t i;
+    double found;
+    found = 0.0;
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
+    {
+        found = span_max(found, (*cspan_at(&uses, i)));
+    }
+    return found;
+}
+static void write_values(double duration, array_double_1d uses, array_double_1d row)
+{
+    int64_t i;
+    (*cspan_at(&row, INT64_C(0))) = log(duration);
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&row, INT64_C(1) + i)) = (*cspan_at(&uses, i));
+    }
+}
+static void note_best(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    if ((*cspan_at(&state, INT64_C(11))) < (*cspan_at(&state, INT64_C(12))) - 1e-09)
+    {
+        (*cspan_at(&state, INT64_C(12))) = (*cspan_at(&state, INT64_C(11)));
+        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+        {
+            (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
+        }
+    }
+}
+static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values)
+{
+    array_double_1d state;
+    double use;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    use = 1e+300;
+    if (duration > 0.0)
+    {
+        use = largest_share(uses);
+        if ((use <= 1.0 + 1e-09) && (log(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09))
+        {
+            (*cspan_at(&state, INT64_C(11))) = log(duration);
+            write_values(duration, uses, span_row(&values, INT64_C(1)));
+            for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+            {
+                (*cspan_at(&search, INT64_C(6), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
+            }
+            note_best(search);
+        }
+    }
+    else
+    {
+        (*cspan_at(&state, INT64_C(6))) = (*cspan_at(&state, INT64_C(6))) + 1.0;
+    }
+    (*cspan_at(&state, INT64_C(5))) = (*cspan_at(&state, INT64_C(5))) + 1.0;
+    if (((*cspan_at(&state, INT64_C(5))) > 5.5) || ((*cspan_at(&state, INT64_C(6))) > 1.5))
+    {
+        return 0;
+    }
+    if (!segfmu_next_pace(use, span_row(&search, INT64_C(1))))
+    {
+        return 0;
+    }
+    write_paced(search);
+    return 1;
+}
+void segfmu_write_best(double pace, array_double_2d search)
+{
+    double faster;
+    int64_t i;
+    faster = log(pace);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(8), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
+    }
+}
+void segfmu_keep_best(double pace, array_double_2d search)
+{
+    int64_t i;
+    segfmu_write_best(pace, search);
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
+    }
+}
+static bool has_states(array_double_2d search)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&search, INT64_C(11), i))) == INT64_C(2))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static bool enter_poll(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(2);
+    (*cspan_at(&state, INT64_C(16))) = 1e+300;
+    (*cspan_at(&state, INT64_C(3))) = -1.0;
+    (*cspan_at(&state, INT64_C(4))) = 0.0;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
+    }
+    return 1;
+}
+static double poll_change(int64_t way)
+{
+    double size;
+    size = 0.15;
+    if (way > INT64_C(1))
+    {
+        size = 0.45;
+    }
+    if (span_floor_mod(way, INT64_C(2)) == INT64_C(1))
+    {
+        return -size;
+    }
+    return size;
+}
+static bool next_poll(double duration, array_double_1d uses, array_double_2d search)
+{
+    array_double_1d state;
+    int64_t n;
+    double merit;
+    int64_t i;
+    int64_t way;
+    double here;
+    double changed;
+    int64_t j;
+    state = span_row(&search, INT64_C(0));
+    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
+    if (duration > 0.0)
+    {
+        merit = log(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
+        if (merit < (*cspan_at(&state, INT64_C(16))) - 0.0001)
+        {
+            (*cspan_at(&state, INT64_C(16))) = merit;
+            for (i = INT64_C(0); i < n; i += INT64_C(1))
+            {
+                (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
+            }
+        }
+    }
+    while((*cspan_at(&state, INT64_C(3))) < n)
+    {
+        i = (int64_t)((*cspan_at(&state, INT64_C(3))));
+        way = (int64_t)((*cspan_at(&state, INT64_C(4))));
+        if ((i < INT64_C(0)) || (way > INT64_C(3)) || ((int64_t)((*cspan_at(&search, INT64_C(11), i))) != INT64_C(2)))
+        {
+            (*cspan_at(&state, INT64_C(3))) = (*cspan_at(&state, INT64_C(3))) + 1.0;
+            (*cspan_at(&state, INT64_C(4))) = 0.0;
+        }
+        else
+        {
+            (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + 1.0;
+            here = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
+            changed = span_min(span_max(here + poll_change(way), -1.0), 1.0);
+            if (fabs(changed - here) > 1e-06)
+            {
+                for (j = INT64_C(0); j < n; j += INT64_C(1))
+                {
+                    (*cspan_at(&search, INT64_C(2), j)) = (*cspan_at(&search, INT64_C(3), j)) + (*cspan_at(&search, INT64_C(4), j));
+                }
+                (*cspan_at(&search, INT64_C(2), i)) = changed;
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+static bool leave_poll(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(5), i)) = (*cspan_at(&search, INT64_C(4), i));
+    }
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
+    enter_paces(search);
+    return 1;
+}
 static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
 {
     double room;
@@ -9535,32 +9756,6 @@ static void write_step(array_double_2d search, array_double_2d values, array_dou
     }
     (*cspan_at(&search, INT64_C(0), INT64_C(10))) = promised;
 }
-static double without_digits(double value)
-{
-    return (int64_t)floor(value * 1048576.0 + 0.5) / 1048576.0;
-}
-static void write_paced(array_double_2d search)
-{
-    double faster;
-    int64_t i;
-    double moved;
-    faster = log((*cspan_at(&search, INT64_C(1), INT64_C(0))));
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
-    {
-        moved = (*cspan_at(&search, INT64_C(5), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
-        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + without_digits(moved);
-    }
-}
-static void enter_paces(array_double_2d search)
-{
-    array_double_1d state;
-    state = span_row(&search, INT64_C(0));
-    segfmu_begin_pace(1000.0, 0.995, span_row(&search, INT64_C(1)));
-    (*cspan_at(&state, INT64_C(5))) = 0.0;
-    (*cspan_at(&state, INT64_C(6))) = 0.0;
-    (*cspan_at(&state, INT64_C(11))) = 1e+300;
-    write_paced(search);
-}
 static void enter_start(array_double_2d starts, array_double_2d search)
 {
     int64_t row;
@@ -9602,95 +9797,6 @@ void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_do
         (*cspan_at(&state, INT64_C(14) + slot)) = 1e+300;
     }
     enter_start(starts, search);
-}
-static double largest_share(array_double_1d uses)
-{
-    int64_t i;
-    double found;
-    found = 0.0;
-    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
-    {
-        found = span_max(found, (*cspan_at(&uses, i)));
-    }
-    return found;
-}
-static double poll_change(int64_t way)
-{
-    double size;
-    size = 0.15;
-    if (way > INT64_C(1))
-    {
-        size = 0.45;
-    }
-    if (span_floor_mod(way, INT64_C(2)) == INT64_C(1))
-    {
-        return -size;
-    }
-    return size;
-}
-static bool next_poll(double duration, array_double_1d uses, array_double_2d search)
-{
-    array_double_1d state;
-    int64_t n;
-    double merit;
-    int64_t i;
-    int64_t way;
-    double here;
-    double changed;
-    int64_t j;
-    state = span_row(&search, INT64_C(0));
-    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
-    if (duration > 0.0)
-    {
-        merit = log(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
-        if (merit < (*cspan_at(&state, INT64_C(16))) - 0.0001)
-        {
-            (*cspan_at(&state, INT64_C(16))) = merit;
-            for (i = INT64_C(0); i < n; i += INT64_C(1))
-            {
-                (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
-            }
-        }
-    }
-    while((*cspan_at(&state, INT64_C(3))) < n)
-    {
-        i = (int64_t)((*cspan_at(&state, INT64_C(3))));
-        way = (int64_t)((*cspan_at(&state, INT64_C(4))));
-        if ((i < INT64_C(0)) || (way > INT64_C(3)) || ((int64_t)((*cspan_at(&search, INT64_C(11), i))) != INT64_C(2)))
-        {
-            (*cspan_at(&state, INT64_C(3))) = (*cspan_at(&state, INT64_C(3))) + 1.0;
-            (*cspan_at(&state, INT64_C(4))) = 0.0;
-        }
-        else
-        {
-            (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + 1.0;
-            here = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
-            changed = span_min(span_max(here + poll_change(way), -1.0), 1.0);
-            if (fabs(changed - here) > 1e-06)
-            {
-                for (j = INT64_C(0); j < n; j += INT64_C(1))
-                {
-                    (*cspan_at(&search, INT64_C(2), j)) = (*cspan_at(&search, INT64_C(3), j)) + (*cspan_at(&search, INT64_C(4), j));
-                }
-                (*cspan_at(&search, INT64_C(2), i)) = changed;
-                return 1;
-            }
-        }
-    }
-    return 0;
-}
-static bool leave_poll(array_double_2d search)
-{
-    array_double_1d state;
-    int64_t i;
-    state = span_row(&search, INT64_C(0));
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
-    {
-        (*cspan_at(&search, INT64_C(5), i)) = (*cspan_at(&search, INT64_C(4), i));
-    }
-    (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
-    enter_paces(search);
-    return 1;
 }
 static double change_of(array_double_2d search)
 {
@@ -9766,33 +9872,6 @@ static bool next_slope(double duration, array_double_1d uses, array_double_2d se
     result = write_changed(search);
     return result;
 }
-static bool has_states(array_double_2d search)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
-    {
-        if ((int64_t)((*cspan_at(&search, INT64_C(11), i))) == INT64_C(2))
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
-static bool enter_poll(array_double_2d search)
-{
-    array_double_1d state;
-    int64_t i;
-    state = span_row(&search, INT64_C(0));
-    (*cspan_at(&state, INT64_C(0))) = INT64_C(2);
-    (*cspan_at(&state, INT64_C(16))) = 1e+300;
-    (*cspan_at(&state, INT64_C(3))) = -1.0;
-    (*cspan_at(&state, INT64_C(4))) = 0.0;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
-    {
-        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
-    }
-    return 1;
-}
 static bool enter_descent(array_double_2d search)
 {
     array_double_1d state;
@@ -9858,66 +9937,6 @@ static bool enter_step(array_double_2d search, array_double_2d values, array_dou
     }
     (*cspan_at(&state, INT64_C(0))) = INT64_C(4);
     enter_paces(search);
-    return 1;
-}
-static void write_values(double duration, array_double_1d uses, array_double_1d row)
-{
-    int64_t i;
-    (*cspan_at(&row, INT64_C(0))) = log(duration);
-    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
-    {
-        (*cspan_at(&row, INT64_C(1) + i)) = (*cspan_at(&uses, i));
-    }
-}
-static void note_best(array_double_2d search)
-{
-    array_double_1d state;
-    int64_t i;
-    state = span_row(&search, INT64_C(0));
-    if ((*cspan_at(&state, INT64_C(11))) < (*cspan_at(&state, INT64_C(12))) - 1e-09)
-    {
-        (*cspan_at(&state, INT64_C(12))) = (*cspan_at(&state, INT64_C(11)));
-        for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
-        {
-            (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
-        }
-    }
-}
-static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values)
-{
-    array_double_1d state;
-    double use;
-    int64_t i;
-    state = span_row(&search, INT64_C(0));
-    use = 1e+300;
-    if (duration > 0.0)
-    {
-        use = largest_share(uses);
-        if ((use <= 1.0 + 1e-09) && (log(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09))
-        {
-            (*cspan_at(&state, INT64_C(11))) = log(duration);
-            write_values(duration, uses, span_row(&values, INT64_C(1)));
-            for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
-            {
-                (*cspan_at(&search, INT64_C(6), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
-            }
-            note_best(search);
-        }
-    }
-    else
-    {
-        (*cspan_at(&state, INT64_C(6))) = (*cspan_at(&state, INT64_C(6))) + 1.0;
-    }
-    (*cspan_at(&state, INT64_C(5))) = (*cspan_at(&state, INT64_C(5))) + 1.0;
-    if (((*cspan_at(&state, INT64_C(5))) > 5.5) || ((*cspan_at(&state, INT64_C(6))) > 1.5))
-    {
-        return 0;
-    }
-    if (!segfmu_next_pace(use, span_row(&search, INT64_C(1))))
-    {
-        return 0;
-    }
-    write_paced(search);
     return 1;
 }
 static void note_start(array_double_2d search)
@@ -10067,25 +10086,6 @@ bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d s
     }
     result = judge_step(search, values, slopes, newton);
     return result;
-}
-void segfmu_write_best(double pace, array_double_2d search)
-{
-    double faster;
-    int64_t i;
-    faster = log(pace);
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
-    {
-        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(8), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
-    }
-}
-void segfmu_keep_best(double pace, array_double_2d search)
-{
-    int64_t i;
-    segfmu_write_best(pace, search);
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
-    {
-        (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
-    }
 }
 static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
 {

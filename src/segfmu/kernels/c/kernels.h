@@ -69,10 +69,10 @@ SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d c
 SEGFMU_API int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_double_1d bounds, array_double_1d uses, array_double_1d fault);
 SEGFMU_API void segfmu_begin_pace(double most, double full, array_double_1d pace);
 SEGFMU_API bool segfmu_next_pace(double use, array_double_1d pace);
-SEGFMU_API void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search);
-SEGFMU_API bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d starts, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 SEGFMU_API void segfmu_write_best(double pace, array_double_2d search);
 SEGFMU_API void segfmu_keep_best(double pace, array_double_2d search);
+SEGFMU_API void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search);
+SEGFMU_API bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d starts, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 SEGFMU_API int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault);
 SEGFMU_API void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start);
 SEGFMU_API void segfmu_write_axes(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes);

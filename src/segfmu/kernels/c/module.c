@@ -2096,6 +2096,50 @@ static PyObject *call_next_pace(
     return answer;
 }
 
+static PyObject *call_write_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_best", .values = values};
+    PyObject *answer = NULL;
+    double in_pace;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_pace)
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_write_best(
+            in_pace,
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_keep_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "keep_best", .values = values};
+    PyObject *answer = NULL;
+    double in_pace;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_pace)
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_keep_best(
+            in_pace,
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_begin_limits(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2164,50 +2208,6 @@ static PyObject *call_next_limits(
             (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}},
             (array_double_2d){in_slopes->buf, {in_slopes->shape[0], in_slopes->shape[1]}},
             (array_double_2d){in_newton->buf, {in_newton->shape[0], in_newton->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_best(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_best", .values = values};
-    PyObject *answer = NULL;
-    double in_pace;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_pace)
-        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
-        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
-        segfmu_write_best(
-            in_pace,
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_keep_best(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "keep_best", .values = values};
-    PyObject *answer = NULL;
-    double in_pace;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_pace)
-        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
-        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
-        segfmu_keep_best(
-            in_pace,
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
-        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -4531,10 +4531,10 @@ static PyMethodDef methods[] = {
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
     {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
     {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
-    {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},
-    {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
     {"write_best", (PyCFunction)(void (*)(void))call_write_best, METH_FASTCALL, NULL},
     {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
+    {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},
+    {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
     {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
     {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
     {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},

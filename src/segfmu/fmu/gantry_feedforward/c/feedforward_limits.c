@@ -182,8 +182,8 @@ bool feedforward_limits(feedforward *m, char message[MESSAGE])
         s.least = 1e300;
         found = pace_limits(m, &s, 1.0, true, message);
     }
-    if (!found && s.least > KEPT && s.least < 1e300) {
-        /* the plan that comes closest is refused with what it exceeds */
+    if (!found && s.least < 1e300) {
+        /* the plan that comes closest is refused with what it exceeds or meets */
         memcpy(s.rows + SEARCH_TRIAL * UNKNOWNS, s.closest, sizeof s.closest);
         found = try_limits(m, &s, true, timed, message) > 0.0;
     }
