@@ -130,7 +130,7 @@ def test_a_duration_and_a_sample_time_are_kept(archive) -> None:
     assert whole * 10.0 == pytest.approx(round(whole * 10.0), abs=1e-9)
 
 
-def test_friction_and_an_obstacle_are_heeded(native_fmus) -> None:
+def test_friction_and_an_obstacle_are_heeded(native_fmus, fmus) -> None:
     given = FIND | {
         "waypoint.count": 2, "waypoint[2].position.x": 1.0, "waypoint[2].position.y": 0.8,
         "drive.bridge.force_max": 6.0, "drive.trolley.force_max": 4.0,
@@ -154,8 +154,9 @@ def test_friction_and_an_obstacle_are_heeded(native_fmus) -> None:
         for end, place in (("minimum", (0.4, -1.0, -2.0)), ("maximum", (0.6, 2.0, 0.0)))
         for a, v in zip("xyz", place, strict=True)
     }
-    message = initialised(native_fmus[2][0], given | wall)
-    assert isinstance(message, str) and "obstacle 1: the load meets it" in message
+    messages = [initialised(archive, given | wall) for archive in (native_fmus[2][0], fmus[0])]
+    assert all("obstacle 1: the load meets it" in str(message) for message in messages)
+    assert str(messages[0]).partition("obstacle 1")[2] == str(messages[1]).partition("obstacle 1")[2]
 
 
 def test_the_limits_that_are_found_are_shown(native_fmus) -> None:
