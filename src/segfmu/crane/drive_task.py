@@ -124,12 +124,22 @@ class Task:
 
     @cached_property
     def kinds(self) -> FloatArray:
-        """The kernels' `Unknown` of every unknown: limits, then states of inner waypoints."""
-        states = np.where(self.free[1:-1], Unknown.STATE, Unknown.GIVEN)
+        """The kernels' `Unknown` of every unknown: limits, then states of inner places."""
+        states = np.where(self.free[self._inner], Unknown.STATE, Unknown.GIVEN)
         kinds = np.zeros(LIMITS + (states.size if self.free.any() else 0))
         backend.write_kinds(self.axes, kinds)
         kinds[LIMITS:] = states.ravel()[: kinds.size - LIMITS]
         return kinds
+
+    @cached_property
+    def places(self) -> FloatArray:
+        """Positions that differ from the one before, shape (places, 3)."""
+        return np.ascontiguousarray(self.positions[np.unique(self.first)])
+
+    @property
+    def _inner(self) -> NDArray[np.intp]:
+        """The first waypoint of each place but the first and the last one."""
+        return np.unique(self.first)[1:-1]
 
     @property
     def directed(self) -> NDArray[np.bool_]:
@@ -152,7 +162,9 @@ class Task:
             # shares of the limits of velocity and acceleration
             shares = np.clip(unknowns[LIMITS:].reshape(-1, 2, 3), -1.0, 1.0)
             states = self.states.copy()
-            states[1:-1] = np.where(self.free[1:-1], shares * table.T[:2], states[1:-1])
+            states[self._inner] = np.where(
+                self.free[self._inner], shares * table.T[:2], states[self._inner]
+            )
             points = tuple(
                 with_motion(p, s[0], s[1])
                 for p, s in zip(points, states[self.first], strict=True)

@@ -151,7 +151,7 @@ class LimitSearch:
         more = True
         while more:
             found = self._tried(task, exact=False)
-            duration = 0.0 if found is None else found.trajectory.duration
+            duration = -1.0 if found is None else found.trajectory.duration
             uses = np.zeros(2 * Demand.SIZE) if found is None else found.uses
             more = backend.next_limits(duration, uses, starts, self._rows, *work)
             self._trials += 1
@@ -218,5 +218,5 @@ def _starts(task: Task) -> FloatArray:
         raise InputError(LIMIT.text(status, fault))
     if task.kinds.size > LIMITS:
         for start in starts:
-            backend.write_passing(task.positions, task.kinds, task.axes, start)
+            backend.write_passing(task.places, task.kinds, task.axes, start)
     return starts

@@ -130,6 +130,15 @@ def test_a_duration_and_a_sample_time_are_kept(archive) -> None:
     assert whole * 10.0 == pytest.approx(round(whole * 10.0), abs=1e-9)
 
 
+def test_a_load_that_stays_needs_no_limits(native_fmus, fmus) -> None:
+    values = {f"waypoint[2].{n}.{a}": 0.0 for n in ("velocity", "acceleration") for a in "xyz"}
+    values |= {f"waypoint[2].position.{a}": v for a, v in zip("xyz", (0, 0, -0.5), strict=True)}
+    for archive in (native_fmus[2][0], fmus[0]):
+        found = initialised(archive, FIND | NONE | values | {"waypoint.count": 2})
+        assert isinstance(found, dict), found
+        assert found["plan.duration"] == 0.0
+
+
 def test_friction_and_an_obstacle_are_heeded(native_fmus, fmus) -> None:
     given = FIND | {
         "waypoint.count": 2, "waypoint[2].position.x": 1.0, "waypoint[2].position.y": 0.8,

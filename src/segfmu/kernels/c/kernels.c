@@ -260,6 +260,7 @@ static double pace_between(double use, array_double_1d pace);
 static double without_digits(double value);
 static void write_paced(array_double_2d search);
 static void enter_paces(array_double_2d search);
+static double log_of(double duration);
 static double largest_share(array_double_1d uses);
 static void write_values(double duration, array_double_1d uses, array_double_1d row);
 static void note_best(array_double_2d search);
@@ -9452,6 +9453,10 @@ static void enter_paces(array_double_2d search)
     (*cspan_at(&state, INT64_C(11))) = 1e+300;
     write_paced(search);
 }
+static double log_of(double duration)
+{
+    return log(span_max(duration, 1e-300));
+}
 static double largest_share(array_double_1d uses)
 {
     int64_t i;
@@ -9466,7 +9471,7 @@ static double largest_share(array_double_1d uses)
 static void write_values(double duration, array_double_1d uses, array_double_1d row)
 {
     int64_t i;
-    (*cspan_at(&row, INT64_C(0))) = log(duration);
+    (*cspan_at(&row, INT64_C(0))) = log_of(duration);
     for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
     {
         (*cspan_at(&row, INT64_C(1) + i)) = (*cspan_at(&uses, i));
@@ -9493,12 +9498,12 @@ static bool next_of_paces(double duration, array_double_1d uses, array_double_2d
     int64_t i;
     state = span_row(&search, INT64_C(0));
     use = 1e+300;
-    if (duration > 0.0)
+    if (duration >= 0.0)
     {
         use = largest_share(uses);
-        if ((use <= 1.0 + 1e-09) && (log(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09))
+        if ((use <= 1.0 + 1e-09) && (log_of(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09))
         {
-            (*cspan_at(&state, INT64_C(11))) = log(duration);
+            (*cspan_at(&state, INT64_C(11))) = log_of(duration);
             write_values(duration, uses, span_row(&values, INT64_C(1)));
             for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
             {
@@ -9595,9 +9600,9 @@ static bool next_poll(double duration, array_double_1d uses, array_double_2d sea
     int64_t j;
     state = span_row(&search, INT64_C(0));
     n = (int64_t)((*cspan_at(&state, INT64_C(1))));
-    if (duration > 0.0)
+    if (duration >= 0.0)
     {
-        merit = log(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
+        merit = log_of(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
         if (merit < (*cspan_at(&state, INT64_C(16))) - 0.0001)
         {
             (*cspan_at(&state, INT64_C(16))) = merit;
@@ -9857,12 +9862,12 @@ static bool next_slope(double duration, array_double_1d uses, array_double_2d se
     state = span_row(&search, INT64_C(0));
     i = (int64_t)((*cspan_at(&state, INT64_C(3))));
     (*cspan_at(&search, INT64_C(13), i)) = 0.0;
-    if (duration > 0.0)
+    if (duration >= 0.0)
     {
         (*cspan_at(&search, INT64_C(13), i)) = 1.0;
         change = change_of(search);
         centre = span_row(&values, INT64_C(0));
-        (*cspan_at(&slopes, i, INT64_C(0))) = (log(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
+        (*cspan_at(&slopes, i, INT64_C(0))) = (log_of(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
         for (j = INT64_C(0); j < INT64_C(2) * INT64_C(14); j += INT64_C(1))
         {
             (*cspan_at(&slopes, i, INT64_C(1) + j)) = ((*cspan_at(&uses, j)) - (*cspan_at(&centre, INT64_C(1) + j))) / change;

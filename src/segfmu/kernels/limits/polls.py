@@ -14,6 +14,7 @@ from segfmu.kernels.limits.records import (
 from segfmu.kernels.limits.trials import (
     enter_paces,
     largest_share,
+    log_of,
 )
 
 
@@ -44,8 +45,8 @@ def next_poll(duration: float, uses: 'float[:]', search: 'float[:,:]') -> bool:
     """
     state = search[Search.STATE, :]
     n = int(state[SearchState.UNKNOWNS])
-    if duration > 0.0:
-        merit = log(duration) + 0.5 * log(max(largest_share(uses), 1e-9))
+    if duration >= 0.0:
+        merit = log_of(duration) + 0.5 * log(max(largest_share(uses), 1e-9))
         if merit < state[SearchState.MERIT] - 1e-4:
             state[SearchState.MERIT] = merit
             for i in range(n):

@@ -11,8 +11,6 @@ search: `Search`; values: `SearchValues`; slopes: duration and uses (n, 1 + 28) 
 (2 n, n) for n unknowns.
 """
 
-from math import log
-
 from segfmu.kernels.crane.records import Demand
 from segfmu.kernels.limits.polls import (
     enter_poll,
@@ -32,6 +30,7 @@ from segfmu.kernels.limits.records import (
 from segfmu.kernels.limits.step import write_step
 from segfmu.kernels.limits.trials import (
     enter_paces,
+    log_of,
     next_of_paces,
 )
 
@@ -70,8 +69,8 @@ def next_limits(
 ) -> bool:
     """Whether another trial is needed, the row TRIAL.
 
-    duration [s] of the last one, 0 if it has no plan or one that may not be taken; uses (28,) of
-    the bounds in the positive, then in the negative direction.
+    duration [s] of the last one, below 0 if it has no plan or one that may not be taken; uses
+    (28,) of the bounds in the positive, then in the negative direction.
     """
     state = search[Search.STATE, :]
     stage = int(state[SearchState.STAGE])
@@ -211,11 +210,11 @@ def next_slope(
     state = search[Search.STATE, :]
     i = int(state[SearchState.UNKNOWN])
     search[Search.FREE, i] = 0.0
-    if duration > 0.0:
+    if duration >= 0.0:
         search[Search.FREE, i] = 1.0
         change = change_of(search)
         centre = values[SearchValues.CENTRE, :]
-        slopes[i, Values.DURATION] = (log(duration) - centre[Values.DURATION]) / change
+        slopes[i, Values.DURATION] = (log_of(duration) - centre[Values.DURATION]) / change
         for j in range(2 * Demand.SIZE):
             slopes[i, Values.USE + j] = (uses[j] - centre[Values.USE + j]) / change
         state[SearchState.WAY] = 1.0

@@ -39,16 +39,21 @@ def write_paced(search: 'float[:,:]') -> None:
         search[Search.TRIAL, i] = search[Search.ORIGIN, i] + without_digits(moved)
 
 
+def log_of(duration: float) -> float:
+    """Logarithm of a duration [s], which may be 0."""
+    return log(max(duration, 1e-300))
+
+
 def next_of_paces(
     duration: float, uses: 'float[:]', search: 'float[:,:]', values: 'float[:,:]'
 ) -> bool:
     """Note a plan at a pace; whether another pace is tried, of six at most."""
     state = search[Search.STATE, :]
     use = 1e300
-    if duration > 0.0:
+    if duration >= 0.0:
         use = largest_share(uses)
-        if use <= 1.0 + 1e-9 and log(duration) < state[SearchState.KEPT] - 1e-9:
-            state[SearchState.KEPT] = log(duration)
+        if use <= 1.0 + 1e-9 and log_of(duration) < state[SearchState.KEPT] - 1e-9:
+            state[SearchState.KEPT] = log_of(duration)
             write_values(duration, uses, values[SearchValues.KEPT, :])
             for i in range(int(state[SearchState.UNKNOWNS])):
                 search[Search.KEPT, i] = search[Search.TRIAL, i] - search[Search.ORIGIN, i]
@@ -74,7 +79,7 @@ def largest_share(uses: 'float[:]') -> float:
 
 def write_values(duration: float, uses: 'float[:]', row: 'float[:]') -> None:
     """Write a row of `Values`."""
-    row[Values.DURATION] = log(duration)
+    row[Values.DURATION] = log_of(duration)
     for i in range(2 * Demand.SIZE):
         row[Values.USE + i] = uses[i]
 

@@ -76,7 +76,7 @@ static bool pose_search(limit_search *s, const feedforward *m, bool narrow, char
     return !segfmu_limit_message(status, fault, message, MESSAGE);
 }
 
-/* Plan what the row TRIAL stands for; its duration, 0 with a message if there is no plan that may be
+/* Plan what the row TRIAL stands for; its duration, -1 with a message if there is no plan that may be
    taken. A plan within the bounds has to be clear of obstacles as well. */
 static double try_limits(
     feedforward *m, limit_search *s, bool exact, bool timed, char message[MESSAGE])
@@ -96,7 +96,7 @@ static double try_limits(
         }
     }
     if (!plan_at(m, &r, message)) {
-        return 0.0;
+        return -1.0;
     }
     measure(m, exact, peaks, times);
     segfmu_write_shares(
@@ -110,7 +110,7 @@ static double try_limits(
         s->least = s->most;
         memcpy(s->closest, trial, sizeof s->closest);
     }
-    return s->most > KEPT || require_space(m, message) ? m->duration : 0.0;
+    return s->most > KEPT || require_space(m, message) ? m->duration : -1.0;
 }
 
 /* Search by samples; whether there is a plan. */
@@ -138,12 +138,12 @@ static bool pace_limits(
     do {
         segfmu_write_best(pace[PACE_PACE], rows_of(s));
         duration = try_limits(m, s, true, timed, message);
-    } while (segfmu_next_pace(duration > 0.0 ? s->most : 1e300, vector(pace, PACE_SIZE)));
+    } while (segfmu_next_pace(duration >= 0.0 ? s->most : 1e300, vector(pace, PACE_SIZE)));
     if (pace[PACE_KEEPS] == 0.0) {
         return false;
     }
     segfmu_keep_best(pace[PACE_KEEPS], rows_of(s));
-    return try_limits(m, s, true, timed, message) > 0.0 && s->most <= KEPT;
+    return try_limits(m, s, true, timed, message) >= 0.0 && s->most <= KEPT;
 }
 
 static bool is_directed(limit_search *s)
@@ -185,7 +185,7 @@ bool feedforward_limits(feedforward *m, char message[MESSAGE])
     if (!found && s.least < 1e300) {
         /* the plan that comes closest is refused with what it exceeds or meets */
         memcpy(s.rows + SEARCH_TRIAL * UNKNOWNS, s.closest, sizeof s.closest);
-        found = try_limits(m, &s, true, timed, message) > 0.0;
+        found = try_limits(m, &s, true, timed, message) >= 0.0;
     }
     return found;
 }
