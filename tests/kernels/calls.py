@@ -353,7 +353,7 @@ def limit_calls() -> dict[str, Call]:
     work = zeros(SearchValues.SIZE, Values.SIZE), zeros(24, Values.SIZE), zeros(48, 24)
     return {
         "begin_pace": (1.0, 0.999, zeros(Pace.SIZE)),
-        "next_pace": (1.4, np.array([0.8, 1.0, 0.999, 0.5, 1.0, 1.0, 1.9, 2.0])),
+        "next_pace": (1.4, np.array([0.8, 1.0, 0.999, 0.5, 1.0, 0.7, 1.9, 1.0, 1.9, 2.0])),
         "write_axes": (points, rest, rest, bounds, caps, known, axes.copy()),
         "narrow_bounds": (bounds.copy(), caps + 1.0),
         "write_kinds": (axes, kinds.copy()),

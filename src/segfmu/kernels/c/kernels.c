@@ -24,6 +24,8 @@ static double rope_value(int64_t demand, double gravity, double z, double w_x, d
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static double local_time(double time, array_double_2d timing, int64_t row);
+static void evaluate_derivatives(array_double_2d coefficients, int64_t row, double t, int64_t axis, array_double_2d values);
+static void evaluate_near(double time, array_double_1d near, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 static void bernstein_coefficients(array_double_2d coefficients, int64_t row, int64_t count, double length, array_double_2d hull);
 static double integrate_hull(int64_t count, double start, double length, array_double_1d values);
 static void split_hull(array_double_2d hull, int64_t row, int64_t count);
@@ -1447,6 +1449,67 @@ void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d
             else
             {
                 (*cspan_at(&values, derivative, axis)) = evaluate_piece(coefficients, row, width, local, derivative);
+            }
+        }
+    }
+}
+static void evaluate_derivatives(array_double_2d coefficients, int64_t row, double t, int64_t axis, array_double_2d values)
+{
+    int64_t width;
+    int64_t orders;
+    int64_t derivative;
+    int64_t j;
+    int64_t k;
+    double factorial;
+    width = coefficients.shape[INT64_C(1)];
+    orders = values.shape[INT64_C(0)];
+    for (derivative = INT64_C(0); derivative < orders; derivative += INT64_C(1))
+    {
+        (*cspan_at(&values, derivative, axis)) = 0.0;
+    }
+    for (j = INT64_C(0); j < width; j += INT64_C(1))
+    {
+        for (k = INT64_C(0); k < orders - INT64_C(1); k += INT64_C(1))
+        {
+            derivative = orders - INT64_C(1) - k;
+            (*cspan_at(&values, derivative, axis)) = (*cspan_at(&values, derivative, axis)) * t + (*cspan_at(&values, derivative - INT64_C(1), axis));
+        }
+        (*cspan_at(&values, INT64_C(0), axis)) = (*cspan_at(&values, INT64_C(0), axis)) * t + (*cspan_at(&coefficients, row, width - INT64_C(1) - j));
+    }
+    factorial = 1.0;
+    for (derivative = INT64_C(1); derivative < orders; derivative += INT64_C(1))
+    {
+        factorial = factorial * derivative;
+        (*cspan_at(&values, derivative, axis)) = (*cspan_at(&values, derivative, axis)) * factorial;
+    }
+}
+static void evaluate_near(double time, array_double_1d near, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
+{
+    int64_t axis;
+    int64_t first;
+    int64_t last;
+    double t;
+    int64_t row;
+    bool behind;
+    int64_t derivative;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        first = (*cspan_at(&offsets, axis));
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        t = span_min(span_max(time, (*cspan_at(&timing, first, INT64_C(0)))), (*cspan_at(&ends, axis)));
+        row = span_min_int(span_max_int((int64_t)((*cspan_at(&near, axis))), first), last - INT64_C(1));
+        behind = (row + INT64_C(1) < last) && (t >= (*cspan_at(&timing, row + INT64_C(1), INT64_C(0))));
+        if (behind || (t < (*cspan_at(&timing, row, INT64_C(0)))))
+        {
+            row = find_piece(t, timing, first, last);
+        }
+        (*cspan_at(&near, axis)) = row;
+        evaluate_derivatives(coefficients, row, local_time(t, timing, row), axis, values);
+        if (t != time)
+        {
+            for (derivative = INT64_C(1); derivative < values.shape[INT64_C(0)]; derivative += INT64_C(1))
+            {
+                (*cspan_at(&values, derivative, axis)) = 0.0;
             }
         }
     }
@@ -8190,15 +8253,17 @@ static void write_transform(array_double_2d work)
                 weight = 0.5 * weight;
             }
             angle = 3.141592653589793 * k * (last - j) / last;
-            (*cspan_at(&work, INT64_C(57) + k, j)) = weight * cos(angle);
+            (*cspan_at(&work, INT64_C(58) + k, j)) = weight * cos(angle);
         }
     }
 }
 static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work)
 {
     array_double_2d load;
+    array_double_1d near;
     load = span_rows(&work, INT64_C(3), INT64_C(8));
-    segfmu_evaluate_orders(time, timing, coefficients, offsets, ends, load);
+    near = span_row(&work, INT64_C(57));
+    evaluate_near(time, near, timing, coefficients, offsets, ends, load);
     motion_demand(load, time, resistance, contacts, work, span_row(&work, row));
 }
 static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
@@ -8325,7 +8390,7 @@ static bool is_resolved(int64_t depth, array_double_2d work)
             total = 0.0;
             for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
             {
-                total = total + (*cspan_at(&work, INT64_C(57) + k, j)) * (*cspan_at(&work, INT64_C(8) + j, i));
+                total = total + (*cspan_at(&work, INT64_C(58) + k, j)) * (*cspan_at(&work, INT64_C(8) + j, i));
             }
             (*cspan_at(&work, INT64_C(25) + k, i)) = total;
         }
@@ -9344,56 +9409,53 @@ void segfmu_begin_pace(double most, double full, array_double_1d pace)
     (*cspan_at(&pace, INT64_C(3))) = 0.0;
     (*cspan_at(&pace, INT64_C(4))) = 1e+300;
     (*cspan_at(&pace, INT64_C(5))) = 0.0;
-    (*cspan_at(&pace, INT64_C(6))) = 0.0;
+    (*cspan_at(&pace, INT64_C(6))) = 1e+300;
     (*cspan_at(&pace, INT64_C(7))) = 0.0;
+    (*cspan_at(&pace, INT64_C(8))) = 0.0;
+    (*cspan_at(&pace, INT64_C(9))) = 0.0;
 }
 static double pace_between(double use, array_double_1d pace)
 {
     double tried;
     double lower;
     double upper;
-    double growth;
     double aim;
-    double middle;
-    bool bracketed;
+    double share;
+    bool known;
+    double rise;
+    double growth;
     double found;
     tried = (*cspan_at(&pace, INT64_C(0)));
     lower = span_max((*cspan_at(&pace, INT64_C(3))), 0.001);
     upper = span_min((*cspan_at(&pace, INT64_C(4))), (*cspan_at(&pace, INT64_C(1))));
-    growth = 2.0;
-    if ((0.0 < (*cspan_at(&pace, INT64_C(6)))) && ((*cspan_at(&pace, INT64_C(6))) < 1e+300) && (0.0 < use) && (use < 1e+300))
-    {
-        if (fabs(log((*cspan_at(&pace, INT64_C(5))) / tried)) > 1e-12)
-        {
-            growth = log((*cspan_at(&pace, INT64_C(6))) / use) / log((*cspan_at(&pace, INT64_C(5))) / tried);
-            growth = span_min(span_max(growth, 0.5), 4.0);
-        }
-    }
     aim = 0.5 * (1.0 + (*cspan_at(&pace, INT64_C(2))));
-    found = tried * exp(log(aim / span_min(span_max(use, 0.01), 1000000.0)) / growth);
-    middle = 2.0 * tried;
-    if ((*cspan_at(&pace, INT64_C(4))) < 1e+300)
+    if (((*cspan_at(&pace, INT64_C(3))) > 0.0) && ((*cspan_at(&pace, INT64_C(4))) < 1e+300))
     {
-        middle = 0.5 * upper;
-        if ((*cspan_at(&pace, INT64_C(3))) > 0.0)
+        share = 0.5;
+        known = ((*cspan_at(&pace, INT64_C(5))) > 0.0) && ((*cspan_at(&pace, INT64_C(6))) < 1e+300);
+        if (known && (span_floor_mod((int64_t)((*cspan_at(&pace, INT64_C(9)))), INT64_C(3)) != INT64_C(2)))
         {
-            middle = exp(0.5 * log(lower * upper));
+            rise = log((*cspan_at(&pace, INT64_C(6))) / (*cspan_at(&pace, INT64_C(5))));
+            share = span_min(span_max(log(aim / (*cspan_at(&pace, INT64_C(5)))) / rise, 0.001), 0.999);
         }
+        return lower * exp(share * log(upper / lower));
     }
-    bracketed = ((*cspan_at(&pace, INT64_C(3))) > 0.0) && ((*cspan_at(&pace, INT64_C(4))) < 1e+300);
-    if (((*cspan_at(&pace, INT64_C(3))) == 0.0) && ((*cspan_at(&pace, INT64_C(7))) > 2.5))
+    if (use >= 1e+300)
+    {
+        return span_max(0.5 * tried, lower);
+    }
+    growth = 2.0;
+    if ((0.0 < (*cspan_at(&pace, INT64_C(8)))) && ((*cspan_at(&pace, INT64_C(8))) < 1e+300) && (use > 0.0))
+    {
+        growth = log((*cspan_at(&pace, INT64_C(8))) / use) / log((*cspan_at(&pace, INT64_C(7))) / tried);
+        growth = span_min(span_max(growth, 0.5), 4.0);
+    }
+    found = tried * exp(log(aim / span_min(span_max(use, 0.01), 1000000.0)) / growth);
+    if (((*cspan_at(&pace, INT64_C(3))) == 0.0) && ((*cspan_at(&pace, INT64_C(9))) > 2.5))
     {
         found = span_min(found, 0.5 * tried);
     }
-    if ((use >= 1e+300) || (bracketed && (span_floor_mod((int64_t)((*cspan_at(&pace, INT64_C(7)))), INT64_C(3)) == INT64_C(2))))
-    {
-        found = middle;
-    }
-    if (!((lower * (1.0 + 1e-09) < found) && (found < upper * (1.0 - 1e-09))))
-    {
-        found = span_min(span_max(middle, lower), upper);
-    }
-    return found;
+    return span_min(span_max(found, lower), upper);
 }
 bool segfmu_next_pace(double use, array_double_1d pace)
 {
@@ -9403,7 +9465,8 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     if (use <= 1.0 + 1e-09)
     {
         (*cspan_at(&pace, INT64_C(3))) = tried;
-        if ((tried >= (*cspan_at(&pace, INT64_C(1)))) || (use >= (*cspan_at(&pace, INT64_C(2)))) || ((*cspan_at(&pace, INT64_C(7))) >= 40.0))
+        (*cspan_at(&pace, INT64_C(5))) = use;
+        if ((tried >= (*cspan_at(&pace, INT64_C(1)))) || (use >= (*cspan_at(&pace, INT64_C(2)))) || ((*cspan_at(&pace, INT64_C(9))) >= 40.0))
         {
             return 0;
         }
@@ -9411,16 +9474,17 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     else
     {
         (*cspan_at(&pace, INT64_C(4))) = tried;
+        (*cspan_at(&pace, INT64_C(6))) = use;
         if (tried <= 0.001)
         {
             return 0;
         }
     }
     (*cspan_at(&pace, INT64_C(0))) = pace_between(use, pace);
-    (*cspan_at(&pace, INT64_C(5))) = tried;
-    (*cspan_at(&pace, INT64_C(6))) = use;
-    (*cspan_at(&pace, INT64_C(7))) = (*cspan_at(&pace, INT64_C(7))) + 1.0;
-    if ((*cspan_at(&pace, INT64_C(7))) >= 40.0)
+    (*cspan_at(&pace, INT64_C(7))) = tried;
+    (*cspan_at(&pace, INT64_C(8))) = use;
+    (*cspan_at(&pace, INT64_C(9))) = (*cspan_at(&pace, INT64_C(9))) + 1.0;
+    if ((*cspan_at(&pace, INT64_C(9))) >= 40.0)
     {
         (*cspan_at(&pace, INT64_C(0))) = (*cspan_at(&pace, INT64_C(3)));
     }

@@ -1791,7 +1791,7 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 74)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 75)
         && has_at_least(&call, "work", 1, in_work->shape[1], 17)
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
         && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
@@ -1849,7 +1849,7 @@ static PyObject *call_demand_samples(
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 74)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 75)
         && has_at_least(&call, "work", 1, in_work->shape[1], 17)
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
         && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
@@ -2065,7 +2065,7 @@ static PyObject *call_begin_pace(
         && take_float(&call, 0, &in_most)
         && take_float(&call, 1, &in_full)
         && (in_pace = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "pace", 0, in_pace->shape[0], 8)) {
+        && has_at_least(&call, "pace", 0, in_pace->shape[0], 10)) {
         segfmu_begin_pace(
             in_most,
             in_full,
@@ -2087,7 +2087,7 @@ static PyObject *call_next_pace(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_use)
         && (in_pace = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "pace", 0, in_pace->shape[0], 8)) {
+        && has_at_least(&call, "pace", 0, in_pace->shape[0], 10)) {
         answer = PyBool_FromLong(segfmu_next_pace(
             in_use,
             (array_double_1d){in_pace->buf, {in_pace->shape[0]}}));

@@ -15,7 +15,7 @@ from math import cos, sqrt
 from segfmu.kernels.crane.demand import motion_demand
 from segfmu.kernels.crane.records import Contact, Demand, DemandPeaks, Sought
 from segfmu.kernels.trajectory.breaks import next_break
-from segfmu.kernels.trajectory.evaluate import evaluate_orders
+from segfmu.kernels.trajectory.evaluate import evaluate_near
 
 
 def demand_peaks(
@@ -151,7 +151,8 @@ def demand_at(
 ) -> None:
     """Write the `Demand` at a time [s] to a row of the work space."""
     load = work[DemandPeaks.LOAD:DemandPeaks.VALUES, :]
-    evaluate_orders(time, timing, coefficients, offsets, ends, load)
+    near = work[DemandPeaks.NEAR, :]
+    evaluate_near(time, near, timing, coefficients, offsets, ends, load)
     motion_demand(load, time, resistance, contacts, work, work[row, :])
 
 

@@ -357,6 +357,7 @@ class DemandPeaks(DemandWork):
     TAILS = field("last coefficients after each halving", size=Sought.HALVINGS + 1, of=Demand)
     SCALE = field("magnitudes relative to which they are resolved", of=Demand)
     CANDIDATE = field("demands where a peak may be", of=Demand)
+    NEAR = field("rows of the pieces of each axis at the time before", of=Axes)
     TRANSFORM = field(
         "from values to coefficients", size=Sought.NODES, of=ChebyshevNodes
     )

@@ -19,6 +19,8 @@ def begin_pace(most: float, full: float, pace: 'float[:]') -> None:
     pace[Pace.FULL] = full
     pace[Pace.KEEPS] = 0.0
     pace[Pace.EXCEEDS] = 1e300
+    pace[Pace.KEPT_USE] = 0.0
+    pace[Pace.EXCEEDED_USE] = 1e300
     pace[Pace.LAST] = 0.0
     pace[Pace.LAST_USE] = 0.0
     pace[Pace.TRIALS] = 0.0
@@ -33,10 +35,12 @@ def next_pace(use: float, pace: 'float[:]') -> bool:
     tried = pace[Pace.PACE]
     if use <= 1.0 + 1e-9:
         pace[Pace.KEEPS] = tried
+        pace[Pace.KEPT_USE] = use
         if tried >= pace[Pace.MOST] or use >= pace[Pace.FULL] or pace[Pace.TRIALS] >= 40.0:
             return False
     else:
         pace[Pace.EXCEEDS] = tried
+        pace[Pace.EXCEEDED_USE] = use
         if tried <= 1e-3:
             return False
     pace[Pace.PACE] = pace_between(use, pace)
@@ -49,33 +53,31 @@ def next_pace(use: float, pace: 'float[:]') -> bool:
 
 
 def pace_between(use: float, pace: 'float[:]') -> float:
-    """The pace at which the use would reach the bounds by the power of the pace seen last.
+    """The pace at which the use would reach the bounds by a power of the pace.
 
-    Where that is no pace between those that keep and exceed the bounds, the one in the middle.
+    The power between a pace that keeps the bounds and one that exceeds them, else that seen last.
+    Where that is no pace between the two, and each third time so that the search ends, the middle.
     """
     tried = pace[Pace.PACE]
     lower = max(pace[Pace.KEEPS], 1e-3)
     upper = min(pace[Pace.EXCEEDS], pace[Pace.MOST])
+    aim = 0.5 * (1.0 + pace[Pace.FULL])
+    if pace[Pace.KEEPS] > 0.0 and pace[Pace.EXCEEDS] < 1e300:
+        share = 0.5
+        known = pace[Pace.KEPT_USE] > 0.0 and pace[Pace.EXCEEDED_USE] < 1e300
+        if known and int(pace[Pace.TRIALS]) % 3 != 2:
+            rise = log(pace[Pace.EXCEEDED_USE] / pace[Pace.KEPT_USE])
+            share = min(max(log(aim / pace[Pace.KEPT_USE]) / rise, 0.001), 0.999)
+        return lower * exp(share * log(upper / lower))
+    if use >= 1e300:
+        return max(0.5 * tried, lower)
     # most demands grow with the square of the pace
     growth = 2.0
-    if 0.0 < pace[Pace.LAST_USE] < 1e300 and 0.0 < use < 1e300:
-        if abs(log(pace[Pace.LAST] / tried)) > 1e-12:
-            growth = log(pace[Pace.LAST_USE] / use) / log(pace[Pace.LAST] / tried)
-            growth = min(max(growth, 0.5), 4.0)
-    aim = 0.5 * (1.0 + pace[Pace.FULL])
+    if 0.0 < pace[Pace.LAST_USE] < 1e300 and use > 0.0:
+        growth = log(pace[Pace.LAST_USE] / use) / log(pace[Pace.LAST] / tried)
+        growth = min(max(growth, 0.5), 4.0)
     found = tried * exp(log(aim / min(max(use, 0.01), 1e6)) / growth)
-    middle = 2.0 * tried
-    if pace[Pace.EXCEEDS] < 1e300:
-        middle = 0.5 * upper
-        if pace[Pace.KEEPS] > 0.0:
-            middle = exp(0.5 * log(lower * upper))
-    bracketed = pace[Pace.KEEPS] > 0.0 and pace[Pace.EXCEEDS] < 1e300
     if pace[Pace.KEEPS] == 0.0 and pace[Pace.TRIALS] > 2.5:
         # what no pace reduces leaves little to the rest
         found = min(found, 0.5 * tried)
-    # every third one halves, so that the search ends
-    if use >= 1e300 or (bracketed and int(pace[Pace.TRIALS]) % 3 == 2):
-        found = middle
-    if not lower * (1.0 + 1e-9) < found < upper * (1.0 - 1e-9):
-        found = min(max(middle, lower), upper)
-    return found
+    return min(max(found, lower), upper)

@@ -12,6 +12,8 @@ class Pace(Record):
     FULL = field("use of a bound that is enough")
     KEEPS = field("largest pace that is known to keep the bounds, 0: none")
     EXCEEDS = field("least pace that is known to exceed them; 1e300: none")
+    KEPT_USE = field("largest use of a bound at the pace that keeps them")
+    EXCEEDED_USE = field("largest use of a bound at the pace that exceeds them")
     LAST = field("the pace before this one, 0: none")
     LAST_USE = field("largest use of a bound at it")
     TRIALS = field("paces tried so far")

@@ -94,3 +94,52 @@ def evaluate_orders(
                 values[derivative, axis] = evaluate_piece(
                     coefficients, row, width, local, derivative
                 )
+
+
+def evaluate_near(
+    time: float,
+    near: 'float[:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    ends: 'float[:]',
+    values: 'float[:,:]',
+) -> None:
+    """As `evaluate_orders` but for rounding, fast where many times follow each other closely.
+
+    near: rows of the pieces of the time before, one per axis; they become those of this time.
+    """
+    for axis in range(ends.shape[0]):
+        first = offsets[axis]
+        last = offsets[axis + 1]
+        t = min(max(time, timing[first, Timing.START]), ends[axis])
+        row = min(max(int(near[axis]), first), last - 1)
+        behind = row + 1 < last and t >= timing[row + 1, Timing.START]
+        if behind or t < timing[row, Timing.START]:
+            row = find_piece(t, timing, first, last)
+        near[axis] = row
+        evaluate_derivatives(coefficients, row, local_time(t, timing, row), axis, values)
+        if t != time:
+            for derivative in range(1, values.shape[0]):
+                values[derivative, axis] = 0.0
+
+
+def evaluate_derivatives(
+    coefficients: 'float[:,:]', row: int, t: float, axis: int, values: 'float[:,:]'
+) -> None:
+    """Write all derivatives of one piece at local time t, by repeated synthetic division."""
+    width = coefficients.shape[1]
+    orders = values.shape[0]
+    for derivative in range(orders):
+        values[derivative, axis] = 0.0
+    for j in range(width):
+        for k in range(orders - 1):
+            derivative = orders - 1 - k
+            values[derivative, axis] = (
+                values[derivative, axis] * t + values[derivative - 1, axis]
+            )
+        values[0, axis] = values[0, axis] * t + coefficients[row, width - 1 - j]
+    factorial = 1.0
+    for derivative in range(1, orders):
+        factorial = factorial * derivative
+        values[derivative, axis] = values[derivative, axis] * factorial
