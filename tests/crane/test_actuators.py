@@ -131,9 +131,11 @@ def test_peaks_are_exact() -> None:
     trajectory = plan(points, LIMITS)
     found, times = peaks(CRANE, trajectory)
     sampled = demands(CRANE, trajectory, np.linspace(0.0, trajectory.duration, 200_001))
+    # where a drive rests, rounding of what it does elsewhere
+    rounding = 1e-12 * np.abs(sampled).max(axis=0)
     for side, sign in enumerate((1.0, -1.0)):
         dense = np.maximum((sign * sampled).max(axis=0), 0.0)
-        assert (found[side] >= dense * (1.0 - 1e-12)).all()
+        assert (found[side] >= dense - rounding).all()
         # samples miss a peak with a kink
         assert found[side] == pytest.approx(dense, rel=1e-4)
         at = [sign * demands(CRANE, trajectory, np.array([t]))[0, i]
