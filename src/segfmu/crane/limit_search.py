@@ -20,6 +20,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Demand, DemandPeaks
 from segfmu.kernels.limits.records import (
     LimitFault,
+    LimitRow,
     LimitStatus,
     Pace,
     Search,
@@ -116,7 +117,10 @@ class LimitSearch:
                 starts[0, : best.size] = best
                 starts[0, best.size :] = 0.0
             found = self._searched(task, starts, progress)
-            best = self._rows[Search.BEST, : task.kinds.size].copy()
+            best = self._rows[Search.BEST].copy()
+            if task.narrow:
+                table = best.reshape(3, LimitRow.SIZE)
+                table[:, LimitRow.VELOCITY_MIN :] = table[:, : LimitRow.JERK]
         progress(1.0)
         plan = self._paced(self.task, FASTEST) if found else None
         if plan is not None and any(timing.values()):

@@ -169,6 +169,10 @@ bool feedforward_limits(feedforward *m, char message[MESSAGE])
         double found[UNKNOWNS];
         bool narrow = pose_search(&s, m, true, message) && search_limits(m, &s, message);
         memcpy(found, s.rows + SEARCH_BEST * UNKNOWNS, sizeof found);
+        for (int axis = 0; axis < AXES; axis++) {
+            double *row = found + axis * LIMIT_ROW_SIZE;
+            memcpy(row + LIMIT_ROW_VELOCITY_MIN, row, LIMIT_ROW_JERK * sizeof *row);
+        }
         pose_search(&s, m, false, message);
         if (narrow) {
             memcpy(s.starts, found, sizeof found);
