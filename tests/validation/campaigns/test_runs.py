@@ -283,7 +283,7 @@ def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_pat
     scenario = SCENARIO + FAILING.format(path=probe.as_posix())
     path = write(tmp_path, FAILURES, scenario)
     # one of them dies
-    done = run(path, "-o", tmp_path / "out", "--jobs", "2", code=1)
+    done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
     result = load_result(tmp_path / "out")
     errors = dict(result.errors)
     assert set(errors) == {2, 3, 5}

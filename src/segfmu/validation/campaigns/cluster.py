@@ -89,9 +89,9 @@ def stream(
 ) -> Iterator[list[Outcome]]:
     """Have `count` orders performed; yields outcomes as they come.
 
-    A run whose worker dies is repeated elsewhere; one at which worker after worker dies is an
-    outcome with an error; so is one that takes longer than `timeout` [s], whose worker begins
-    anew. `idle` is called at least every second.
+    A run whose worker dies is repeated elsewhere; one at which worker after worker dies, also
+    when nothing else runs, is an outcome with an error; so is one that takes longer than
+    `timeout` [s], whose worker begins anew. `idle` is called at least every second.
 
     Raises
     ------
@@ -105,8 +105,7 @@ def stream(
     seen = monotonic()
     while shares.left or running:
         threads = sum(client.nthreads().values()) if client.status == "running" else 0
-        while shares.left and len(running) < AHEAD * threads:
-            own = shares.next(threads)
+        while threads and (own := shares.next(threads, len(running))):
             # a campaign that is resumed asks for the same again
             future = client.submit(worker.perform, sources, own, timeout, pure=False)
             running[future] = own
@@ -150,8 +149,8 @@ def _outcomes(
             f"the Dask scheduler gave up a run: {error or future.status}; the same command goes on "
             "with what is missing"
         )
-    if len(own) > 1:
-        # one of these is the culprit
+    if not shares.alone(own):
+        # Dask suspects all that a worker has when it dies, also what waits behind the culprit
         shares.again(own)
         return []
     return [Outcome(own[0].number, error="the process that made this run died, again and again")]
@@ -164,24 +163,37 @@ def _restart(client: Client, future: Future[Any]) -> None:
 
 
 class _Shares:
-    """Orders, handed out in shares that take a worker about as long as `SHARE`."""
+    """Orders, handed out in shares that take a worker about as long as `SHARE`; suspects last."""
 
     def __init__(self, orders: Iterator[Order], count: int) -> None:
         self._orders, self._count = orders, count
-        self._single: deque[Order] = deque()
+        self._suspects: deque[Order] = deque()
+        self._tried: set[int] = set()
         self._size = 1
 
     @property
     def left(self) -> bool:
-        return bool(self._count or self._single)
+        return bool(self._count or self._suspects)
 
-    def next(self, threads: int) -> list[Order]:
-        if self._single:
-            return [self._single.popleft()]
+    def next(self, threads: int, running: int) -> list[Order]:
+        """What is handed out beside so many shares that run; nothing if they are enough."""
+        if not self._count:
+            return [self._suspect()] if self._suspects and not running else []
+        if running >= AHEAD * threads:
+            return []
         # smaller ones at the end, so that all workers end at a time
         size = min(self._size, ceil(self._count / (AHEAD * threads)))
         self._count -= size
         return [next(self._orders) for _ in range(size)]
+
+    def _suspect(self) -> Order:
+        order = self._suspects.popleft()
+        self._tried.add(order.number)
+        return order
+
+    def alone(self, own: list[Order]) -> bool:
+        """Whether nothing else ran beside these."""
+        return own[0].number in self._tried
 
     def learn(self, seconds: float) -> None:
         """Take the time of a run into account; the first ones also load FMUs."""
@@ -189,5 +201,5 @@ class _Shares:
         self._size = max(1, min(most, round(SHARE / max(seconds, 1e-6))))
 
     def again(self, own: list[Order]) -> None:
-        """Hand out these orders one at a time."""
-        self._single.extend(own)
+        """Hand out these orders one at a time, when nothing else is left or runs."""
+        self._suspects.extend(own)
