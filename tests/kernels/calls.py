@@ -12,6 +12,7 @@ from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import (
     Box,
     Collision,
+    Excursion,
     Part,
     Ranges,
     Space,
@@ -322,6 +323,11 @@ def trajectory_calls() -> dict[str, Call]:
             *pieces, 9.81, boxes.copy(), rope.copy(), stack.copy(), ranges.copy(),
             zeros(Collision.SIZE),
         ),
+        "path_excursion": (
+            np.ones((3, 3)), np.array([p.position for p in points]), times, *pieces,
+            rope.copy(), zeros(Excursion.SIZE),
+        ),
+        "leaves_range": (2, 0.1, 0.9, -0.01, 0.01, *pieces, rope.copy(), zeros(Excursion.SIZE)),
         "shrink_boxes": (1e-9, boxes.copy()),
         "write_box": (space, obstacles[0].copy(), zeros(Box.SIZE)),
         "space_contact": (
@@ -351,6 +357,9 @@ def limit_calls() -> dict[str, Call]:
     search, peaks = zeros(Search.SIZE, 24), np.linspace(0.0, 0.7, 28).reshape(2, 14)
     backend.begin_limits(starts, kinds, search)
     work = zeros(SearchValues.SIZE, Values.SIZE), zeros(24, Values.SIZE), zeros(48, 24)
+    states, place = zeros(3, 3, WaypointState.SIZE), np.arange(3.0)
+    states[:, :, WaypointState.POSITION] = points
+    states[1, :, WaypointState.VELOCITY] = np.nan
     return {
         "begin_pace": (1.0, 0.999, zeros(Pace.SIZE)),
         "next_pace": (1.4, np.array([0.8, 1.0, 0.999, 0.5, 1.0, 0.7, 1.9, 1.0, 1.9, 2.0])),
@@ -361,6 +370,11 @@ def limit_calls() -> dict[str, Call]:
         "write_shares": (peaks, bounds, axes, zeros(28)),
         "write_starts": (1.2, bounds, known, axes, starts.copy(), fault),
         "write_passing": (points, kinds, axes, starts[0].copy()),
+        "unite_waypoints": (states.copy(), zeros(3)),
+        "write_free": (states.copy(), place, zeros(3), kinds.copy(), zeros(3, 3)),
+        "write_states": (
+            starts[0].copy(), kinds, zeros(3, LimitRow.SIZE), place, states.copy(),
+        ),
         "begin_limits": (starts, kinds, search.copy()),
         "next_limits": (5.0, peaks.ravel().copy(), starts, search.copy(), *work),
         "write_best": (0.9, search.copy()),

@@ -1,4 +1,4 @@
-"""Excursions: the fast answer is that of the exact search, and both are that of samples."""
+"""Excursions: each is that of samples, and the first one is found among all."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, excursions, plan
-from segfmu.planning.excursions import excursion, leaves
+from segfmu.planning.excursions import excursion, first_excursion
 
 
 def moves(count: int) -> list[Trajectory]:
@@ -35,7 +35,6 @@ def test_every_answer_is_that_of_samples(trajectory: Trajectory) -> None:
             values = trajectory(times)[:, axis]
             off = max(min(ends) - values.min(), values.max() - max(ends))
             found = excursion(trajectory, interval, axis)
-            assert leaves(trajectory, interval, axis) == (found is not None)
             assert ((interval, axis) in every) == (found is not None)
             if found is None:
                 assert off < 2e-6 * abs(ends[1] - ends[0]) + 1e-8 * np.abs(values).max()
@@ -43,6 +42,13 @@ def test_every_answer_is_that_of_samples(trajectory: Trajectory) -> None:
                 assert found.distance == pytest.approx(off, rel=1e-4, abs=1e-9 * np.ptp(values))
 
 
-def test_both_answers_occur() -> None:
-    answers = [leaves(t, i, a) for t in moves(40) for i in (1, 2) for a in (0, 1)]
-    assert 10 < sum(answers) < len(answers) - 10
+def test_the_first_is_that_beside_waypoints_that_count() -> None:
+    found = told = 0
+    for trajectory in moves(40):
+        for led in (np.eye(3)[:, :2], np.ones((3, 2)), np.eye(3, 2)[[1, 1, 0]]):
+            near = (led[:-1] + led[1:] > 0.0).tolist()
+            every = [e for e in excursions(trajectory) if near[e.interval - 1][e.axis]]
+            first = first_excursion(trajectory, np.ascontiguousarray(led))
+            assert first == (every[0] if every else None)
+            found, told = found + 1, told + bool(every)
+    assert 0 < told < found

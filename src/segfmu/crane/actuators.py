@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_below, require_start
-from segfmu.crane.drive_task import Task, with_motion
+from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import Friction
 from segfmu.crane.inverse import require_flat
 from segfmu.crane.limit_search import KEPT, Found, LimitSearch
@@ -29,7 +29,6 @@ from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import NAMES, Limits, limited
 from segfmu.planning.planner import plan
-from segfmu.planning.repeats import united
 from segfmu.planning.request import checked_request
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
@@ -201,15 +200,8 @@ def _task(
     crane: Crane, waypoints: tuple[Waypoint, ...], limits: Limits | None, bounds: ActuatorBounds,
     options: dict[str, Any], clearance: Clearance | None, friction: Friction,
 ) -> Task:
-    """The task with free states at rest; those of axes that pass a waypoint are unknowns."""
-    first, states = united(np.array([p.planned for p in waypoints]))
-    rest = np.nan_to_num(np.swapaxes(states, 1, 2))
-    resting = tuple(with_motion(p, s[1], s[2]) for p, s in zip(waypoints, rest, strict=True))
-    free = _passing(waypoints, first) & np.isnan(np.swapaxes(states, 1, 2)[:, 1:])
     caps, higher = _caps(limits)
-    return Task(
-        crane, resting, free, first, bounds.record, caps, higher, options, clearance, friction
-    )
+    return Task(crane, waypoints, bounds.record, caps, higher, options, clearance, friction)
 
 
 def _caps(limits: Limits | None) -> tuple[FloatArray, dict[str, Any]]:
@@ -226,25 +218,10 @@ def _caps(limits: Limits | None) -> tuple[FloatArray, dict[str, Any]]:
     return caps, higher
 
 
-def _passing(waypoints: tuple[Waypoint, ...], first: NDArray[np.intp]) -> NDArray[np.bool_]:
-    """Where an axis moves on: the first ones (waypoints, 1, 3) of equal waypoints in a row.
-
-    An axis that turns back or rests beyond a waypoint would leave the range of its neighbours.
-    """
-    kept = np.unique(first)
-    dwells = np.add.reduceat([p.dwell for p in waypoints], kept)
-    ways = np.diff([waypoints[i].position for i in kept], axis=0)
-    found = np.zeros((len(waypoints), 1, 3), dtype=np.bool_)
-    found[kept[1:-1], 0] = (ways[:-1] * ways[1:] > 0.0) & (dwells[1:-1, None] == 0.0)
-    return found
-
-
 def _require_states(task: Task, bounds: ActuatorBounds) -> None:
     """Refuse waypoints whose states alone exceed a bound."""
-    for number, (point, free) in enumerate(
-        zip(task.waypoints, task.free[task.first], strict=True), 1
-    ):
-        if free.any():
+    for number, (point, led) in enumerate(zip(task.resting, task.led, strict=True), 1):
+        if led.any():
             continue
         needs = demands_in_state(task.crane, point, task.friction)
         found = max(uses(bounds, needs, np.zeros(needs.shape)), key=lambda use: use.use)

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from segfmu.crane.contacts import resistance
 from segfmu.crane.equipment import Friction
@@ -15,24 +15,17 @@ from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
-from segfmu.kernels.limits.records import AxisTask, LimitRow, Unknown
+from segfmu.kernels.limits.records import AxisTask, LimitRow
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.excursions import excursion, leaves
+from segfmu.planning.excursions import first_excursion
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
+from segfmu.planning.request import with_states
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
-# of the unknowns: the limits of all axes
-LIMITS = 3 * LimitRow.SIZE
-
-
-def with_motion(point: Waypoint, velocity: ArrayLike, acceleration: ArrayLike) -> Waypoint:
-    """A waypoint with another velocity and acceleration."""
-    return Waypoint(
-        point.position, velocity, acceleration, point.jerk, point.snap, point.crackle, point.pop,
-        dwell=point.dwell,
-    )
+# of the unknowns: the limits of all axes, and the states of a place
+LIMITS, STATES = 3 * LimitRow.SIZE, 6
 
 
 class PathCheck(Protocol):
@@ -49,12 +42,6 @@ class Task:
     Attributes
     ----------
     waypoints : tuple of Waypoint
-        With rest in place of free states.
-    free : ndarray of bool, shape (waypoints, 2, 3)
-        Velocities and accelerations that may be changed; of equal waypoints in a row those of the
-        first one.
-    first : ndarray of int, shape (waypoints,)
-        The first one, from 0, of the equal waypoints that each is among.
     bounds : ndarray, shape (23,)
         The kernels' `DriveBounds`.
     caps : ndarray, shape (3, LimitRow.SIZE)
@@ -67,12 +54,12 @@ class Task:
     friction : Friction
     narrow : bool
         Whether the smaller bounds and limits of both directions hold in both.
+    rests : bool
+        Whether the load rests where states are free.
     """
 
     crane: Crane
     waypoints: tuple[Waypoint, ...]
-    free: NDArray[np.bool_]
-    first: NDArray[np.intp]
     bounds: FloatArray
     caps: FloatArray
     higher: dict[str, Any]
@@ -80,6 +67,7 @@ class Task:
     clearance: PathCheck | None
     friction: Friction
     narrow: bool = False
+    rests: bool = False
 
     @cached_property
     def positions(self) -> FloatArray:
@@ -87,9 +75,43 @@ class Task:
         return np.array([p.position for p in self.waypoints])
 
     @cached_property
+    def _route(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """States with rest where they are free, places, unknown states and `led`."""
+        states, place = np.array([p.planned for p in self.waypoints]), np.zeros(len(self.waypoints))
+        backend.unite_waypoints(states, place)
+        kinds = np.zeros(LIMITS + STATES * max(int(place[-1]) - 1, 0))
+        led = np.zeros((len(place), 3))
+        backend.write_free(states, place, self._dwells, kinds, led)
+        return states, place, kinds, led
+
+    @cached_property
+    def _dwells(self) -> FloatArray:
+        return np.array([p.dwell for p in self.waypoints])
+
+    @property
     def states(self) -> FloatArray:
-        """Velocities and accelerations, shape (waypoints, 2, 3)."""
-        return np.array([[p.velocity, p.acceleration] for p in self.waypoints])
+        """Positions, velocities and accelerations, shape (waypoints, 3, 3); 0 where free."""
+        return self._route[0]
+
+    @property
+    def place(self) -> FloatArray:
+        """The place of each waypoint, from 0."""
+        return self._route[1]
+
+    @property
+    def led(self) -> FloatArray:
+        """1 where a velocity or acceleration is searched for, shape (waypoints, 3)."""
+        return np.zeros_like(self._route[3]) if self.rests else self._route[3]
+
+    @property
+    def chooses(self) -> bool:
+        """Whether states are searched for."""
+        return bool(self.led.any())
+
+    @cached_property
+    def resting(self) -> tuple[Waypoint, ...]:
+        """The waypoints with rest in place of free states."""
+        return with_states(self.waypoints, self.states, self._dwells)
 
     @cached_property
     def resistance(self) -> FloatArray:
@@ -113,7 +135,7 @@ class Task:
     def axes(self) -> FloatArray:
         """The kernels' `AxisTask` of each axis."""
         rows = np.zeros((3, AxisTask.SIZE))
-        velocities, accelerations = np.ascontiguousarray(self.states.swapaxes(0, 1))
+        velocities, accelerations = np.ascontiguousarray(np.moveaxis(self.states, 2, 0)[1:])
         backend.write_axes(
             self.positions, velocities, accelerations, *self._bounds, self.resistance, rows
         )
@@ -125,21 +147,14 @@ class Task:
     @cached_property
     def kinds(self) -> FloatArray:
         """The kernels' `Unknown` of every unknown: limits, then states of inner places."""
-        states = np.where(self.free[self._inner], Unknown.STATE, Unknown.GIVEN)
-        kinds = np.zeros(LIMITS + (states.size if self.free.any() else 0))
+        kinds = self._route[2].copy() if self.chooses else np.zeros(LIMITS)
         backend.write_kinds(self.axes, kinds)
-        kinds[LIMITS:] = states.ravel()[: kinds.size - LIMITS]
         return kinds
 
     @cached_property
     def places(self) -> FloatArray:
-        """Positions that differ from the one before, shape (places, 3)."""
-        return np.ascontiguousarray(self.positions[np.unique(self.first)])
-
-    @property
-    def _inner(self) -> NDArray[np.intp]:
-        """The first waypoint of each place but the first and the last one."""
-        return np.unique(self.first)[1:-1]
+        """Positions of the places, shape (places, 3)."""
+        return np.ascontiguousarray(self.positions[np.unique(self.place, return_index=True)[1]])
 
     @property
     def directed(self) -> NDArray[np.bool_]:
@@ -157,18 +172,11 @@ class Task:
         """
         table = np.zeros((3, LimitRow.SIZE))
         backend.write_limits(unknowns, self.axes, table)
-        points = self.waypoints
-        if self.free.any():
-            # shares of the limits of velocity and acceleration
-            shares = np.clip(unknowns[LIMITS:].reshape(-1, 2, 3), -1.0, 1.0)
+        points = self.resting
+        if self.chooses:
             states = self.states.copy()
-            states[self._inner] = np.where(
-                self.free[self._inner], shares * table.T[:2], states[self._inner]
-            )
-            points = tuple(
-                with_motion(p, s[0], s[1])
-                for p, s in zip(points, states[self.first], strict=True)
-            )
+            backend.write_states(unknowns, self.kinds, table, self.place, states)
+            points = with_states(self.waypoints, states, self._dwells)
         trajectory = plan(points, self._limits(table), **self.options)
         require_rope(self.crane, trajectory)
         return trajectory
@@ -188,24 +196,14 @@ class Task:
         """Refuse a path that is not clear, or leaves the box of waypoints with free states."""
         if self.clearance is not None:
             self.clearance.require(trajectory, self.crane.gravity)
-        for interval, axis in self._led:
-            found = excursion(trajectory, interval, axis)
-            if found is not None:
-                raise InfeasibleError(str(found), axis=found.axis, interval=found.interval)
+        found = first_excursion(trajectory, self.led) if self.chooses else None
+        if found is not None:
+            raise InfeasibleError(str(found), axis=found.axis, interval=found.interval)
 
     def allows(self, trajectory: Trajectory) -> bool:
-        """Whether a path may be taken; faster than `require_path`."""
-        if any(leaves(trajectory, interval, axis) for interval, axis in self._led):
-            return False
+        """Whether a path may be taken."""
         try:
-            if self.clearance is not None:
-                self.clearance.require(trajectory, self.crane.gravity)
+            self.require_path(trajectory)
         except InfeasibleError:
             return False
         return True
-
-    @cached_property
-    def _led(self) -> list[tuple[int, int]]:
-        """Intervals (from 1) and axes with free states at an end."""
-        free = np.any(self.free[self.first], axis=1)
-        return [(int(i) + 1, int(axis)) for i, axis in np.argwhere(free[:-1] | free[1:])]

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from segfmu.crane.contacts import Contacts
-from segfmu.crane.drive_task import LIMITS, Task
+from segfmu.crane.drive_task import Task
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Demand, DemandPeaks
@@ -191,7 +191,7 @@ class LimitSearch:
         if self.closest is None or found.use < self.closest.use:
             self.closest = found
         # that takes longer than the plan; but free states lead astray
-        if (found.kept or task.free.any()) and not task.allows(trajectory):
+        if (found.kept or task.chooses) and not task.allows(trajectory):
             return None
         return found
 
@@ -199,8 +199,8 @@ class LimitSearch:
 def _narrower(task: Task) -> list[Task]:
     """The task with rest at free states and the smaller bounds, with its bounds, and as it is."""
     tasks = [task]
-    if task.free.any():
-        tasks.insert(0, replace(task, free=np.zeros_like(task.free)))
+    if task.chooses:
+        tasks.insert(0, replace(task, rests=True))
     if tasks[0].directed.any():
         tasks.insert(0, replace(tasks[0], narrow=True))
     return tasks
@@ -220,7 +220,7 @@ def _starts(task: Task) -> FloatArray:
     status = backend.write_starts(rope, task.record, task.resistance, task.axes, starts, fault)
     if status != LimitStatus.FOUND:
         raise InputError(LIMIT.text(status, fault))
-    if task.kinds.size > LIMITS:
+    if task.chooses:
         for start in starts:
             backend.write_passing(task.places, task.kinds, task.axes, start)
     return starts

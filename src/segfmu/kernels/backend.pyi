@@ -98,6 +98,32 @@ def contact_times(
     /,
 ) -> int: ...
 
+def path_excursion(
+    led: Floats,
+    positions: Floats,
+    times: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    work: Floats,
+    excursion: Floats,
+    /,
+) -> int: ...
+
+def leaves_range(
+    axis: int,
+    begin: float,
+    end: float,
+    low: float,
+    high: float,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    work: Floats,
+    excursion: Floats,
+    /,
+) -> bool: ...
+
 def path_ranges(
     timing: Floats,
     coefficients: Floats,
@@ -558,6 +584,48 @@ def next_pace(
     /,
 ) -> bool: ...
 
+def write_starts(
+    rope: float,
+    bounds: Floats,
+    resistance: Floats,
+    axes: Floats,
+    starts: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
+def write_passing(
+    positions: Floats,
+    kinds: Floats,
+    axes: Floats,
+    start: Floats,
+    /,
+) -> None: ...
+
+def unite_waypoints(
+    states: Floats,
+    place: Floats,
+    /,
+) -> None: ...
+
+def write_free(
+    states: Floats,
+    place: Floats,
+    dwells: Floats,
+    kinds: Floats,
+    led: Floats,
+    /,
+) -> None: ...
+
+def write_states(
+    unknowns: Floats,
+    kinds: Floats,
+    table: Floats,
+    place: Floats,
+    states: Floats,
+    /,
+) -> None: ...
+
 def write_best(
     pace: float,
     search: Floats,
@@ -587,24 +655,6 @@ def next_limits(
     newton: Floats,
     /,
 ) -> bool: ...
-
-def write_starts(
-    rope: float,
-    bounds: Floats,
-    resistance: Floats,
-    axes: Floats,
-    starts: Floats,
-    fault: Floats,
-    /,
-) -> int: ...
-
-def write_passing(
-    positions: Floats,
-    kinds: Floats,
-    axes: Floats,
-    start: Floats,
-    /,
-) -> None: ...
 
 def write_axes(
     positions: Floats,

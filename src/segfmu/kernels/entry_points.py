@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from segfmu.kernels.clearance.records import (
     Box,
     Collision,
+    Excursion,
     ObstacleRow,
     Ranges,
     Space,
@@ -155,6 +156,7 @@ def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> 
 # unknowns of a search: limits of all axes, then the states of inner waypoints
 UNKNOWNS = f"search[{Search.STATE}, {SearchState.UNKNOWNS}]"
 STATES_TOO = f"{Vector.SIZE * LimitRow.SIZE} + {2 * Vector.SIZE} * (points - 2)"
+STATES_OF = f"{Vector.SIZE * LimitRow.SIZE} + {2 * Vector.SIZE} * (place[points - 1] - 1)"
 # what an axis of the smoothness in `axis`, `axes` or `options` has
 AXIS_WIDTH = f"2 * axis[{Axis.SMOOTHNESS}]"
 PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
@@ -312,6 +314,17 @@ ENTRY_POINTS = (
     ),
     entry(
         "clearance.path", "shrink_boxes", boxes=("boxes", Box.SIZE),
+    ),
+    entry(
+        "clearance.excursion", "path_excursion", led=("points", "axes"),
+        positions=("points", "axes"), times=("points", "axes"), timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets="axes + 1",
+        work=(RopeWork.SIZE, "4 * width - 5"), excursion=Excursion.SIZE,
+    ),
+    entry(
+        "clearance.excursion", "leaves_range", timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "width"), offsets="axis + 2",
+        work=(RopeWork.SIZE, "4 * width - 5"), excursion=Excursion.SIZE,
     ),
     entry(
         "clearance.space", "write_box", space=Space.SIZE, obstacle=ObstacleRow.SIZE, box=Box.SIZE,
@@ -493,6 +506,19 @@ ENTRY_POINTS = (
     entry(
         "limits.starts", "write_passing", positions=("points", Vector.SIZE), kinds=STATES_TOO,
         axes=(Vector.SIZE, AxisTask.SIZE), start=STATES_TOO,
+    ),
+    entry(
+        "limits.places", "unite_waypoints", states=("points", "axes", WaypointState.SIZE),
+        place="points",
+    ),
+    entry(
+        "limits.places", "write_free", states=("points", Vector.SIZE, WaypointState.SIZE),
+        place="points", dwells="points", kinds=STATES_OF, led=("points", Vector.SIZE),
+    ),
+    entry(
+        "limits.places", "write_states", unknowns=STATES_OF, kinds=STATES_OF,
+        table=(Vector.SIZE, LimitRow.SIZE), place="points",
+        states=("points", Vector.SIZE, WaypointState.SIZE),
     ),
     entry(
         "limits.search", "begin_limits", starts=("starts", "unknowns"), kinds=("unknowns",),

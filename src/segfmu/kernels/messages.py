@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from segfmu.kernels.clearance.records import SpaceFault, SpaceStatus
+from segfmu.kernels.clearance.records import Excursion, PathStatus, SpaceFault, SpaceStatus
 from segfmu.kernels.crane.records import (
     AXES,
     DRIVES,
@@ -179,6 +179,9 @@ LIMIT = Messages(
         "{DRIVE}'s acceleration, force or power, or limits of the load",
         LimitStatus.SLOW_VELOCITY: _slow("velocity", "m/s"),
         LimitStatus.SLOW_ACCELERATION: _slow("acceleration", "m/s2"),
+        LimitStatus.FREE_STATE: "waypoint {POINT+1}: free velocities and accelerations are found "
+        "together with limits of the load; set planner.finds_limits, and a limits.*.velocity or "
+        "limits.*.acceleration to 0",
     },
     {"AXIS": ("x", "y", "z"), "DRIVE": DRIVES, "SIDE": ("", "_min")},
 )
@@ -207,6 +210,14 @@ def _meets(part: str) -> str:
 _EMPTY = "must be below its maximum {BOUND:g} m, got {VALUE:g} m"
 
 # behind the start of the plan
+PATH = Messages(
+    "path", Excursion,
+    {
+        PathStatus.EXCURSION: "between waypoints {INTERVAL+1} and {INTERVAL+2} the path leaves the "
+        "box of both by {DISTANCE:.4g} m along {AXIS}, from {TIME:.3f} s",
+    },
+    {"AXIS": ("x", "y", "z")},
+)
 SPACE = Messages(
     "space", SpaceFault,
     {
@@ -339,4 +350,4 @@ START = Messages(
     {"PLACE": tuple(v for f in State.FIELDS.values() for v in f.variables)},
 )
 
-TABLES = (PLAN, ROPE, LIMIT, BOUND, SPACE, READY, PLANT, SETUP, RANGE, ACCESS, START)
+TABLES = (PLAN, ROPE, LIMIT, BOUND, PATH, SPACE, READY, PLANT, SETUP, RANGE, ACCESS, START)

@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from segfmu.planning.passages import ROUNDING, both, outside, rounding, turns, within
-from segfmu.planning.polynomials import hulls
+from segfmu.kernels import backend
+from segfmu.kernels.clearance.records import Excursion as Row
+from segfmu.kernels.clearance.records import PathStatus
+from segfmu.kernels.crane.records import RopeWork
+from segfmu.kernels.messages import PATH
+from segfmu.planning.arrays import FloatArray
 from segfmu.planning.trajectory import Trajectory, require_plan
-
-# of the distance between the waypoints: less is not worth a warning
-SMALL = 1e-6
 
 
 @dataclass(frozen=True)
@@ -38,10 +40,10 @@ class Excursion:
     name: str
 
     def __str__(self) -> str:
-        return (
-            f"between waypoints {self.interval} and {self.interval + 1} the path leaves the box of "
-            f"both by {self.distance:.4g} m along {self.name}, from {self.time:.3f} s"
-        )
+        row = np.zeros(Row.SIZE)
+        row[Row.INTERVAL] = self.interval - 1
+        row[Row.DISTANCE], row[Row.TIME] = self.distance, self.time
+        return str(PATH.text(PathStatus.EXCURSION, row.tolist(), AXIS=(self.name,)))
 
 
 def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
@@ -73,57 +75,35 @@ def excursions(trajectory: Trajectory) -> tuple[Excursion, ...]:
 
 def excursion(trajectory: Trajectory, interval: int, axis: int) -> Excursion | None:
     """The excursion of one axis between waypoints `interval` and `interval + 1`, if any."""
-    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
-    low, high = _box(trajectory, interval, axis)
-    if _stays(trajectory, interval, axis):
-        return None
-    small = max(SMALL * (high - low), rounding(trajectory))
-    away = both(
-        outside(within(trajectory, axis, low - small, high + small), trajectory.duration),
-        np.array([[begin, end]]),
-    )
-    away = away[away[:, 1] - away[:, 0] > ROUNDING * trajectory.duration]
-    if away.size == 0:
-        return None
-    farthest = max(_farthest(trajectory, axis, one, two, low, high) for one, two in away)
-    return Excursion(
-        interval, axis, farthest, float(away[0, 0]), trajectory.axis_names[axis]
-    )
-
-
-def leaves(trajectory: Trajectory, interval: int, axis: int) -> bool:
-    """Whether there is an excursion; faster than to find it."""
-    low, high = _box(trajectory, interval, axis)
-    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
-    starts, _, coefficients = trajectory.pieces(axis)
-    places = coefficients[(starts > begin) & (starts < end), 0]
-    small = 2.0 * SMALL * (high - low + np.abs(places).max(initial=0.0))
-    if ((places < low - small) | (places > high + small)).any():
-        return True
-    return excursion(trajectory, interval, axis) is not None
-
-
-def _box(trajectory: Trajectory, interval: int, axis: int) -> tuple[float, float]:
+    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis].tolist()
     ends = [float(w.position[axis]) for w in trajectory.waypoints[interval - 1 : interval + 1]]
-    return min(ends), max(ends)
+    found = np.zeros(Row.SIZE)
+    leaves = backend.leaves_range(
+        axis, begin, end, min(ends), max(ends), *_pieces(trajectory), found
+    )
+    return _named(trajectory, interval, axis, found) if leaves else None
 
 
-def _stays(trajectory: Trajectory, interval: int, axis: int) -> bool:
-    """Whether the Bernstein hulls of the pieces already show that there is no excursion."""
-    low, high = _box(trajectory, interval, axis)
-    begin, end = trajectory.axis_waypoint_times[interval - 1 : interval + 1, axis]
-    starts, lengths, coefficients = trajectory.pieces(axis)
-    here = (starts < end) & (starts + lengths > begin)
-    hull = hulls(coefficients[here], lengths[here])
-    small = SMALL * (high - low)
-    return bool((hull >= low - small).all() and (hull <= high + small).all())
+def first_excursion(trajectory: Trajectory, led: FloatArray) -> Excursion | None:
+    """The first one beside the waypoints and axes in `led`, shape (waypoints, axes), above 0."""
+    positions = np.array([w.position for w in trajectory.waypoints])
+    found = np.zeros(Row.SIZE)
+    status = backend.path_excursion(
+        led, positions, trajectory.axis_waypoint_times, *_pieces(trajectory), found
+    )
+    if status == PathStatus.INSIDE:
+        return None
+    return _named(trajectory, 1 + int(found[Row.INTERVAL]), int(found[Row.AXIS]), found)
 
 
-def _farthest(
-    trajectory: Trajectory, axis: int, begin: float, end: float, low: float, high: float
-) -> float:
-    """Largest distance from the box in an interval of time."""
-    inner = turns(trajectory, axis)
-    times = np.concatenate([[begin, end], inner[(inner > begin) & (inner < end)]])
-    values = trajectory(times)[:, axis]
-    return float(np.maximum(low - values, values - high).max())
+def _pieces(trajectory: Trajectory) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:
+    """Pieces as the kernels take them, and work space."""
+    work = np.zeros((RopeWork.SIZE, 4 * trajectory.coefficients.shape[1] - 5))
+    return trajectory.timing, trajectory.coefficients, trajectory.offsets, work
+
+
+def _named(trajectory: Trajectory, interval: int, axis: int, found: FloatArray) -> Excursion:
+    return Excursion(
+        interval, axis, float(found[Row.DISTANCE]), float(found[Row.TIME]),
+        trajectory.axis_names[axis],
+    )

@@ -70,8 +70,8 @@ def choose_states(
         return request
     if allowed is None:
         allowed = np.tile([-np.inf, np.inf], (len(request.axis_names), 1))
-    first, states = united(request.problem.states)
-    kept, place = np.unique(first, return_inverse=True)
+    place, states = united(request.problem.states)
+    kept = np.unique(place, return_index=True)[1]
     free = np.isnan(states[kept])
     chosen = request.problem._replace(
         states=np.where(free, 0.0, states[kept]),

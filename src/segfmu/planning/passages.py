@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.polynomials import derivative_pieces, hulls
+from segfmu.planning.polynomials import hulls
 from segfmu.planning.trajectory import Trajectory
 
 # of the duration: shorter gaps between pieces and intervals are rounding
@@ -31,34 +31,6 @@ def within(trajectory: Trajectory, axis: int, low: float, high: float) -> FloatA
         cuts = _cuts(coefficients[i], float(lengths[i]), levels)
         found.append(starts[i] + _between(cuts, coefficients[i], low, high))
     return joined(np.concatenate(found), ROUNDING * trajectory.duration)
-
-
-def rounding(trajectory: Trajectory) -> float:
-    """Distance [m] below which a touch is rounding: 1e-9 of the largest coordinate.
-
-    From the hulls: roots would take longer than most checks that need this.
-    """
-    return 1e-9 * float(np.abs(hulls(trajectory.coefficients, trajectory.timing[:, 1])).max())
-
-
-def turns(trajectory: Trajectory, axis: int) -> FloatArray:
-    """Times [s] within pieces at which an axis changes its direction, ascending."""
-    starts, lengths, coefficients = trajectory.pieces(axis)
-    speeds = derivative_pieces(coefficients, 1)
-    hull = hulls(speeds, lengths)
-    found = [np.zeros(0)]
-    for i in np.flatnonzero((hull.min(axis=1) < 0.0) & (hull.max(axis=1) > 0.0)):
-        scaled = speeds[i] * lengths[i] ** np.arange(speeds.shape[1])
-        found.append(starts[i] + lengths[i] * _roots(scaled, 0.0))
-    return np.sort(np.concatenate(found))
-
-
-def both(one: FloatArray, other: FloatArray) -> FloatArray:
-    """The times in both of two sets of intervals."""
-    found = [
-        (max(a, c), min(b, d)) for a, b in one for c, d in other if max(a, c) < min(b, d)
-    ]
-    return np.array(found).reshape(-1, 2)
 
 
 def outside(intervals: FloatArray, end: float) -> FloatArray:

@@ -159,9 +159,7 @@ class FeedforwardSlave(SpecSlave):
         timing = {name: options.pop(name) for name in ("sample_time", "duration")}
         caps = np.hstack([self._table(), self._least()])
         task = Task(
-            crane, points, np.zeros((len(points), 2, len(AXES)), dtype=np.bool_),
-            np.arange(len(points)), self.filled(DriveBounds), caps, {}, options, _Path(self),
-            friction,
+            crane, points, self.filled(DriveBounds), caps, {}, options, _Path(self), friction
         )
         try:
             found = self._search(task, timing)

@@ -58,6 +58,8 @@ static void note_place(int64_t part, array_double_2d span, array_double_1d box, 
 static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times);
 static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place);
 static int64_t span_contacts(int64_t part, int64_t found, array_double_1d box, array_double_2d span, array_double_3d stack, array_double_2d times, array_double_1d place);
+static void write_room(int64_t side, int64_t row, double local, double low, double high, array_double_2d coefficients, array_double_2d work);
+static double greatest_lack(int64_t count, double length, double known, array_double_2d work);
 static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
@@ -259,6 +261,18 @@ static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
 static double pace_between(double use, array_double_1d pace);
+static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault);
+static double least_of(double limit, double bound);
+static double rigid_mass(int64_t axis, array_double_1d resistance);
+static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row);
+static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row);
+static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
+static int64_t state_of(int64_t point, int64_t order, int64_t axis);
+static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
+static bool is_free(double state);
+static bool may_be_same(array_double_2d one, array_double_2d other);
+static void take_states(bool every, array_double_2d given, array_double_2d found);
+static bool is_passed(int64_t point, int64_t axis, array_double_3d states, array_double_1d place, array_double_1d dwells);
 static double without_digits(double value);
 static void write_paced(array_double_2d search);
 static void enter_paces(array_double_2d search);
@@ -286,14 +300,6 @@ static void note_start(array_double_2d search);
 static void enter_centre(array_double_2d search, array_double_2d values);
 static bool enter_round(array_double_2d search, array_double_2d values);
 static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
-static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault);
-static double least_of(double limit, double bound);
-static double rigid_mass(int64_t axis, array_double_1d resistance);
-static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row);
-static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row);
-static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
-static int64_t state_of(int64_t point, int64_t order, int64_t axis);
-static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
 static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
 static bool differs(int64_t i, array_double_1d bounds);
 static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
@@ -2487,6 +2493,143 @@ int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_do
         found = span_contacts(part, found, box, span, stack, times, place);
     }
     return found;
+}
+static void write_room(int64_t side, int64_t row, double local, double low, double high, array_double_2d coefficients, array_double_2d work)
+{
+    double sign;
+    double edge;
+    int64_t width;
+    int64_t i;
+    sign = 1.0;
+    edge = high;
+    if (side == INT64_C(1))
+    {
+        sign = -1.0;
+        edge = low;
+    }
+    width = coefficients.shape[INT64_C(1)];
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = (*cspan_at(&coefficients, row, i));
+    }
+    polynomial_shift(span_row(&work, INT64_C(6)), local, width);
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(6), i)) = (-sign) * (*cspan_at(&work, INT64_C(6), i));
+    }
+    (*cspan_at(&work, INT64_C(6), INT64_C(0))) = (*cspan_at(&work, INT64_C(6), INT64_C(0))) + sign * edge;
+}
+static double greatest_lack(int64_t count, double length, double known, array_double_2d work)
+{
+    int64_t depth;
+    array_double_2d hull;
+    int64_t rows;
+    int64_t row;
+    double most;
+    int64_t i;
+    depth = work.shape[INT64_C(1)] - INT64_C(1);
+    hull = span_rows(&work, INT64_C(10), work.shape[INT64_C(0)]);
+    bernstein_coefficients(work, INT64_C(6), count, length, hull);
+    (*cspan_at(&hull, INT64_C(0), depth)) = 0.0;
+    rows = INT64_C(1);
+    while(rows > INT64_C(0))
+    {
+        row = rows - INT64_C(1);
+        most = 0.0;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            most = span_max(most, -(*cspan_at(&hull, row, i)));
+        }
+        known = span_max(known, span_max(-(*cspan_at(&hull, row, INT64_C(0))), -(*cspan_at(&hull, row, count - INT64_C(1)))));
+        if ((most <= known * (1.0 + 1e-09)) || ((*cspan_at(&hull, row, depth)) > 39.5))
+        {
+            rows = row;
+        }
+        else
+        {
+            split_hull(hull, row, count);
+            (*cspan_at(&hull, row, depth)) = (*cspan_at(&hull, row, depth)) + 1.0;
+            (*cspan_at(&hull, row + INT64_C(1), depth)) = (*cspan_at(&hull, row, depth));
+            rows = rows + INT64_C(1);
+        }
+    }
+    return known;
+}
+bool segfmu_leaves_range(int64_t axis, double begin, double end, double low, double high, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_1d excursion)
+{
+    double small;
+    int64_t row;
+    double start;
+    double length;
+    double local;
+    double share;
+    int64_t side;
+    double beyond;
+    bool found;
+    small = 1e-06 * (high - low);
+    for (row = INT64_C(0); row < coefficients.shape[INT64_C(0)]; row += INT64_C(1))
+    {
+        small = span_max(small, 1e-09 * fabs((*cspan_at(&coefficients, row, INT64_C(0)))));
+    }
+    found = 0;
+    (*cspan_at(&excursion, INT64_C(2))) = 0.0;
+    for (row = (*cspan_at(&offsets, axis)); row < (*cspan_at(&offsets, axis + INT64_C(1))); row += INT64_C(1))
+    {
+        start = span_max(begin, (*cspan_at(&timing, row, INT64_C(0))));
+        length = span_min(end, (*cspan_at(&timing, row, INT64_C(0))) + (*cspan_at(&timing, row, INT64_C(1)))) - start;
+        if (length > 0.0)
+        {
+            local = start - (*cspan_at(&timing, row, INT64_C(0)));
+            share = 2.0;
+            for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+            {
+                write_room(side, row, local, low - small, high + small, coefficients, work);
+                beyond = first_negative(coefficients.shape[INT64_C(1)], length, work);
+                if (beyond >= 0.0)
+                {
+                    share = span_min(share, beyond);
+                }
+            }
+            if ((share < 1.5) && (!found))
+            {
+                found = 1;
+                (*cspan_at(&excursion, INT64_C(3))) = start + share * length;
+            }
+            if (share < 1.5)
+            {
+                for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+                {
+                    write_room(side, row, local, low, high, coefficients, work);
+                    (*cspan_at(&excursion, INT64_C(2))) = greatest_lack(coefficients.shape[INT64_C(1)], length, (*cspan_at(&excursion, INT64_C(2))), work);
+                }
+            }
+        }
+    }
+    return found;
+}
+int64_t segfmu_path_excursion(array_double_2d led, array_double_2d positions, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_1d excursion)
+{
+    int64_t interval;
+    int64_t axis;
+    double one;
+    double other;
+    bool free;
+    for (interval = INT64_C(0); interval < led.shape[INT64_C(0)] - INT64_C(1); interval += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < led.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            one = (*cspan_at(&positions, interval, axis));
+            other = (*cspan_at(&positions, interval + INT64_C(1), axis));
+            free = (*cspan_at(&led, interval, axis)) + (*cspan_at(&led, interval + INT64_C(1), axis)) > 0.5;
+            if (free && segfmu_leaves_range(axis, (*cspan_at(&times, interval, axis)), (*cspan_at(&times, interval + INT64_C(1), axis)), span_min(one, other), span_max(one, other), timing, coefficients, offsets, work, excursion))
+            {
+                (*cspan_at(&excursion, INT64_C(0))) = axis;
+                (*cspan_at(&excursion, INT64_C(1))) = interval;
+                return INT64_C(1);
+            }
+        }
+    }
+    return INT64_C(0);
 }
 static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
 {
@@ -9491,6 +9634,485 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
     return result;
 }
+static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
+{
+    int64_t side;
+    int64_t i;
+    double bound;
+    (*cspan_at(&fault, INT64_C(0))) = axis;
+    (*cspan_at(&fault, INT64_C(1))) = axis;
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            bound = bound_magnitude(INT64_C(3) + INT64_C(3) * i + axis, side, bounds);
+            if (((*cspan_at(&axes, axis, INT64_C(0))) > 0.5) && (0.0 < bound) && (bound < 1e-05))
+            {
+                (*cspan_at(&fault, INT64_C(2))) = side;
+                (*cspan_at(&fault, INT64_C(3))) = bound;
+                return INT64_C(2) + i;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static double least_of(double limit, double bound)
+{
+    if (bound > 0.0)
+    {
+        return span_min(limit, bound);
+    }
+    return limit;
+}
+static double rigid_mass(int64_t axis, array_double_1d resistance)
+{
+    double mass;
+    mass = (*cspan_at(&resistance, INT64_C(2)));
+    if (axis < INT64_C(2))
+    {
+        mass = mass + (*cspan_at(&resistance, INT64_C(1)));
+    }
+    if (axis == INT64_C(0))
+    {
+        mass = mass + (*cspan_at(&resistance, INT64_C(0)));
+    }
+    return mass;
+}
+static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row)
+{
+    double gravity;
+    int64_t side;
+    int64_t cap;
+    double velocity;
+    double strongest;
+    double acceleration;
+    double held;
+    double mass;
+    double force;
+    bool lowered;
+    double strong;
+    double steepest;
+    double sway;
+    double power;
+    double distance;
+    double time;
+    double fastest;
+    gravity = (*cspan_at(&resistance, INT64_C(3)));
+    side = way;
+    if (axis == INT64_C(2))
+    {
+        side = INT64_C(1) - way;
+    }
+    cap = INT64_C(15) + way * INT64_C(4);
+    velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
+    strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
+    acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
+    held = (*cspan_at(&row, INT64_C(7))) + (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
+    mass = rigid_mass(axis, resistance);
+    force = bound_magnitude(INT64_C(0) + axis, side, bounds);
+    if (axis == INT64_C(2))
+    {
+        force = bound_magnitude(INT64_C(0) + axis, INT64_C(1), bounds);
+    }
+    lowered = (axis == INT64_C(2)) && (side == INT64_C(0)) && ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) > 0.5);
+    if (lowered)
+    {
+        acceleration = span_min(acceleration, 0.9 * gravity);
+    }
+    else if (force > 0.0)
+    {
+        strong = span_min((force - held) / mass, 1e+299);
+        acceleration = span_min(acceleration, span_max(strong, 0.001 * gravity));
+    }
+    steepest = tan(1.0);
+    if (axis == INT64_C(2))
+    {
+        steepest = 0.9;
+    }
+    else if ((*cspan_at(&bounds, INT64_C(12) + axis)) > 0.0)
+    {
+        sway = tan(span_min((*cspan_at(&bounds, INT64_C(12) + axis)), 1.0));
+        acceleration = span_min(acceleration, gravity * sway);
+    }
+    power = (*cspan_at(&bounds, INT64_C(9) + axis));
+    distance = (*cspan_at(&row, INT64_C(1)));
+    if ((power > 0.0) && (acceleration >= 1e+300))
+    {
+        time = exp(log(span_max(mass * distance * distance / power, 1e-30)) / 3.0);
+        acceleration = span_min(velocity / time, distance / (time * time));
+    }
+    if (acceleration >= 1e+300)
+    {
+        (*result_0) = velocity;
+        (*result_1) = acceleration;
+        return 0;
+    }
+    acceleration = span_min(acceleration, gravity * steepest);
+    if (distance <= 0.0)
+    {
+        fastest = (*cspan_at(&row, INT64_C(2)));
+        distance = span_max(fastest * fastest / acceleration, 1e-09);
+    }
+    if (power > 0.0)
+    {
+        velocity = span_min(velocity, power / (held + mass * acceleration));
+    }
+    (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
+    (*result_1) = acceleration;
+    return 0;
+}
+static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row)
+{
+    double up;
+    double down;
+    up = (*cspan_at(&row, INT64_C(3)));
+    down = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
+    if (axis == INT64_C(2))
+    {
+        up = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
+        down = (*cspan_at(&row, INT64_C(3)));
+    }
+    if (down < 0.5)
+    {
+        return ahead;
+    }
+    if (up < 0.5)
+    {
+        return back;
+    }
+    return span_min(ahead, back);
+}
+static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts)
+{
+    array_double_1d row;
+    double ahead;
+    double rise;
+    double back;
+    double fall;
+    double least;
+    double time;
+    int64_t k;
+    double multiple;
+    double ramp;
+    double faster;
+    double calmer;
+    int64_t first;
+    double most;
+    row = span_row(&axes, axis);
+    rigid_limits(&ahead, &rise, axis, INT64_C(0), bounds, resistance, row);
+    rigid_limits(&back, &fall, axis, INT64_C(1), bounds, resistance, row);
+    if ((rise >= 1e+300) || (fall >= 1e+300))
+    {
+        return INT64_C(1);
+    }
+    if ((*cspan_at(&row, INT64_C(5))) < 0.5)
+    {
+        ahead = of_the_way(ahead, back, axis, row);
+        back = ahead;
+    }
+    if ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) < 0.5)
+    {
+        rise = of_the_way(rise, fall, axis, row);
+        fall = rise;
+    }
+    least = span_min(rise, fall);
+    time = span_min(ahead, back) / least;
+    if ((*cspan_at(&row, INT64_C(1))) > 0.0)
+    {
+        time = span_min(time, sqrt((*cspan_at(&row, INT64_C(1))) / least));
+    }
+    for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        multiple = 0.5 * exp(span_floor_mod(k, INT64_C(4)) * 0.46209812);
+        ramp = multiple * span_min(swing, 2.0 * time);
+        if (axis == INT64_C(2))
+        {
+            ramp = multiple * 0.3 * time;
+        }
+        faster = 0.0;
+        if (span_floor_mod(span_floor_div(k, INT64_C(4)), INT64_C(2)) == INT64_C(1))
+        {
+            faster = log(1.5);
+        }
+        calmer = 0.0;
+        if (span_floor_div(k, INT64_C(8)) == INT64_C(1))
+        {
+            calmer = log(0.75);
+        }
+        first = axis * INT64_C(6);
+        most = span_max(rise, fall);
+        (*cspan_at(&starts, k, first + INT64_C(0))) = log(ahead) + faster;
+        (*cspan_at(&starts, k, first + INT64_C(1))) = log(rise) + calmer;
+        (*cspan_at(&starts, k, first + INT64_C(2))) = log(1.9 * most / ramp);
+        (*cspan_at(&starts, k, first + INT64_C(3))) = log(5.8 * most / (ramp * ramp));
+        (*cspan_at(&starts, k, first + INT64_C(4))) = log(back) + faster;
+        (*cspan_at(&starts, k, first + INT64_C(5))) = log(fall) + calmer;
+    }
+    return INT64_C(0);
+}
+int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault)
+{
+    double swing;
+    int64_t axis;
+    int64_t k;
+    int64_t i;
+    int64_t status;
+    swing = 3.141592653589793 * sqrt(span_max(rope, 0.001) / (*cspan_at(&resistance, INT64_C(3))));
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        status = check_pace_of(axis, bounds, axes, fault);
+        if (status != INT64_C(0))
+        {
+            return status;
+        }
+        for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+            {
+                (*cspan_at(&starts, k, axis * INT64_C(6) + i)) = 0.0;
+            }
+        }
+        if ((*cspan_at(&axes, axis, INT64_C(0))) > 0.5)
+        {
+            status = write_axis_starts(axis, swing, bounds, resistance, axes, starts);
+            if (status != INT64_C(0))
+            {
+                return status;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static int64_t state_of(int64_t point, int64_t order, int64_t axis)
+{
+    return INT64_C(3) * INT64_C(6) + ((point - INT64_C(1)) * INT64_C(2) + order) * INT64_C(3) + axis;
+}
+static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start)
+{
+    double time;
+    int64_t i;
+    double way;
+    double velocity;
+    double acceleration;
+    double result;
+    time = 0.0;
+    for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&axes, i, INT64_C(0))) > 0.5)
+        {
+            way = fabs((*cspan_at(&positions, point, i)) - (*cspan_at(&positions, point - INT64_C(1), i)));
+            velocity = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(0))));
+            acceleration = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(1))));
+            time = span_max(time, span_max(way / velocity, 2.0 * sqrt(way / acceleration)));
+        }
+    }
+    result = ((*cspan_at(&positions, point, axis)) - (*cspan_at(&positions, point - INT64_C(1), axis))) / span_max(time, 1e-09);
+    return result;
+}
+void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start)
+{
+    int64_t point;
+    int64_t axis;
+    int64_t i;
+    double before;
+    double after;
+    double share;
+    for (point = INT64_C(1); point < positions.shape[INT64_C(0)] - INT64_C(1); point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            i = state_of(point, INT64_C(0), axis);
+            if ((*cspan_at(&kinds, i)) > 1.5)
+            {
+                before = mean_velocity(point, axis, positions, axes, start);
+                after = mean_velocity(point + INT64_C(1), axis, positions, axes, start);
+                share = 0.0;
+                if (before * after > 0.0)
+                {
+                    share = span_min(fabs(before), fabs(after)) / exp((*cspan_at(&start, axis * INT64_C(6))));
+                }
+                if (before < 0.0)
+                {
+                    share = -share;
+                }
+                (*cspan_at(&start, i)) = share;
+            }
+        }
+    }
+}
+static bool is_free(double state)
+{
+    return state != state;
+}
+static bool may_be_same(array_double_2d one, array_double_2d other)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < one.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            if (fabs((*cspan_at(&one, axis, i)) - (*cspan_at(&other, axis, i))) > 1e-15 * span_max(fabs((*cspan_at(&other, axis, i))), 1.0))
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+static void take_states(bool every, array_double_2d given, array_double_2d found)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < found.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            if (every || is_free((*cspan_at(&found, axis, i))))
+            {
+                (*cspan_at(&found, axis, i)) = (*cspan_at(&given, axis, i));
+            }
+        }
+    }
+}
+void segfmu_unite_waypoints(array_double_3d states, array_double_1d place)
+{
+    int64_t first;
+    int64_t point;
+    first = INT64_C(0);
+    (*cspan_at(&place, INT64_C(0))) = 0.0;
+    for (point = INT64_C(1); point < states.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        (*cspan_at(&place, point)) = (*cspan_at(&place, point - INT64_C(1)));
+        if (may_be_same(span_matrix(&states, first), span_matrix(&states, point)))
+        {
+            take_states(0, span_matrix(&states, point), span_matrix(&states, first));
+        }
+        else
+        {
+            first = point;
+            (*cspan_at(&place, point)) = (*cspan_at(&place, point - INT64_C(1))) + 1.0;
+        }
+    }
+    for (point = INT64_C(1); point < states.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        if ((*cspan_at(&place, point)) == (*cspan_at(&place, point - INT64_C(1))))
+        {
+            take_states(1, span_matrix(&states, point - INT64_C(1)), span_matrix(&states, point));
+        }
+    }
+}
+static bool is_passed(int64_t point, int64_t axis, array_double_3d states, array_double_1d place, array_double_1d dwells)
+{
+    int64_t before;
+    int64_t after;
+    int64_t last;
+    int64_t k;
+    double here;
+    double come;
+    double goes;
+    before = point;
+    after = point;
+    last = states.shape[INT64_C(0)] - INT64_C(1);
+    while((before > INT64_C(0)) && ((*cspan_at(&place, before)) == (*cspan_at(&place, point))))
+    {
+        before = before - INT64_C(1);
+    }
+    while((after < last) && ((*cspan_at(&place, after)) == (*cspan_at(&place, point))))
+    {
+        after = after + INT64_C(1);
+    }
+    if (((*cspan_at(&place, before)) == (*cspan_at(&place, point))) || ((*cspan_at(&place, after)) == (*cspan_at(&place, point))))
+    {
+        return 0;
+    }
+    for (k = before + INT64_C(1); k < after; k += INT64_C(1))
+    {
+        if ((*cspan_at(&dwells, k)) > 0.0)
+        {
+            return 0;
+        }
+    }
+    here = (*cspan_at(&states, point, axis, INT64_C(0)));
+    come = here - (*cspan_at(&states, before, axis, INT64_C(0)));
+    goes = (*cspan_at(&states, after, axis, INT64_C(0))) - here;
+    return come * goes > 0.0;
+}
+void segfmu_write_free(array_double_3d states, array_double_1d place, array_double_1d dwells, array_double_1d kinds, array_double_2d led)
+{
+    int64_t points;
+    int64_t i;
+    int64_t point;
+    int64_t axis;
+    int64_t order;
+    points = states.shape[INT64_C(0)];
+    for (i = INT64_C(3) * INT64_C(6); i < kinds.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&kinds, i)) = INT64_C(0);
+    }
+    for (point = INT64_C(0); point < points; point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            (*cspan_at(&led, point, axis)) = 0.0;
+            if (is_passed(point, axis, states, place, dwells))
+            {
+                for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+                {
+                    if (is_free((*cspan_at(&states, point, axis, INT64_C(1) + order))))
+                    {
+                        (*cspan_at(&led, point, axis)) = 1.0;
+                        i = state_of((int64_t)((*cspan_at(&place, point))), order, axis);
+                        (*cspan_at(&kinds, i)) = INT64_C(2);
+                    }
+                }
+            }
+        }
+    }
+    for (point = INT64_C(0); point < points; point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            for (i = INT64_C(1); i < INT64_C(3); i += INT64_C(1))
+            {
+                if (is_free((*cspan_at(&states, point, axis, i))))
+                {
+                    (*cspan_at(&states, point, axis, i)) = 0.0;
+                }
+            }
+        }
+    }
+}
+void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_double_2d table, array_double_1d place, array_double_3d states)
+{
+    int64_t points;
+    int64_t point;
+    int64_t axis;
+    int64_t order;
+    int64_t i;
+    double limit;
+    double share;
+    points = states.shape[INT64_C(0)];
+    for (point = INT64_C(0); point < points; point += INT64_C(1))
+    {
+        if ((0.5 < (*cspan_at(&place, point))) && ((*cspan_at(&place, point)) < (*cspan_at(&place, points - INT64_C(1)))))
+        {
+            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+            {
+                for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+                {
+                    i = state_of((int64_t)((*cspan_at(&place, point))), order, axis);
+                    if ((int64_t)((*cspan_at(&kinds, i))) == INT64_C(2))
+                    {
+                        limit = (*cspan_at(&table, axis, INT64_C(0) + order));
+                        share = span_min(span_max((*cspan_at(&unknowns, i)), -1.0), 1.0);
+                        (*cspan_at(&states, point, axis, INT64_C(1) + order)) = share * limit;
+                    }
+                }
+            }
+        }
+    }
+}
 static double without_digits(double value)
 {
     return (int64_t)floor(value * 1048576.0 + 0.5) / 1048576.0;
@@ -10155,312 +10777,6 @@ bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d s
     }
     result = judge_step(search, values, slopes, newton);
     return result;
-}
-static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
-{
-    int64_t side;
-    int64_t i;
-    double bound;
-    (*cspan_at(&fault, INT64_C(0))) = axis;
-    (*cspan_at(&fault, INT64_C(1))) = axis;
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            bound = bound_magnitude(INT64_C(3) + INT64_C(3) * i + axis, side, bounds);
-            if (((*cspan_at(&axes, axis, INT64_C(0))) > 0.5) && (0.0 < bound) && (bound < 1e-05))
-            {
-                (*cspan_at(&fault, INT64_C(2))) = side;
-                (*cspan_at(&fault, INT64_C(3))) = bound;
-                return INT64_C(2) + i;
-            }
-        }
-    }
-    return INT64_C(0);
-}
-static double least_of(double limit, double bound)
-{
-    if (bound > 0.0)
-    {
-        return span_min(limit, bound);
-    }
-    return limit;
-}
-static double rigid_mass(int64_t axis, array_double_1d resistance)
-{
-    double mass;
-    mass = (*cspan_at(&resistance, INT64_C(2)));
-    if (axis < INT64_C(2))
-    {
-        mass = mass + (*cspan_at(&resistance, INT64_C(1)));
-    }
-    if (axis == INT64_C(0))
-    {
-        mass = mass + (*cspan_at(&resistance, INT64_C(0)));
-    }
-    return mass;
-}
-static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row)
-{
-    double gravity;
-    int64_t side;
-    int64_t cap;
-    double velocity;
-    double strongest;
-    double acceleration;
-    double held;
-    double mass;
-    double force;
-    bool lowered;
-    double strong;
-    double steepest;
-    double sway;
-    double power;
-    double distance;
-    double time;
-    double fastest;
-    gravity = (*cspan_at(&resistance, INT64_C(3)));
-    side = way;
-    if (axis == INT64_C(2))
-    {
-        side = INT64_C(1) - way;
-    }
-    cap = INT64_C(15) + way * INT64_C(4);
-    velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
-    strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
-    acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
-    held = (*cspan_at(&row, INT64_C(7))) + (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
-    mass = rigid_mass(axis, resistance);
-    force = bound_magnitude(INT64_C(0) + axis, side, bounds);
-    if (axis == INT64_C(2))
-    {
-        force = bound_magnitude(INT64_C(0) + axis, INT64_C(1), bounds);
-    }
-    lowered = (axis == INT64_C(2)) && (side == INT64_C(0)) && ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) > 0.5);
-    if (lowered)
-    {
-        acceleration = span_min(acceleration, 0.9 * gravity);
-    }
-    else if (force > 0.0)
-    {
-        strong = span_min((force - held) / mass, 1e+299);
-        acceleration = span_min(acceleration, span_max(strong, 0.001 * gravity));
-    }
-    steepest = tan(1.0);
-    if (axis == INT64_C(2))
-    {
-        steepest = 0.9;
-    }
-    else if ((*cspan_at(&bounds, INT64_C(12) + axis)) > 0.0)
-    {
-        sway = tan(span_min((*cspan_at(&bounds, INT64_C(12) + axis)), 1.0));
-        acceleration = span_min(acceleration, gravity * sway);
-    }
-    power = (*cspan_at(&bounds, INT64_C(9) + axis));
-    distance = (*cspan_at(&row, INT64_C(1)));
-    if ((power > 0.0) && (acceleration >= 1e+300))
-    {
-        time = exp(log(span_max(mass * distance * distance / power, 1e-30)) / 3.0);
-        acceleration = span_min(velocity / time, distance / (time * time));
-    }
-    if (acceleration >= 1e+300)
-    {
-        (*result_0) = velocity;
-        (*result_1) = acceleration;
-        return 0;
-    }
-    acceleration = span_min(acceleration, gravity * steepest);
-    if (distance <= 0.0)
-    {
-        fastest = (*cspan_at(&row, INT64_C(2)));
-        distance = span_max(fastest * fastest / acceleration, 1e-09);
-    }
-    if (power > 0.0)
-    {
-        velocity = span_min(velocity, power / (held + mass * acceleration));
-    }
-    (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
-    (*result_1) = acceleration;
-    return 0;
-}
-static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row)
-{
-    double up;
-    double down;
-    up = (*cspan_at(&row, INT64_C(3)));
-    down = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
-    if (axis == INT64_C(2))
-    {
-        up = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
-        down = (*cspan_at(&row, INT64_C(3)));
-    }
-    if (down < 0.5)
-    {
-        return ahead;
-    }
-    if (up < 0.5)
-    {
-        return back;
-    }
-    return span_min(ahead, back);
-}
-static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts)
-{
-    array_double_1d row;
-    double ahead;
-    double rise;
-    double back;
-    double fall;
-    double least;
-    double time;
-    int64_t k;
-    double multiple;
-    double ramp;
-    double faster;
-    double calmer;
-    int64_t first;
-    double most;
-    row = span_row(&axes, axis);
-    rigid_limits(&ahead, &rise, axis, INT64_C(0), bounds, resistance, row);
-    rigid_limits(&back, &fall, axis, INT64_C(1), bounds, resistance, row);
-    if ((rise >= 1e+300) || (fall >= 1e+300))
-    {
-        return INT64_C(1);
-    }
-    if ((*cspan_at(&row, INT64_C(5))) < 0.5)
-    {
-        ahead = of_the_way(ahead, back, axis, row);
-        back = ahead;
-    }
-    if ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) < 0.5)
-    {
-        rise = of_the_way(rise, fall, axis, row);
-        fall = rise;
-    }
-    least = span_min(rise, fall);
-    time = span_min(ahead, back) / least;
-    if ((*cspan_at(&row, INT64_C(1))) > 0.0)
-    {
-        time = span_min(time, sqrt((*cspan_at(&row, INT64_C(1))) / least));
-    }
-    for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        multiple = 0.5 * exp(span_floor_mod(k, INT64_C(4)) * 0.46209812);
-        ramp = multiple * span_min(swing, 2.0 * time);
-        if (axis == INT64_C(2))
-        {
-            ramp = multiple * 0.3 * time;
-        }
-        faster = 0.0;
-        if (span_floor_mod(span_floor_div(k, INT64_C(4)), INT64_C(2)) == INT64_C(1))
-        {
-            faster = log(1.5);
-        }
-        calmer = 0.0;
-        if (span_floor_div(k, INT64_C(8)) == INT64_C(1))
-        {
-            calmer = log(0.75);
-        }
-        first = axis * INT64_C(6);
-        most = span_max(rise, fall);
-        (*cspan_at(&starts, k, first + INT64_C(0))) = log(ahead) + faster;
-        (*cspan_at(&starts, k, first + INT64_C(1))) = log(rise) + calmer;
-        (*cspan_at(&starts, k, first + INT64_C(2))) = log(1.9 * most / ramp);
-        (*cspan_at(&starts, k, first + INT64_C(3))) = log(5.8 * most / (ramp * ramp));
-        (*cspan_at(&starts, k, first + INT64_C(4))) = log(back) + faster;
-        (*cspan_at(&starts, k, first + INT64_C(5))) = log(fall) + calmer;
-    }
-    return INT64_C(0);
-}
-int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault)
-{
-    double swing;
-    int64_t axis;
-    int64_t k;
-    int64_t i;
-    int64_t status;
-    swing = 3.141592653589793 * sqrt(span_max(rope, 0.001) / (*cspan_at(&resistance, INT64_C(3))));
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        status = check_pace_of(axis, bounds, axes, fault);
-        if (status != INT64_C(0))
-        {
-            return status;
-        }
-        for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
-        {
-            for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-            {
-                (*cspan_at(&starts, k, axis * INT64_C(6) + i)) = 0.0;
-            }
-        }
-        if ((*cspan_at(&axes, axis, INT64_C(0))) > 0.5)
-        {
-            status = write_axis_starts(axis, swing, bounds, resistance, axes, starts);
-            if (status != INT64_C(0))
-            {
-                return status;
-            }
-        }
-    }
-    return INT64_C(0);
-}
-static int64_t state_of(int64_t point, int64_t order, int64_t axis)
-{
-    return INT64_C(3) * INT64_C(6) + ((point - INT64_C(1)) * INT64_C(2) + order) * INT64_C(3) + axis;
-}
-static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start)
-{
-    double time;
-    int64_t i;
-    double way;
-    double velocity;
-    double acceleration;
-    double result;
-    time = 0.0;
-    for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        if ((*cspan_at(&axes, i, INT64_C(0))) > 0.5)
-        {
-            way = fabs((*cspan_at(&positions, point, i)) - (*cspan_at(&positions, point - INT64_C(1), i)));
-            velocity = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(0))));
-            acceleration = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(1))));
-            time = span_max(time, span_max(way / velocity, 2.0 * sqrt(way / acceleration)));
-        }
-    }
-    result = ((*cspan_at(&positions, point, axis)) - (*cspan_at(&positions, point - INT64_C(1), axis))) / span_max(time, 1e-09);
-    return result;
-}
-void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start)
-{
-    int64_t point;
-    int64_t axis;
-    int64_t i;
-    double before;
-    double after;
-    double share;
-    for (point = INT64_C(1); point < positions.shape[INT64_C(0)] - INT64_C(1); point += INT64_C(1))
-    {
-        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-        {
-            i = state_of(point, INT64_C(0), axis);
-            if ((*cspan_at(&kinds, i)) > 1.5)
-            {
-                before = mean_velocity(point, axis, positions, axes, start);
-                after = mean_velocity(point + INT64_C(1), axis, positions, axes, start);
-                share = 0.0;
-                if (before * after > 0.0)
-                {
-                    share = span_min(fabs(before), fabs(after)) / exp((*cspan_at(&start, axis * INT64_C(6))));
-                }
-                if (before < 0.0)
-                {
-                    share = -share;
-                }
-                (*cspan_at(&start, i)) = share;
-            }
-        }
-    }
 }
 static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
 {

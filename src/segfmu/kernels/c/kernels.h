@@ -16,6 +16,8 @@ SEGFMU_API int64_t segfmu_check_braked_plan(array_double_3d states, array_double
 SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans);
 SEGFMU_API int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_double_1d box, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_1d place);
+SEGFMU_API bool segfmu_leaves_range(int64_t axis, double begin, double end, double low, double high, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_1d excursion);
+SEGFMU_API int64_t segfmu_path_excursion(array_double_2d led, array_double_2d positions, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_1d excursion);
 SEGFMU_API void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges);
 SEGFMU_API void segfmu_shrink_boxes(double touch, array_double_2d boxes);
 SEGFMU_API int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d report);
@@ -69,12 +71,15 @@ SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d c
 SEGFMU_API int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_double_1d bounds, array_double_1d uses, array_double_1d fault);
 SEGFMU_API void segfmu_begin_pace(double most, double full, array_double_1d pace);
 SEGFMU_API bool segfmu_next_pace(double use, array_double_1d pace);
+SEGFMU_API int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault);
+SEGFMU_API void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start);
+SEGFMU_API void segfmu_unite_waypoints(array_double_3d states, array_double_1d place);
+SEGFMU_API void segfmu_write_free(array_double_3d states, array_double_1d place, array_double_1d dwells, array_double_1d kinds, array_double_2d led);
+SEGFMU_API void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_double_2d table, array_double_1d place, array_double_3d states);
 SEGFMU_API void segfmu_write_best(double pace, array_double_2d search);
 SEGFMU_API void segfmu_keep_best(double pace, array_double_2d search);
 SEGFMU_API void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search);
 SEGFMU_API bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d starts, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
-SEGFMU_API int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault);
-SEGFMU_API void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start);
 SEGFMU_API void segfmu_write_axes(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes);
 SEGFMU_API void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps);
 SEGFMU_API void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds);

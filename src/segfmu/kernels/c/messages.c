@@ -206,6 +206,13 @@ bool segfmu_limit_message(
             side[(int)report[LIMIT_FAULT_SIDE]],
             report[LIMIT_FAULT_VALUE]);
         return true;
+    case 4:
+        snprintf(text, size,
+            "waypoint %d: free velocities and accelerations are found together with "
+            "limits of the load; set planner.finds_limits, and a limits.*.velocity or "
+            "limits.*.acceleration to 0",
+            (int)report[LIMIT_FAULT_POINT] + 1);
+        return true;
     default:
         return false;
     }
@@ -271,6 +278,26 @@ bool segfmu_bound_message(
             axis[(int)report[BOUND_FAULT_AXIS]],
             report[BOUND_FAULT_BOUND],
             axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool segfmu_path_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    switch (status) {
+    case 1:
+        snprintf(text, size,
+            "between waypoints %d and %d the path leaves the box of both by %.4g m along "
+            "%s, from %.3f s",
+            (int)report[EXCURSION_INTERVAL] + 1,
+            (int)report[EXCURSION_INTERVAL] + 2,
+            report[EXCURSION_DISTANCE],
+            axis[(int)report[EXCURSION_AXIS]],
+            report[EXCURSION_TIME]);
         return true;
     default:
         return false;

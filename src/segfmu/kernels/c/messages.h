@@ -17,6 +17,8 @@ SEGFMU_API bool segfmu_limit_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_bound_message(
     int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_path_message(
+    int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_space_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_ready_message(

@@ -364,6 +364,110 @@ static PyObject *call_contact_times(
     return answer;
 }
 
+static PyObject *call_path_excursion(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "path_excursion", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_led;
+    Py_buffer *in_positions;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_work;
+    Py_buffer *in_excursion;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_led = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_positions = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_times = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 5, 1, 'l', false)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_excursion = take_array(&call, 7, 1, 'd', true)) != NULL
+        && has_at_least(&call, "led", 0, in_led->shape[0], 1)
+        && has_at_least(&call, "led", 1, in_led->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "positions", 0, in_positions->shape[0], in_led->shape[0])
+        && has_extent(&call, "positions", 1, in_positions->shape[1], in_led->shape[1])
+        && has_extent(&call, "times", 0, in_times->shape[0], in_led->shape[0])
+        && has_extent(&call, "times", 1, in_times->shape[1], in_led->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_led->shape[1] + 1))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "excursion", 0, in_excursion->shape[0], 4)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_led->shape[1] + 1), 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_path_excursion(
+            (array_double_2d){in_led->buf, {in_led->shape[0], in_led->shape[1]}},
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_excursion->buf, {in_excursion->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_leaves_range(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "leaves_range", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_axis;
+    double in_begin;
+    double in_end;
+    double in_low;
+    double in_high;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_work;
+    Py_buffer *in_excursion;
+    (void)self;
+    if (take_count(&call, count, 10)
+        && take_int(&call, 0, &in_axis)
+        && take_float(&call, 1, &in_begin)
+        && take_float(&call, 2, &in_end)
+        && take_float(&call, 3, &in_low)
+        && take_float(&call, 4, &in_high)
+        && (in_timing = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 6, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 7, 1, 'l', false)) != NULL
+        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_excursion = take_array(&call, 9, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_axis + 2))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 52)
+        && has_at_least(&call, "work", 1, in_work->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "excursion", 0, in_excursion->shape[0], 4)
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_axis + 2), 1, in_timing->shape[0])) {
+        answer = PyBool_FromLong(segfmu_leaves_range(
+            in_axis,
+            in_begin,
+            in_end,
+            in_low,
+            in_high,
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_excursion->buf, {in_excursion->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_path_ranges(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2096,6 +2200,174 @@ static PyObject *call_next_pace(
     return answer;
 }
 
+static PyObject *call_write_starts(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_starts", .values = values};
+    PyObject *answer = NULL;
+    double in_rope;
+    Py_buffer *in_bounds;
+    Py_buffer *in_resistance;
+    Py_buffer *in_axes;
+    Py_buffer *in_starts;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && take_float(&call, 0, &in_rope)
+        && (in_bounds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
+        && has_at_least(&call, "starts", 1, in_starts->shape[1], 18)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 5)) {
+        answer = PyLong_FromLongLong(segfmu_write_starts(
+            in_rope,
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_passing(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_passing", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_positions;
+    Py_buffer *in_kinds;
+    Py_buffer *in_axes;
+    Py_buffer *in_start;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_start = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
+        && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "start", 0, in_start->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))) {
+        segfmu_write_passing(
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_start->buf, {in_start->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_unite_waypoints(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "unite_waypoints", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_place;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
+        && (in_place = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)) {
+        segfmu_unite_waypoints(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_free(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_free", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_place;
+    Py_buffer *in_dwells;
+    Py_buffer *in_kinds;
+    Py_buffer *in_led;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
+        && (in_place = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_led = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "led", 0, in_led->shape[0], in_states->shape[0])
+        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "led", 1, in_led->shape[1], 3)
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_states->shape[0] - 1)] - 1))))) {
+        segfmu_write_free(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_led->buf, {in_led->shape[0], in_led->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_states(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_states", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_unknowns;
+    Py_buffer *in_kinds;
+    Py_buffer *in_table;
+    Py_buffer *in_place;
+    Py_buffer *in_states;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_unknowns = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_place = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_states = take_array(&call, 4, 3, 'd', true)) != NULL
+        && has_at_least(&call, "place", 0, in_place->shape[0], 1)
+        && has_extent(&call, "states", 0, in_states->shape[0], in_place->shape[0])
+        && has_at_least(&call, "table", 0, in_table->shape[0], 3)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 6)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_place->shape[0] - 1)] - 1))))
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_place->shape[0] - 1)] - 1))))) {
+        segfmu_write_states(
+            (array_double_1d){in_unknowns->buf, {in_unknowns->shape[0]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}},
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_write_best(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2208,76 +2480,6 @@ static PyObject *call_next_limits(
             (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}},
             (array_double_2d){in_slopes->buf, {in_slopes->shape[0], in_slopes->shape[1]}},
             (array_double_2d){in_newton->buf, {in_newton->shape[0], in_newton->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_starts(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_starts", .values = values};
-    PyObject *answer = NULL;
-    double in_rope;
-    Py_buffer *in_bounds;
-    Py_buffer *in_resistance;
-    Py_buffer *in_axes;
-    Py_buffer *in_starts;
-    Py_buffer *in_fault;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && take_float(&call, 0, &in_rope)
-        && (in_bounds = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_resistance = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
-        && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
-        && has_at_least(&call, "starts", 1, in_starts->shape[1], 18)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
-        answer = PyLong_FromLongLong(segfmu_write_starts(
-            in_rope,
-            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
-            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
-            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_passing(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_passing", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_kinds;
-    Py_buffer *in_axes;
-    Py_buffer *in_start;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_start = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
-        && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
-        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
-        && has_at_least(&call, "start", 0, in_start->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))) {
-        segfmu_write_passing(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_1d){in_start->buf, {in_start->shape[0]}});
-        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -4478,6 +4680,8 @@ static PyMethodDef methods[] = {
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"clearance_spans", (PyCFunction)(void (*)(void))call_clearance_spans, METH_FASTCALL, NULL},
     {"contact_times", (PyCFunction)(void (*)(void))call_contact_times, METH_FASTCALL, NULL},
+    {"path_excursion", (PyCFunction)(void (*)(void))call_path_excursion, METH_FASTCALL, NULL},
+    {"leaves_range", (PyCFunction)(void (*)(void))call_leaves_range, METH_FASTCALL, NULL},
     {"path_ranges", (PyCFunction)(void (*)(void))call_path_ranges, METH_FASTCALL, NULL},
     {"first_contact", (PyCFunction)(void (*)(void))call_first_contact, METH_FASTCALL, NULL},
     {"shrink_boxes", (PyCFunction)(void (*)(void))call_shrink_boxes, METH_FASTCALL, NULL},
@@ -4531,12 +4735,15 @@ static PyMethodDef methods[] = {
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
     {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
     {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
+    {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
+    {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
+    {"unite_waypoints", (PyCFunction)(void (*)(void))call_unite_waypoints, METH_FASTCALL, NULL},
+    {"write_free", (PyCFunction)(void (*)(void))call_write_free, METH_FASTCALL, NULL},
+    {"write_states", (PyCFunction)(void (*)(void))call_write_states, METH_FASTCALL, NULL},
     {"write_best", (PyCFunction)(void (*)(void))call_write_best, METH_FASTCALL, NULL},
     {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
     {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},
     {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
-    {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
-    {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
     {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},
     {"narrow_bounds", (PyCFunction)(void (*)(void))call_narrow_bounds, METH_FASTCALL, NULL},
     {"write_kinds", (PyCFunction)(void (*)(void))call_write_kinds, METH_FASTCALL, NULL},

@@ -130,6 +130,22 @@ class SpaceFault(Collision):
     BOUND = field("end of the workspace, or greatest corner", "m")
 
 
+class Excursion(Record):
+    """A part of a path outside of the box of the two waypoints that it joins, along one axis."""
+
+    AXIS = field("axis, counted from 0")
+    INTERVAL = field("waypoint interval, counted from 0")
+    DISTANCE = field("farthest from the box", "m")
+    TIME = field("when the path leaves it", "s")
+
+
+class PathStatus(Codes):
+    """Whether a path stays in the boxes of its waypoints."""
+
+    INSIDE = 0
+    EXCURSION = 1
+
+
 class Stack(Codes):
     """Spans in the work space: one for each time that a span is halved, the next one, the whole."""
 
