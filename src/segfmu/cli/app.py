@@ -29,6 +29,7 @@ COMMANDS = (
     (files.schema, "segfmu schema mission > mission.schema.json"),
     (missions.build, "segfmu build models/paper.toml --output fmus/dist --fmi 3"),
     (missions.simulate, "segfmu simulate models/paper.toml --output out"),
+    (missions.live, "segfmu live models/container.toml -o live.html"),
     (missions.paper, "segfmu paper --output out"),
     (campaigns.campaign, "segfmu campaign models/campaigns/paper.toml -o out"),
     (verdicts.validate, "segfmu validate models/scenarios -o out --junit out/junit.xml"),

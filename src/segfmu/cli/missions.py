@@ -142,6 +142,20 @@ def simulate(
         raise typer.Exit(1)
 
 
+def live(
+    mission: MissionFile,
+    output: Annotated[
+        str, typer.Option("--output", "-o", metavar="FILE", help="The page.")
+    ] = "live.html",
+) -> None:
+    """Write a page on which the mission's crane is driven in a browser, without a network."""
+    from segfmu.validation.live import write
+
+    with watched() as progress:
+        path = write(mission, output, progress)
+    tell(f"{path}  {path.stat().st_size / 1024:.0f} KiB; open it in a browser")
+
+
 def paper(
     output: Annotated[
         str,

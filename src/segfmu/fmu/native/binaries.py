@@ -18,7 +18,7 @@ from pathlib import Path
 from platformdirs import user_cache_path
 
 from segfmu.errors import BuildError
-from segfmu.fmu.native.compilers import PLATFORMS, Compiler
+from segfmu.fmu.native.compilers import PLATFORMS, TARGETS, Compiler
 from segfmu.fmu.native.compilers import compiler as compiler_for
 from segfmu.fmu.native.packed import unpack
 from segfmu.folders import work_folder
@@ -44,7 +44,7 @@ def binary(
     texts : mapping of str to bytes
         Sources by their names.
     platform : str
-        A name of `PLATFORMS`.
+        A name of `TARGETS`.
     compiler : Compiler, optional
         In place of a packaged binary and of the machine's compiler.
 
@@ -53,8 +53,8 @@ def binary(
     BuildError
         Where there is neither a binary nor a compiler for the platform, or the compiler fails.
     """
-    if platform not in PLATFORMS:
-        raise BuildError(f"platform must be one of {', '.join(PLATFORMS)}, got {platform!r}")
+    if platform not in TARGETS:
+        raise BuildError(f"platform must be one of {', '.join(TARGETS)}, got {platform!r}")
     ready = None if compiler else _packaged(platform).get(packaged_name(name, texts, platform))
     if ready is not None:
         return ready
@@ -103,7 +103,7 @@ def source_digest(texts: Mapping[str, bytes]) -> str:
 
 def packaged_name(name: str, texts: Mapping[str, bytes], platform: str) -> str:
     """A library's name in the archive of its platform: the sources are part of it."""
-    return f"{name}-{source_digest(texts)[:16]}{PLATFORMS[platform].suffix}"
+    return f"{name}-{source_digest(texts)[:16]}{TARGETS[platform].suffix}"
 
 
 @cache

@@ -63,6 +63,17 @@ PLATFORMS = {
     )
 }
 
+# Of pages: no archive has it. The library initialises itself when it is loaded; the page gives it
+# files and messages by WASI preview 1, a function by a place in its table, and memory for values.
+BROWSER = Platform(
+    "wasm32-wasi", "", "wasm32-wasi", ".wasm", (),
+    (
+        "-mexec-model=reactor", "-s", "-Wl,--gc-sections", "-Wl,--export-dynamic",
+        "-Wl,--export=malloc", "-Wl,--export-table", "-Wl,--growable-table",
+    ),
+)
+TARGETS = PLATFORMS | {BROWSER.name: BROWSER}
+
 
 @dataclass(frozen=True)
 class Compiler:
@@ -152,15 +163,15 @@ def available() -> bool:
 
 
 def compiler(name: str) -> Compiler:
-    """The compiler for a platform.
+    """The compiler for one of `TARGETS`.
 
     Raises
     ------
     BuildError
         For an unknown platform, and where no compiler for it is installed.
     """
-    if name not in PLATFORMS:
-        raise BuildError(f"platform must be one of {', '.join(PLATFORMS)}, got {name!r}")
+    if name not in TARGETS:
+        raise BuildError(f"platform must be one of {', '.join(TARGETS)}, got {name!r}")
     own = _own()
     if name == host() and own is not None:
         return Compiler((own,), PLATFORMS[name], _version(own))
@@ -179,9 +190,9 @@ def portable(name: str) -> Compiler:
         raise BuildError(
             f"no C compiler for {name}; install the extra segfmu[platforms], which has ziglang"
         )
-    target = PLATFORMS[name].target
+    chosen = TARGETS[name]
     return Compiler(
-        (sys.executable, "-m", "ziglang", "cc", "-target", target, *_ZIG), PLATFORMS[name],
+        (sys.executable, "-m", "ziglang", "cc", "-target", chosen.target, *_ZIG), chosen,
         metadata.version("ziglang"),
     )
 

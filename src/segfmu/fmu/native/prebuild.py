@@ -1,7 +1,8 @@
 """Compile the binaries that a released wheel carries: `python -m segfmu.fmu.native.prebuild`.
 
 They lie in `binaries/` beside this file, an archive a platform, with every model and version of
-FMI. A build takes them where its sources are theirs, and then needs no compiler.
+FMI; that of pages with FMI 2 alone. A build takes them where its sources are theirs, and then needs
+no compiler.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from pathlib import Path
 from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import VERSIONS, sources
 from segfmu.fmu.native.binaries import binary, packaged_name
-from segfmu.fmu.native.compilers import PLATFORMS, portable
+from segfmu.fmu.native.compilers import BROWSER, TARGETS, portable
 from segfmu.fmu.native.packed import pack
 
 TARGET = Path(__file__).with_name("binaries")
@@ -22,11 +23,16 @@ TARGET = Path(__file__).with_name("binaries")
 
 def main() -> None:
     """Write the archive of every platform; what the user's cache has is not compiled again."""
-    given = [(m.name, sources(m.name, fmi)) for m in registered() for fmi in VERSIONS]
     TARGET.mkdir(exist_ok=True)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for told in pool.map(lambda platform: _write(platform, given), PLATFORMS):
+        for told in pool.map(lambda platform: _write(platform, _given(platform)), TARGETS):
             print(told, flush=True)
+
+
+def _given(platform: str) -> list[tuple[str, Mapping[str, bytes]]]:
+    """Models with their sources of the versions of FMI that a platform has."""
+    versions = (2,) if platform == BROWSER.name else VERSIONS
+    return [(m.name, sources(m.name, fmi)) for m in registered() for fmi in versions]
 
 
 def _write(platform: str, given: Iterable[tuple[str, Mapping[str, bytes]]]) -> str:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from segfmu.cosim.result import replacing
 from segfmu.validation.output import file_path
+from segfmu.validation.report.web import as_json, filled
 
 # of a chart whose limits are far away: from this use on they are in the picture
 NEAR = 0.2
@@ -163,24 +161,16 @@ def write(path: str | Path, page: Page) -> Path:
 
 def render(page: Page) -> str:
     """The HTML of a report, with all that it needs."""
-    from jinja2 import Environment, StrictUndefined
     from plotly.offline import get_plotlyjs
 
-    folder = files("segfmu.validation.report") / "web"
-    parts = {name: (folder / name).read_text(encoding="utf-8") for name in PARTS}
-    surroundings = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
-    return surroundings.from_string(parts["page.html"]).render(
-        page=page, parts=parts, data=_data(page), plotly=get_plotlyjs(), version=version("segfmu"),
-    )
+    return filled("page.html", PARTS, page=page, data=_data(page), plotly=get_plotlyjs())
 
 
-PARTS = ("page.html", "page.css", "charts.js", "scene.js")
+PARTS = ("page.html", "page.css", "charts.js", "view.js", "scene.js")
 
 
 def _data(page: Page) -> str:
-    """What the scripts draw, as JSON that cannot end the element that it is in."""
+    """What the scripts draw."""
     charts = [
         {
             "title": chart.title, "unit": chart.unit, "limits": chart.limits,
@@ -190,6 +180,4 @@ def _data(page: Page) -> str:
         }
         for section in page.sections for chart in section.charts
     ]
-    content = {"charts": charts, "scenes": page.scenes}
-    text = json.dumps(content, separators=(",", ":"), allow_nan=False)
-    return text.replace("<", "\\u003c")
+    return as_json({"charts": charts, "scenes": page.scenes})

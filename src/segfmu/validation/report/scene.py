@@ -27,15 +27,28 @@ def scene(
     times = np.linspace(0.0, float(rows["time"][-1]), frames)
     columns = [np.interp(times, rows["time"], rows[name].astype(float)) for name in SIGNALS]
     path = np.column_stack([rows[f"reference.load.position.{axis}"] for axis in AXES])
-    extent = max(float(np.ptp(path, axis=0).max()), float(-path[:, 2].min()))
-    places = max(0, ceil(-log10(2e-4 * extent)))
+    places = decimals(path)
     return {
         "name": name,
+        **surroundings(mission, path),
         "times": _rounded(times, 3 + max(0, ceil(-log10(times[-1])))),
         "frames": [
             *(_rounded(column, places) for column in columns[:5]),
             *(_rounded(np.degrees(column), 3) for column in columns[5:]),
         ],
+    }
+
+
+def decimals(path: FloatArray) -> int:
+    """Decimals [m] that a drawing of a path (n, 3) shows."""
+    extent = max(float(np.ptp(path, axis=0).max()), float(-path[:, 2].min()))
+    return max(0, ceil(-log10(2e-4 * extent)))
+
+
+def surroundings(mission: Mission, path: FloatArray) -> dict[str, Any]:
+    """Path (n, 3) of the load, waypoints, obstacles and rails [m], for view.js."""
+    places = decimals(path)
+    return {
         "path": [_rounded(point, places) for point in _bends(path)],
         "waypoints": [_rounded(np.array(p.position), places) for p in mission.waypoints],
         "load": {"size": list(mission.load_size), "centre": list(mission.load_centre)},

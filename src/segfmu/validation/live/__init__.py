@@ -1,0 +1,5 @@
+"""A page on which a mission's crane is driven, with both FMUs in it."""
+
+from segfmu.validation.live.page import write
+
+__all__ = ["write"]

@@ -1,0 +1,332 @@
+"""Pages on which a crane is driven, in Chromium: equal to the native FMUs, swing-free, at hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import Browser, Page
+
+import segfmu
+from segfmu.cosim.change import Change
+from segfmu.cosim.system import System
+from segfmu.fmu.gantry_feedforward.interface import MODES
+from segfmu.fmu.native.archive import build_all
+from segfmu.validation.live import write
+from segfmu.validation.live.space import limits, space, speeds
+from segfmu.validation.live.system import interfaces
+from segfmu.validation.planned import planned
+from tests.campaign import soaked
+from tests.compiler import needs_native
+from tests.validation.live.compiler import needs_wasm
+from tests.validation.report.browser import DESK, PHONE, chromium, needs_browser, opened
+
+pytestmark = [needs_browser, needs_native, needs_wasm]
+MODELS = Path(__file__).parents[3] / "models"
+MISSIONS = {"lab": MODELS / "inteco.toml", "40 t": MODELS / "container.toml"}
+FEEDFORWARD, CRANE = "GantryFeedforward", "GantryCrane"
+# bytes of a page
+LARGEST = 2_000_000
+SIGNALS = [
+    *(f"load.{name}.{axis}" for name in ("position", "velocity") for axis in "xyz"),
+    *(f"sway.{axis}.{name}" for axis in "xy" for name in ("angle", "rate")),
+    "bridge.position", "trolley.position", "rope.length", "rope.force",
+]
+# of a run in the page: changes are (time, FMU, values)
+RUN = """async ([names, changes, settings, end]) => {
+    const system = await CraneSystem.load(data, names);
+    const apply = (time) => {
+        while (changes.length && changes[0][0] <= time + CraneSystem.INSTANT) {
+            const [, fmu, values] = changes.shift();
+            system.change(fmu === "GantryCrane" ? system.crane : system.feedforward, values);
+        }
+    };
+    system.begin(0, settings, {});
+    apply(0);
+    const rows = [];
+    for (let i = 1; i <= Math.round(end / data.step); i += 1) {
+        system.advance(i * data.step);
+        rows.push(names.map((name) => system.state[name]));
+        apply(i * data.step);
+    }
+    return rows;
+}"""
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    folder = tmp_path_factory.mktemp("live")
+    return {name: write(path, folder / f"{name}.html") for name, path in MISSIONS.items()}
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with chromium() as found:
+        yield found
+
+
+@pytest.fixture
+def shown(browser: Browser, pages: dict[str, Path]) -> Iterator[Callable[[str], Page]]:
+    """Opens pages, which must not have complained at the end."""
+    found = []
+
+    def show(name: str) -> Page:
+        found.append(opened(browser, pages[name]))
+        return found[-1][0]
+
+    yield show
+    for page, complaints in found:
+        assert not complaints
+        page.close()
+
+
+def resting(place: Any) -> dict[str, float]:
+    """Settings of a plan that stays where it is."""
+    values: dict[str, float] = {"waypoint.count": 2}
+    for i in (1, 2):
+        for k, axis in enumerate("xyz"):
+            values[f"waypoint[{i}].position.{axis}"] = float(place[k])
+            values[f"waypoint[{i}].velocity.{axis}"] = 0.0
+            values[f"waypoint[{i}].acceleration.{axis}"] = 0.0
+    return values
+
+
+@pytest.mark.parametrize(("name", "unit"), [("lab", 0.5), ("40 t", 2.0)])
+def test_signals_are_those_of_the_native_fmus(
+    shown: Callable[[str], Page], tmp_path: Path, name: str, unit: float
+) -> None:
+    mission = segfmu.load_mission(MISSIONS[name])
+    plan = planned(mission)
+    room = space(mission, plan)
+    own = limits(mission, plan, room)
+    speed = speeds(mission, plan, own)[0]
+    start = mission.waypoints[0].position
+    wind = 0.02 * mission.crane.payload_mass * mission.crane.gravity
+    changes: list[tuple[float, str, dict[str, float]]] = [
+        (0.0, FEEDFORWARD, {"command.mode": 3, "command.velocity.z": 0.5 * speed[2]}),
+        (2.0 * unit, FEEDFORWARD, {"command.velocity.x": speed[0], "command.velocity.y": speed[1]}),
+        (3.0 * unit, CRANE, {"wind.y": wind}),
+        (5.0 * unit, FEEDFORWARD, {"command.velocity.x": -speed[0], "limits.scale": 0.6}),
+        (8.0 * unit, FEEDFORWARD, {"command.mode": 4}),
+        (9.5 * unit, FEEDFORWARD,
+         {"command.mode": 2, **{f"command.target.{a}": start[k] for k, a in enumerate("xyz")}}),
+        (10.0 * unit, CRANE, {"wind.y": 0.0}),
+    ]
+    end = 14.0 * unit
+    page = shown(name)
+    found = np.array(page.evaluate(RUN, [SIGNALS, changes, resting(start), end]))
+    paths = build_all(interfaces(mission, plan, room, own), tmp_path)
+    named = [
+        Change(time, fmu, {
+            n: MODES.items[int(v) - 1] if n == "command.mode" else v for n, v in values.items()
+        })
+        for time, fmu, values in changes
+    ]
+    with System(paths, step=mission.simulation.step) as system:
+        rows = system.run({FEEDFORWARD: resting(start)}, stop_time=end, changes=named)
+    native = np.column_stack([rows[signal] for signal in SIGNALS])[1:]
+    assert found.shape == native.shape
+    # the crane has moved, and was blown at
+    assert np.ptp(native[:, 1]) > 0.02 * np.ptp(room[1])
+    assert np.ptp(native[:, SIGNALS.index("sway.y.angle")]) > 0.01
+    np.testing.assert_allclose(found, native, rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", list(MISSIONS))
+@pytest.mark.parametrize(
+    ("size", "scheme"), [(DESK, "light"), (PHONE, "dark")], ids=["desk", "phone"]
+)
+def test_the_page_is_small_and_for_everybody(
+    browser: Browser, pages: dict[str, Path], name: str, size: tuple[int, int], scheme: str
+) -> None:
+    assert pages[name].stat().st_size < LARGEST
+    page, complaints = opened(browser, pages[name], size, scheme)
+    page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
+    assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
+    found = Axe().run(page).response["violations"]
+    assert not [f"{v['id']}: {v['help']}" for v in found if v["impact"] in ("serious", "critical")]
+    assert not complaints
+    page.close()
+
+
+# records every tenth step of the page's own crane
+RECORD = """() => {
+    window.rows = [];
+    const step = page.driver.step;
+    page.driver.step = function () {
+        step.call(this);
+        if (this.points % 10) return;
+        const {state} = this.system;
+        window.rows.push([this.time, ...this.load, ...Driver.SPEED.map((n) => state[n]),
+                          state["sway.x.angle"], state["sway.y.angle"]]);
+    };
+}"""
+
+
+def recorded(page: Page, seconds: float) -> np.ndarray:
+    """Rows so far, and of so many seconds [s] more without a hand on anything."""
+    return np.array(page.evaluate("""(seconds) => {
+        const end = page.driver.time + seconds;
+        while (page.driver.time < end) page.driver.step();
+        return window.rows;
+    }""", seconds))
+
+
+def hurry(page: Page) -> None:
+    """Five times as fast, with the keys of the page."""
+    page.select_option("#pace", "5")
+    page.evaluate("document.activeElement.blur()")
+
+
+def drive(page: Page, key: str, until: str) -> None:
+    """Hold a key until something holds in the page."""
+    page.keyboard.down(key)
+    page.wait_for_function(until)
+    page.keyboard.up(key)
+    page.wait_for_function("page.driver.command.kind === 'stop'")
+
+
+def aim(page: Page, place: list[float]) -> None:
+    """Click on the floor below a place."""
+    left, top = page.evaluate("""(place) => {
+        const box = page.view.stage.getBoundingClientRect();
+        const [u, v] = page.view.place([...place, page.view.bounds.low[2]]);
+        return [box.left + u, box.top + v];
+    }""", place)
+    page.mouse.click(left, top)
+
+
+# how far the load is lifted before it goes across [m], and how long it may take to rest [s]
+LIFTS = {"lab": 0.25, "40 t": 13.0}
+RESTS = {"lab": 4.0, "40 t": 60.0}
+
+
+@pytest.mark.parametrize("name", ["lab", *soaked("40 t")])
+def test_keys_and_a_click_bring_the_load_to_rest_without_sway(
+    shown: Callable[[str], Page], name: str
+) -> None:
+    page, up, rest = shown(name), LIFTS[name], RESTS[name]
+    page.evaluate(RECORD)
+    hurry(page)
+    low, high = np.array(page.evaluate("data.room")).T
+    speed = np.array(page.evaluate("data.speeds"))
+    start = page.evaluate("data.start")
+    drive(page, "PageUp", f"page.driver.load[2] > {start[2] + up}")
+    # x is into the screen, or out of it: the room is longer in y
+    drive(page, "ArrowRight", f"page.driver.load[1] > {start[1] + 0.2 * (high[1] - low[1])}")
+    rows = recorded(page, rest)
+    assert rows[-1, 1] == pytest.approx(start[0], abs=1e-9) and rows[-1, 2] > start[1]
+    assert abs(rows[-1, 4:]).max() < 1e-6
+    goal = [float(start[0]) + 0.1 * (high[0] - low[0]), float(start[1])]
+    aim(page, goal)
+    page.wait_for_function("page.driver.command.kind === 'target'")
+    target = page.evaluate("page.driver.command.target")
+    assert target[:2] == pytest.approx(goal, abs=0.01 * (high[1] - low[1]))
+    rows = recorded(page, 2.0 * rest)
+    assert rows[-1, 1:4] == pytest.approx(target, abs=1e-6)
+    behind = rows[rows[:, 0] > rows[-1, 0] - 0.2 * rest]
+    assert abs(behind[:, 7:]).max() < 1e-6
+    # on the way it swings, and stays in its room and within its speed
+    assert abs(rows[:, 7:]).max() > 1e-3
+    places = rows[:, 1:4]
+    assert (places > low - 1e-9).all() and (places < high + 1e-9).all()
+    assert (abs(rows[:, 4:7]).max(axis=0) < 1.05 * speed).all()
+
+
+@pytest.mark.parametrize("name", list(MISSIONS))
+def test_a_plain_joystick_lets_it_swing(shown: Callable[[str], Page], name: str) -> None:
+    page, seconds = shown(name), RESTS[name]
+    page.evaluate(RECORD)
+    page.keyboard.press("p")
+    assert page.is_checked("#plain")
+    hurry(page)
+    start = page.evaluate("data.start")
+    low, high = page.evaluate("data.room")[1]
+    drive(page, "ArrowRight", f"page.driver.load[1] > {start[1] + 0.2 * (high - low)}")
+    rows = recorded(page, seconds)
+    late = rows[rows[:, 0] > rows[-1, 0] - 0.5 * seconds]
+    assert np.ptp(late[:, 8]) > np.deg2rad(1.0)
+    # back again: at rest where the trolley is
+    page.check("#free")
+    assert abs(recorded(page, 1.0)[-1, 4:]).max() < 1e-12
+
+
+def test_wind_and_load_act_while_it_runs(shown: Callable[[str], Page]) -> None:
+    page = shown("lab")
+    page.keyboard.press("p")
+    page.evaluate(RECORD)
+    mass, gravity = 1.0, 9.81
+    wind = page.evaluate("data.wind")
+    length = -page.evaluate("data.start")[2]
+    swing = 2.0 * np.pi * np.sqrt(length / gravity)
+
+    def tilt() -> float:
+        """Mean of four swings [rad], which nothing damps."""
+        rows = recorded(page, 4.0 * swing)
+        return float(rows[rows[:, 0] > rows[-1, 0] - 4.0 * swing, 8].mean())
+
+    page.evaluate("find('windy').value = 1; find('windy').dispatchEvent(new Event('input'))")
+    full = tilt()
+    before, after = page.evaluate("""() => {
+        const {load} = page.driver, slider = find("mass");
+        slider.value = 0.5;
+        for (const name of ["input", "change"]) slider.dispatchEvent(new Event(name));
+        return [load, page.driver.load];
+    }""")
+    assert after == pytest.approx(before, abs=1e-12)
+    assert page.inner_text("#mass-value") == "0.5 kg"
+    half = tilt()
+    assert abs(full) == pytest.approx(np.arctan(wind / (mass * gravity)), rel=0.02)
+    assert abs(half) == pytest.approx(np.arctan(wind / (0.5 * mass * gravity)), rel=0.02)
+
+
+def test_the_mission_flies_to_its_end(shown: Callable[[str], Page]) -> None:
+    page = shown("40 t")
+    page.evaluate(RECORD)
+    page.keyboard.press("m")
+    mission = segfmu.load_mission(MISSIONS["40 t"])
+    hurry(page)
+    rows = recorded(page, planned(mission).duration + 1.0)
+    assert rows[-1, 1:4] == pytest.approx(mission.waypoints[-1].position, abs=1e-6)
+    # the axis that rests in the mission moves behind it
+    drive(page, "ArrowUp", "Math.abs(page.driver.load[0]) > 0.01")
+
+
+def test_pad_and_gamepad_are_joysticks(shown: Callable[[str], Page]) -> None:
+    page = shown("lab")
+    box = page.locator("#pad").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"], box["y"] + box["height"] / 2)
+    page.wait_for_function("page.driver.command.kind === 'velocity'")
+    assert page.evaluate("page.driver.command.velocity[1]") == page.evaluate("data.speeds[1]")
+    page.mouse.up()
+    page.wait_for_function("page.driver.command.kind === 'stop'")
+    page.evaluate("""navigator.getGamepads = () => [
+        {axes: [0.02, 0, 0, -0.52], buttons: [{pressed: false}, {pressed: false}]}]""")
+    page.wait_for_function("page.driver.command.kind === 'velocity'")
+    speed = page.evaluate("data.speeds[2]")
+    assert page.evaluate("page.driver.command.velocity") == pytest.approx([0.0, 0.0, 0.5 * speed])
+    page.evaluate("navigator.getGamepads = () => []")
+
+
+def test_the_page_tells_why_a_command_is_not_taken(shown: Callable[[str], Page]) -> None:
+    page = shown("40 t")
+    hurry(page)
+    page.keyboard.down("ArrowRight")
+    page.wait_for_function("/obstacle is in the way/.test(find('told').textContent)")
+    page.keyboard.up("ArrowRight")
+    # words of the FMU itself, from C
+    message = page.evaluate("""() => {
+        try {
+            page.driver.system.feedforward.set({"limits.scale": 2.0});
+        } catch (error) {
+            return error.message;
+        }
+    }""")
+    assert message.startswith("GantryFeedforward: ") and "limits.scale" in message
