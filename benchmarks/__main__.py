@@ -33,6 +33,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "l": ("braking", ()),
     "o": ("directions", ()),
     "t": ("coming_inside", ("ruckig",)),
+    "y": ("position_ranges", ()),
     "r": ("replanning", ()),
     "u": ("operation", ()),
     "x": ("joystick", ()),

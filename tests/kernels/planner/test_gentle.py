@@ -92,7 +92,7 @@ def snap_rms(trajectory) -> float:
 @pytest.mark.parametrize("longer", [1.1, 1.3, 1.7, 2.5])
 def test_a_longer_motion_has_less_snap(longer: float) -> None:
     limits = Limits(1.0, 1.0, 4.0, 20.0)
-    points = [Waypoint(0.0, 0.2, 0.1), Waypoint(0.8, -0.1, 0.2)]
+    points = [Waypoint(0.0, 0.2, 0.1), Waypoint(0.8, 0.3, -0.2)]
     shortest = plan(points, limits)
     found = plan(points, limits, duration=longer * shortest.duration)
     assert verify(found).passed

@@ -758,9 +758,12 @@ static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool is_turning(double lowest, double highest);
+static bool turns_back(double v, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool timed_slower(bool turning, double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -24186,13 +24189,36 @@ static int64_t write_gentle(array_double_2d phases, array_double_1d problem, arr
     }
     return count;
 }
-static bool timed_gently(array_double_1d axis, array_double_2d cell, array_double_2d work)
+static bool is_turning(double lowest, double highest)
+{
+    return span_min(-lowest, highest) > 1e-12 * span_max(-lowest, highest);
+}
+static bool turns_back(double v, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d nearest;
+    int64_t count;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    nearest = span_row(&work, INT64_C(58));
+    count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_rows(&cell, INT64_C(0), INT64_C(33)), count, v, 0.0, axis);
+    if (is_turning(lowest, highest))
+    {
+        return 1;
+    }
+    count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_rows(&cell, INT64_C(33), INT64_C(66)), count, v, 0.0, axis);
+    return is_turning(lowest, highest);
+}
+static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
     array_double_1d gentle;
     array_double_2d phases;
     double target;
-    double most;
     int64_t attempt;
     int64_t count;
     double duration;
@@ -24205,7 +24231,6 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     gentle = span_row(&work, INT64_C(100));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     target = (*cspan_at(&problem, INT64_C(5)));
-    most = slowest_velocity(axis) * (1.0 + 1e-12);
     for (attempt = INT64_C(0); attempt < INT64_C(6); attempt += INT64_C(1))
     {
         if (!solve_gentle(attempt, problem, axis, gentle))
@@ -24218,8 +24243,12 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
         }
         count = write_gentle(phases, problem, axis, gentle);
         count = fit_duration(phases, count, target);
-        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, (*cspan_at(&problem, INT64_C(0))), 0.0, axis);
         if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
+        {
+            return 0;
+        }
+        if (is_turning(lowest, highest) && (!turning))
         {
             return 0;
         }
@@ -24238,7 +24267,7 @@ static bool timed_gently(array_double_1d axis, array_double_2d cell, array_doubl
     }
     return 0;
 }
-static bool timed_slower(double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work)
+static bool timed_slower(bool turning, double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
     array_double_1d rest;
@@ -24285,6 +24314,10 @@ static bool timed_slower(double shortest, array_double_1d axis, array_double_2d 
                 nearest = span_row(&work, INT64_C(58));
                 below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
                 above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
+                if ((!turning) && turns_back((*cspan_at(&rest, INT64_C(0))), axis, cell, work))
+                {
+                    return 0;
+                }
                 stretch_phases(span_rows(&cell, INT64_C(0), INT64_C(33)), below, 1.0 / factor);
                 stretch_phases(span_rows(&cell, INT64_C(33), INT64_C(66)), above, 1.0 / factor);
                 return 1;
@@ -24311,6 +24344,27 @@ static void surround_nearest(int64_t variant, array_double_1d axis, array_double
     count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
     count = surround(above, count, variant, problem, axis, work);
     (*cspan_at(&nearest, INT64_C(2))) = fit_duration(above, count, (*cspan_at(&problem, INT64_C(5))));
+}
+static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    double shortest;
+    double weight;
+    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
+    if (shortest <= 0.0)
+    {
+        return -1.0;
+    }
+    if (timed_gently(turning, axis, cell, work))
+    {
+        return 0.0;
+    }
+    if (!timed_slower(turning, shortest, axis, cell, work))
+    {
+        return -1.0;
+    }
+    weight = nearest_weight(span_row(&work, INT64_C(59)), axis, span_row(&work, INT64_C(58)));
+    surround_nearest(INT64_C(0), axis, cell, work);
+    return weight;
 }
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
@@ -24422,22 +24476,13 @@ static double between_extremes(array_double_1d axis, array_double_2d cell, array
 double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d problem;
-    array_double_1d nearest;
-    double shortest;
     double weight;
     problem = span_row(&work, INT64_C(59));
-    nearest = span_row(&work, INT64_C(58));
     boundary_problem(span_row(&cell, INT64_C(66)), axis, problem);
     (*cspan_at(&problem, INT64_C(5))) = target;
-    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0)));
-    if ((shortest > 0.0) && timed_gently(axis, cell, work))
+    weight = timed_smoothly(0, axis, cell, work);
+    if (weight >= 0.0)
     {
-        return 0.0;
-    }
-    if ((shortest > 0.0) && timed_slower(shortest, axis, cell, work))
-    {
-        weight = nearest_weight(problem, axis, nearest);
-        surround_nearest(INT64_C(0), axis, cell, work);
         return weight;
     }
     weight = timed_braked(axis, cell, work);
@@ -24456,6 +24501,10 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
         {
             weight = timed_dipped(axis, cell, work);
         }
+    }
+    if (weight < 0.0)
+    {
+        weight = timed_smoothly(1, axis, cell, work);
     }
     return weight;
 }

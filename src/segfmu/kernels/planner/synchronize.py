@@ -10,7 +10,7 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 * three ramps over two levels, slowed down alike (gentle.py): slower ramps are smoother;
 * the paper's form with the cruise velocity that makes it last T, if it exists as the form of a
   faster time, stretched;
-* that form with full ramps;
+* that form with full ramps: the first one for a motion that turns back, as it stays near its path;
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it;
 * the shortest profile at a slower pace, if it passes zero jerk with snap;
 * the mean of the motions over about the least and the largest distance (extremes.py).
@@ -47,17 +47,42 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
-from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
+from segfmu.kernels.planner.sides import is_beyond
 from segfmu.kernels.planner.timed_cruise import is_enclosed
 
 
-def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
-    """Three ramps that are slow enough to last the duration (gentle.py); False: there are none."""
+def is_turning(lowest: float, highest: float) -> bool:
+    """Whether a motion with these velocities goes both ways, not by rounding alone."""
+    return min(-lowest, highest) > 1e-12 * max(-lowest, highest)
+
+
+def turns_back(v: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
+    """Whether one of the two profiles next to the distance goes both ways, from a velocity."""
+    nearest = work[PlanWork.NEAREST, :]
+    count = int(nearest[Nearest.BELOW_COUNT])
+    duration, y, end, lowest, highest = measure_phases(
+        cell[Cell.BELOW:Cell.ABOVE, :], count, v, 0.0, axis
+    )
+    if is_turning(lowest, highest):
+        return True
+    count = int(nearest[Nearest.ABOVE_COUNT])
+    duration, y, end, lowest, highest = measure_phases(
+        cell[Cell.ABOVE:Cell.PROBLEM, :], count, v, 0.0, axis
+    )
+    return is_turning(lowest, highest)
+
+
+def timed_gently(
+    turning: bool, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> bool:
+    """Three ramps that are slow enough to last the duration (gentle.py); False: there are none.
+
+    turning: also those that turn back.
+    """
     problem = work[PlanWork.PROBLEM, :]
     gentle = work[PlanWork.GENTLE, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     target = problem[Problem.DURATION]
-    most = slowest_velocity(axis) * (1.0 + 1e-12)
     for attempt in range(6):
         if not solve_gentle(attempt, problem, axis, gentle):
             continue
@@ -66,9 +91,11 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
         count = write_gentle(phases, problem, axis, gentle)
         count = fit_duration(phases, count, target)
         duration, y, end, lowest, highest = measure_phases(
-            phases, count, problem[Problem.V], most, axis
+            phases, count, problem[Problem.V], 0.0, axis
         )
         if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
+            return False
+        if is_turning(lowest, highest) and not turning:
             return False
         fastest = max(-lowest, highest)
         if abs(end - problem[Problem.W]) > 1e-12 * fastest:
@@ -82,12 +109,12 @@ def timed_gently(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bo
 
 
 def timed_slower(
-    shortest: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+    turning: bool, shortest: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> bool:
     """A cruise of prescribed duration whose ramps are stretched, as those from rest to rest are.
 
-    shortest: the shortest duration of the problem [s]. False if there is none; the boundary states
-    must not exceed the limits that remain.
+    shortest: the shortest duration of the problem [s]. turning: also one that turns back. False if
+    there is none; the boundary states must not exceed the limits that remain.
     """
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
@@ -118,6 +145,8 @@ def timed_slower(
                 nearest = work[PlanWork.NEAREST, :]
                 below = int(nearest[Nearest.BELOW_COUNT])
                 above = int(nearest[Nearest.ABOVE_COUNT])
+                if not turning and turns_back(rest[Problem.V], axis, cell, work):
+                    return False
                 stretch_phases(cell[Cell.BELOW:Cell.ABOVE, :], below, 1.0 / factor)
                 stretch_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], above, 1.0 / factor)
                 return True
@@ -134,15 +163,10 @@ def timed_profile(
     (1 - weight) * BELOW + weight * ABOVE; the counts of phases are in the row NEAREST of `work`.
     """
     problem = work[PlanWork.PROBLEM, :]
-    nearest = work[PlanWork.NEAREST, :]
     boundary_problem(cell[Cell.PROBLEM, :], axis, problem)
     problem[Problem.DURATION] = target
-    shortest = cell[Cell.RESULT, Interval.SHORTEST]
-    if shortest > 0.0 and timed_gently(axis, cell, work):
-        return 0.0
-    if shortest > 0.0 and timed_slower(shortest, axis, cell, work):
-        weight = nearest_weight(problem, axis, nearest)
-        surround_nearest(0, axis, cell, work)
+    weight = timed_smoothly(False, axis, cell, work)
+    if weight >= 0.0:
         return weight
     weight = timed_braked(axis, cell, work)
     if weight < -1.5:
@@ -153,6 +177,27 @@ def timed_profile(
             weight = between_extremes(axis, cell, work)
         if weight < 0.0:
             weight = timed_dipped(axis, cell, work)
+    if weight < 0.0:
+        weight = timed_smoothly(True, axis, cell, work)
+    return weight
+
+
+def timed_smoothly(
+    turning: bool, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> float:
+    """`timed_profile` with ramps that are as slow as time permits; -1: there are none.
+
+    turning: also motions that turn back, which slow ramps lead farther from their path.
+    """
+    shortest = cell[Cell.RESULT, Interval.SHORTEST]
+    if shortest <= 0.0:
+        return -1.0
+    if timed_gently(turning, axis, cell, work):
+        return 0.0
+    if not timed_slower(turning, shortest, axis, cell, work):
+        return -1.0
+    weight = nearest_weight(work[PlanWork.PROBLEM, :], axis, work[PlanWork.NEAREST, :])
+    surround_nearest(0, axis, cell, work)
     return weight
 
 

@@ -1,0 +1,43 @@
+"""Axes that have time stay near their path; ranges of positions are kept."""
+
+import numpy as np
+import pytest
+from benchmarks.position_ranges import random_problem
+
+from segfmu import InfeasibleError, Limits, Waypoint, plan, stop, verify
+from segfmu.planning.limits import NAMES
+
+
+def test_a_motion_that_has_time_does_not_swing_past_its_target() -> None:
+    points = [Waypoint(0.0, 0.409), Waypoint(0.338, 0.089)]
+    limits = Limits(0.8, 0.8, 3.0, 15.0)
+    found = plan(points, limits, duration=4.338, position_min=0.0, position_max=0.374)
+    assert verify(found).passed
+    # motions within the waypoints exist: it stops in between
+    assert found.extrema(0)[0][0] >= 0.0 and found.extrema(0)[1][0] <= 0.338 * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("n", [2, 3])
+@pytest.mark.parametrize("seed", range(12))
+def test_an_axis_that_has_time_goes_no_farther_than_to_stop(n: int, seed: int) -> None:
+    random = np.random.default_rng((n, seed))
+    problem = random_problem(n, random)
+    limits = Limits(**dict(zip(NAMES, problem.limits.T, strict=False)))
+    rows = list(zip(problem.positions, problem.velocities, problem.accelerations, strict=True))
+    points = [Waypoint(*row) for row in rows]
+    try:
+        shortest = plan(points, limits, smoothness=n)
+    except InfeasibleError:
+        # a state that cannot be braked
+        return
+    (p, v, a), (q, w, b) = rows
+    # the last state reversed in time stops where a motion to it can begin from rest
+    first = stop(Waypoint(p, v, a), limits=limits, smoothness=n).extrema(0)
+    last = stop(Waypoint(-q, w, -b), limits=limits, smoothness=n).extrema(0)
+    low, high = np.minimum(first[0], -last[1]), np.maximum(first[1], -last[0])
+    small = 1e-6 * (high - low)
+    for longer in (2.0, 5.0):
+        found = plan(points, limits, smoothness=n, duration=longer * shortest.duration)
+        assert verify(found).passed
+        assert (found.extrema(0)[0] >= low - small).all()
+        assert (found.extrema(0)[1] <= high + small).all()
