@@ -113,9 +113,10 @@ examples: $(VENV)/installed ## run every example
 	@set -e; for notebook in examples/[0-9]*.ipynb; do \
 		echo "$$notebook"; $(BIN)/jupyter-execute $$notebook; done
 
-pictures: $(VENV)/installed ## pictures of tutorial and reports in the documentation; needs Chromium
+pictures: $(VENV)/installed ## pictures of tutorial, reports and pages in the documentation; needs Chromium
 	$(BIN)/python -m tests.tutorial
 	$(BIN)/python -m tests.validation.report.pictures docs/images
+	$(BIN)/python -m tests.validation.live.picture docs/images
 
 docs: $(VENV)/installed-docs ## the documentation site, into out/site
 	$(BIN)/sphinx-build -W --keep-going -q docs $(OUT)/site

@@ -124,6 +124,7 @@ class Driver {
     // behind the mission, the load has the limits of the joystick again
     if (this.onMission && this.system.feedforward.read(this.done)[0]) this.rest(this.load);
     this.command = {kind, velocity, target};
+    this.message = "";
     if (this.plain) return;
     const values = {"command.mode": Driver.MODES[kind]};
     ["x", "y", "z"].forEach((axis, k) => {

@@ -17,14 +17,19 @@ class Joystick {
     this.pads = [0, 0, 0];
     this.pressed = new Set();
     document.addEventListener("keydown", (event) => this.press(event));
-    document.addEventListener("keyup", (event) => this.held.delete(event.key));
+    document.addEventListener("keyup", (event) => this.held.delete(Joystick.named(event.key)));
     window.addEventListener("blur", () => this.held.clear());
     this.drag(pad, (right, up) => { [this.pads[0], this.pads[1]] = [right, up]; });
     this.drag(lift, (_, up) => { this.pads[2] = up; });
   }
 
+  // a letter is the same with and without shift
+  static named(key) {
+    return key.length === 1 ? key.toLowerCase() : key;
+  }
+
   press(event) {
-    const {target, key} = event;
+    const {target} = event, key = Joystick.named(event.key);
     if (event.ctrlKey || event.altKey || event.metaKey || target.matches("input, select")) return;
     const act = {" ": "stop", m: "mission", p: "plain"}[key];
     if (Joystick.KEYS[key]) this.held.add(key);

@@ -44,9 +44,12 @@ class Page {
     for (const radio of document.querySelectorAll("[name=mode]")) {
       radio.addEventListener("change", () => this.choose(radio.value === "plain"));
     }
+    // arrow keys drive again
+    for (const input of document.querySelectorAll("[name=mode], #pace")) {
+      input.addEventListener("change", () => input.blur());
+    }
     for (const name of ["windx", "windy", "mass"]) {
       find(name).addEventListener("input", () => this.label(name));
-      // arrow keys drive again
       find(name).addEventListener("pointerup", () => find(name).blur());
       this.label(name);
     }
