@@ -255,6 +255,16 @@ def of_bounds() -> dict[str, tuple[str, Any, str]]:
     }
 
 
+def of_free() -> dict[str, tuple[str, Any, str]]:
+    """Refusals of free states where limits are given."""
+    return {
+        f"waypoint[{i}].{state}_free.{axis}": (
+            "zigzag", True, f"waypoint {i}: free velocities and accelerations"
+        )
+        for i in range(1, 17) for state in ("velocity", "acceleration") for axis in "xyz"
+    }
+
+
 def of_space() -> dict[str, tuple[str, Any, str]]:
     """Refusals by workspace, obstacles and the size of the load."""
     found: dict[str, tuple[str, Any, str]] = {
@@ -286,7 +296,7 @@ REFUSALS: dict[str, dict[str, tuple[str, Any, str]]] = {
         "crane.rope_max": ("paper", 0.45, "rope length passes rope_max"),
         "planner.finds_limits": ("found", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
         "planner.slows_down": ("slowed", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
-        **of_bounds(), **of_space(),
+        **of_bounds(), **of_free(), **of_space(),
     },
     "crane": {
         "travel.bridge.min": ("equipment", 0.001, "bridge at 0 m is at its end stop, least"),

@@ -281,6 +281,8 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real waypoint_acceleration[waypoint_count, 3](each unit = "m/s2") = [0.0, 0.0, 0.0;
       0.34, 0.27, 0.0;
       0.0, 0.0, 0.0] "acceleration of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
+  parameter Boolean waypoint_velocity_free[waypoint_count, 3] = fill(false, waypoint_count, 3) "velocity at the waypoints that is found together with limits of the load, not given" annotation(Dialog(tab = "waypoint"));
+  parameter Boolean waypoint_acceleration_free[waypoint_count, 3] = fill(false, waypoint_count, 3) "acceleration at the waypoints that is found together with limits of the load, not given" annotation(Dialog(tab = "waypoint"));
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
   final parameter Real plan_pace(fixed = false) "pace of the motion; 1 unless it was slowed down";
@@ -332,54 +334,86 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
   constant Integer waypoint_position_references[16, 3] = [320, 321, 322;
-      330, 331, 332;
-      340, 341, 342;
-      350, 351, 352;
-      360, 361, 362;
-      370, 371, 372;
-      380, 381, 382;
-      390, 391, 392;
-      400, 401, 402;
-      410, 411, 412;
-      420, 421, 422;
-      430, 431, 432;
-      440, 441, 442;
-      450, 451, 452;
-      460, 461, 462;
-      470, 471, 472];
-  constant Integer waypoint_velocity_references[16, 3] = [323, 324, 325;
-      333, 334, 335;
-      343, 344, 345;
-      353, 354, 355;
-      363, 364, 365;
-      373, 374, 375;
-      383, 384, 385;
-      393, 394, 395;
-      403, 404, 405;
-      413, 414, 415;
-      423, 424, 425;
-      433, 434, 435;
-      443, 444, 445;
-      453, 454, 455;
-      463, 464, 465;
-      473, 474, 475];
-  constant Integer waypoint_acceleration_references[16, 3] = [326, 327, 328;
       336, 337, 338;
-      346, 347, 348;
-      356, 357, 358;
-      366, 367, 368;
-      376, 377, 378;
-      386, 387, 388;
-      396, 397, 398;
-      406, 407, 408;
+      352, 353, 354;
+      368, 369, 370;
+      384, 385, 386;
+      400, 401, 402;
       416, 417, 418;
-      426, 427, 428;
-      436, 437, 438;
-      446, 447, 448;
-      456, 457, 458;
-      466, 467, 468;
-      476, 477, 478];
-  constant Integer waypoint_dwell_references[16] = {329, 339, 349, 359, 369, 379, 389, 399, 409, 419, 429, 439, 449, 459, 469, 479};
+      432, 433, 434;
+      448, 449, 450;
+      464, 465, 466;
+      480, 481, 482;
+      496, 497, 498;
+      512, 513, 514;
+      528, 529, 530;
+      544, 545, 546;
+      560, 561, 562];
+  constant Integer waypoint_velocity_references[16, 3] = [323, 324, 325;
+      339, 340, 341;
+      355, 356, 357;
+      371, 372, 373;
+      387, 388, 389;
+      403, 404, 405;
+      419, 420, 421;
+      435, 436, 437;
+      451, 452, 453;
+      467, 468, 469;
+      483, 484, 485;
+      499, 500, 501;
+      515, 516, 517;
+      531, 532, 533;
+      547, 548, 549;
+      563, 564, 565];
+  constant Integer waypoint_acceleration_references[16, 3] = [326, 327, 328;
+      342, 343, 344;
+      358, 359, 360;
+      374, 375, 376;
+      390, 391, 392;
+      406, 407, 408;
+      422, 423, 424;
+      438, 439, 440;
+      454, 455, 456;
+      470, 471, 472;
+      486, 487, 488;
+      502, 503, 504;
+      518, 519, 520;
+      534, 535, 536;
+      550, 551, 552;
+      566, 567, 568];
+  constant Integer waypoint_velocity_free_references[16, 3] = [329, 330, 331;
+      345, 346, 347;
+      361, 362, 363;
+      377, 378, 379;
+      393, 394, 395;
+      409, 410, 411;
+      425, 426, 427;
+      441, 442, 443;
+      457, 458, 459;
+      473, 474, 475;
+      489, 490, 491;
+      505, 506, 507;
+      521, 522, 523;
+      537, 538, 539;
+      553, 554, 555;
+      569, 570, 571];
+  constant Integer waypoint_acceleration_free_references[16, 3] = [332, 333, 334;
+      348, 349, 350;
+      364, 365, 366;
+      380, 381, 382;
+      396, 397, 398;
+      412, 413, 414;
+      428, 429, 430;
+      444, 445, 446;
+      460, 461, 462;
+      476, 477, 478;
+      492, 493, 494;
+      508, 509, 510;
+      524, 525, 526;
+      540, 541, 542;
+      556, 557, 558;
+      572, 573, 574];
+  constant Integer waypoint_dwell_references[16] = {335, 351, 367, 383, 399, 415, 431, 447, 463, 479, 495, 511, 527, 543, 559, 575};
   final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
       65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
       109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 150, 151, 152, 153, 154,
@@ -455,9 +489,11 @@ protected
   constant Integer integer_references[6] = {84, 85, 86, 162, 292, 319};
   final parameter Integer integers[6] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, Integer(command_mode), waypoint_count};
-  constant Integer boolean_references[20] = {89, 90, 170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290, 291,
-      299};
-  final parameter Integer booleans[20] = {if planner_finds_limits then 1 else 0, if planner_slows_down then 1 else 0, if
+  final parameter Integer boolean_references[:] = cat(1, {89, 90, 170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290, 291,
+      299},
+      FMI.references(waypoint_velocity_free_references, waypoint_count),
+      FMI.references(waypoint_acceleration_free_references, waypoint_count));
+  final parameter Integer booleans[:] = cat(1, {if planner_finds_limits then 1 else 0, if planner_slows_down then 1 else 0, if
       obstacle_1_rope then 1 else 0, if obstacle_2_rope then 1 else 0, if obstacle_3_rope then 1
       else 0, if obstacle_4_rope then 1 else 0, if obstacle_5_rope then 1 else 0, if
       obstacle_6_rope then 1 else 0, if obstacle_7_rope then 1 else 0, if obstacle_8_rope then 1
@@ -465,11 +501,13 @@ protected
       obstacle_11_rope then 1 else 0, if obstacle_12_rope then 1 else 0, if obstacle_13_rope then
       1 else 0, if obstacle_14_rope then 1 else 0, if obstacle_15_rope then 1 else 0, if
       obstacle_16_rope then 1 else 0, if command_enabled then 1 else 0, if command_go then 1 else
-      0};
+      0},
+      FMI.truths(waypoint_velocity_free),
+      FMI.truths(waypoint_acceleration_free));
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{845e364b-b52f-c4ed-d5f1-6c36238c7114}", 0);
+      "{ab6ee25d-e907-966d-8878-35b2ffe03443}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -26,6 +26,8 @@ from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.objects import LIMITS
 
 QUANTITIES = ("position", "velocity", "acceleration")
+# of which these may be free
+FREE = QUANTITIES[1:]
 # parameters that the archive of a native FMU no longer has
 AT_BUILD = "feedback.weight."
 
@@ -88,6 +90,7 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
         for quantity in QUANTITIES:
             for axis, number in zip(AXES, getattr(point, quantity), strict=True):
                 values[f"waypoint[{i}].{quantity}.{axis}"] = float(number)
+        values |= {f"waypoint[{i}].{state}_free.{axis}": False for state in FREE for axis in AXES}
         values[f"waypoint[{i}].dwell"] = point.dwell
     values["planner.smoothness"] = mission.smoothness
     values["planner.shape"] = mission.shape
@@ -100,16 +103,29 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
 def limits_to_find(mission: Mission) -> dict[str, float | str]:
     """Parameters of a GantryFeedforward that finds the limits of the load by itself.
 
-    So it plans what `segfmu plan` does, also after a change. Empty for a mission without bounds of
-    the drives, and for one with free waypoint states, which it does not choose.
+    So it plans what `segfmu plan` does, also after a change; what is free stays free. Empty for a
+    mission without bounds of the drives, and for one with free waypoint states and limits: it does
+    not choose states within given limits.
     """
     bounds, limits = mission.build_bounds(), mission.build_limits()
-    free = any(np.isnan(p.planned).any() for p in mission.build_waypoints())
-    if free or bounds is None or not bounds.known:
+    free = free_values(mission)
+    if bounds is None or not bounds.known or (free and limits is not None):
         return {}
     none = {f"limits.{axis}.{name}": 0.0 for axis in AXES for name in (*LIMITS, *LOWER)}
     given = none if limits is None else limit_values(limits)
-    return {**given, "planner.finds_limits": True}
+    return {**given, **free, "planner.finds_limits": True}
+
+
+def free_values(mission: Mission) -> dict[str, float | str]:
+    """Parameters of GantryFeedforward for free velocities and accelerations; empty without any."""
+    values: dict[str, float | str] = {}
+    for i, point in enumerate(mission.build_waypoints(), 1):
+        for state in FREE:
+            for axis, number in zip(AXES, getattr(point, state), strict=True):
+                if np.isnan(number):
+                    values[f"waypoint[{i}].{state}.{axis}"] = 0.0
+                    values[f"waypoint[{i}].{state}_free.{axis}"] = True
+    return values
 
 
 def limit_values(limits: Limits) -> dict[str, float]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import segfmu
 from segfmu.cosim import simulate
 from segfmu.fmu.modelica.package import write_package
 from tests.fmu.modelica.openmodelica import (
@@ -176,3 +177,29 @@ def test_a_moved_first_waypoint_needs_no_second_change(package) -> None:
     found = [results[f"gantry.{n}"][0] for n in places]
     assert found == pytest.approx([1.0, 0.4, 0.9], abs=1e-12)
     assert results["gantry.error_load_norm"].max() < 1e-6, said
+
+
+@pytest.mark.parametrize("moved", [(1.0, 0.8, -0.6), (0.9, 0.4, -0.8)])
+def test_a_moved_waypoint_is_planned_within_the_drives(package, moved) -> None:
+    """Free states and limits are found in OpenModelica as in the package."""
+    crane = segfmu.Crane(2.2, 1.155, 1.0, rope_min=0.16, rope_max=1.5)
+    places = [[0.0, 0.0, -0.6], [0.2, 0.1, -0.4], [0.8, 0.6, -0.35], moved]
+    first, *passed, last = (segfmu.Waypoint(place) for place in places)
+    passed = [segfmu.Waypoint(point.position, "free", "free") for point in passed]
+    bounds = segfmu.ActuatorBounds(velocity=[0.6, 0.5, 0.3], acceleration=[0.7, 0.6, 0.5])
+    own = segfmu.plan_actuated(crane, [first, *passed, last], None, bounds)
+    change = ", ".join(map(str, moved))
+    text = f"model Move extends Segfmu.Examples.MovedWaypoint(moved = [{change}]); end Move;"
+    results, _ = simulated(program(package, "Move", text), "-override=stopTime=8")
+    # behind the last event its time
+    ended = results["feedforward.plan_next_event"][-1]
+    assert ended == pytest.approx(own.trajectory.duration, rel=1e-9)
+    for axis, place in zip("xyz", moved, strict=True):
+        assert results[f"gantry.load_position_{axis}"][-1] == pytest.approx(place, abs=1e-3)
+    shares = [
+        np.abs(results[f"feedforward.reference_{part}_{name}"]).max() / bound
+        for name in ("velocity", "acceleration")
+        for part, bound in zip(("bridge", "trolley", "rope"), getattr(bounds, name), strict=True)
+    ]
+    # the largest one is met at an instant, and points of the result are a millisecond apart
+    assert 1.0 - 1e-3 <= max(shares) <= 1.0 + 1e-9

@@ -66,9 +66,10 @@ class Importer:
             variable = self.variables[name]
             if isinstance(value, str):
                 value = [i.name for i in variable.declaredType.items].index(value) + 1
+            flat = np.ravel(value).tolist()
             if variable.type == "Boolean":
-                value = bool(value)
-            reference, flat = [variable.valueReference], np.ravel(value).tolist()
+                flat = [bool(v) for v in flat]
+            reference = [variable.valueReference]
             if not self.three:
                 group = "Integer" if variable.type == "Enumeration" else variable.type
                 getattr(self.fmu, f"set{group}")(reference, flat)
@@ -77,11 +78,12 @@ class Importer:
             else:
                 getattr(self.fmu, f"set{GROUPS[variable.type]}")(reference, flat)
 
-    def _set_array(self, variable: Any, flat: list[float]) -> None:
+    def _set_array(self, variable: Any, flat: list[Any]) -> None:
         """Its first values; the others stay."""
         size = int(np.prod([int(d.start) for d in variable.dimensions]))
-        values = self.fmu.getFloat64([variable.valueReference], nValues=size)
-        self.fmu.setFloat64([variable.valueReference], [*flat, *values[len(flat):]])
+        reference, group = [variable.valueReference], GROUPS[variable.type]
+        values = getattr(self.fmu, f"get{group}")(reference, nValues=size)
+        getattr(self.fmu, f"set{group}")(reference, [*flat, *values[len(flat):]])
 
     def set_waypoints(self, table: dict[str, np.ndarray]) -> None:
         """Waypoints as arrays of rows: position, velocity, acceleration, dwell."""

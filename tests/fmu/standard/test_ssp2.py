@@ -115,7 +115,9 @@ def test_connectors_have_the_types_of_fmi3(entries, described) -> None:
         assert {n for n, c in connectors.items() if c.get("kind") in ("input", "output")} == {
             n for n, v in variables.items() if v.causality in ("input", "output")
         }
-    assert kinds == {("Float64", 0), ("Float64", 1), ("Float64", 2), ("Int32", 0), ("Boolean", 0)}
+    assert kinds == {
+        ("Float64", 0), ("Float64", 1), ("Float64", 2), ("Int32", 0), ("Boolean", 0), ("Boolean", 2)
+    }
 
 
 def sets(entries: dict[str, bytes]) -> Iterator[tuple[str, ET.Element]]:
@@ -156,7 +158,7 @@ def test_parameters_fit_the_variables(entries, described) -> None:
 
 def value(variable: Any, text: str) -> Any:
     if variable.type == "Boolean":
-        return text == "true"
+        return [word == "true" for word in text.split()]
     return text if variable.type == "Enumeration" else [float(x) for x in text.split()]
 
 

@@ -144,7 +144,7 @@ def test_parameters_are_start_values_of_the_fmus(
 def test_tables_have_the_rows_in_use_and_none_that_was_computed(entries) -> None:
     feedforward = given(entries, SETS[0])
     rows = int(feedforward["waypoint.count"][1])
-    assert sum(n.startswith("waypoint[") for n in feedforward) == 10 * rows
+    assert sum(n.startswith("waypoint[") for n in feedforward) == 16 * rows
     assert not any(n.startswith("feedback.table[") for n in given(entries, SETS[1]))
 
 

@@ -185,6 +185,14 @@ def _waypoints(most: int) -> list[Variable]:
                         f"{name} of the load at waypoint {i} in {axis}",
                     )
                 )
+        for name in ("velocity", "acceleration"):
+            rows += [
+                parameter(
+                    f"waypoint[{i}].{name}_free.{a}", False, None, f"{name} at waypoint {i} in {a} "
+                    "is found together with limits of the load, not given", kind="Boolean",
+                )
+                for a in "xyz"
+            ]
         rows.append(
             parameter(f"waypoint[{i}].dwell", 0.0, "s", f"rest at waypoint {i}", minimum=0.0)
         )
@@ -361,14 +369,21 @@ def native_spec(own: Spec | None = None) -> Spec:
 
 
 def arrays(most: int) -> tuple[Array, ...]:
-    """Positions, velocities, accelerations and dwells of so many waypoints, as arrays."""
+    """States, what of them is free, and dwells of so many waypoints, as arrays."""
     rows = range(1, most + 1)
+    texts = {
+        n: f"{n} of the load at the waypoints" for n in ("position", "velocity", "acceleration")
+    }
+    texts |= {
+        f"{n}_free": f"{n} at the waypoints that is found together with limits of the load, not "
+        "given" for n in ("velocity", "acceleration")
+    }
     vectors = [
         Array(
             f"waypoint.{name}", tuple(f"waypoint[{i}].{name}.{a}" for i in rows for a in "xyz"),
-            "waypoint.count", 3, f"{name} of the load at the waypoints",
+            "waypoint.count", 3, text,
         )
-        for name in ("position", "velocity", "acceleration")
+        for name, text in texts.items()
     ]
     dwells = tuple(f"waypoint[{i}].dwell" for i in rows)
     return (

@@ -6,6 +6,7 @@ from math import inf
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from segfmu.crane import Crane, FlatInverse, Friction
 from segfmu.crane.demand import peaks
@@ -23,7 +24,7 @@ from segfmu.crane.inverse import (
 from segfmu.crane.limit_search import FULL, LimitSearch
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import build
-from segfmu.errors import InfeasibleError, SegfmuError
+from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.gantry_feedforward.commands import Commands
 from segfmu.fmu.python.slave import SpecSlave
@@ -50,13 +51,16 @@ from segfmu.kernels.crane.records import (
     LoadMotion,
     RopeWork,
 )
-from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
-from segfmu.kernels.messages import BOUND, SPACE
-from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
+from segfmu.kernels.limits.records import LimitFault, LimitRow, LimitStatus, Pace, PlanLimits
+from segfmu.kernels.messages import BOUND, LIMIT, SPACE
+from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions, WaypointState
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.request import with_states
 
 AXES = ("x", "y", "z")
+# what of the waypoints is found
+FREE = ("waypoint.velocity_free", "waypoint.acceleration_free")
 # that of the sway is no matter of the drives
 KNOWN = {name: fed for name, fed in FRICTION.items() if name != "sway"}
 
@@ -117,6 +121,7 @@ class FeedforwardSlave(SpecSlave):
             return
         crane, friction = Crane.of(self.value), build(Friction, KNOWN, self.value)
         self.assign(("plan.pace",), (1.0,))
+        self._require_choice()
         if self.value("planner.finds_limits"):
             trajectory = self._as_found(crane, friction)
         else:
@@ -129,6 +134,28 @@ class FeedforwardSlave(SpecSlave):
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
         self._planned = True
+
+    def _require_choice(self) -> None:
+        """Refuse free states where nothing chooses them."""
+        free = np.flatnonzero(self._free().any(axis=(1, 2)))
+        chosen = self.value("planner.finds_limits") and not self._has_limits
+        if free.size > 0 and not chosen:
+            fault = np.zeros(LimitFault.SIZE)
+            fault[LimitFault.POINT] = free[0]
+            raise InputError(LIMIT.text(LimitStatus.FREE_STATE, fault))
+
+    @property
+    def _has_limits(self) -> bool:
+        """Whether limits are given with which a motion can be planned."""
+        return bool(self._table()[:, : LimitRow.JERK].all())
+
+    def _free(self) -> NDArray[np.bool_]:
+        """Which velocities and accelerations are free, shape (waypoints, 3, 2)."""
+        rows = range(1, int(self.value("waypoint.count")) + 1)
+        names = ("velocity_free", "acceleration_free")
+        return np.array([
+            [[self.value(f"waypoint[{i}].{n}.{a}") for n in names] for a in AXES] for i in rows
+        ], dtype=np.bool_)
 
     def _as_given(self, crane: Crane, friction: Friction) -> Trajectory:
         """The plan with the given limits, slower if it may be."""
@@ -150,12 +177,16 @@ class FeedforwardSlave(SpecSlave):
     def _as_found(self, crane: Crane, friction: Friction) -> Trajectory:
         """The plan with limits that are found where those given do not keep the bounds."""
         refusal: SegfmuError | None = None
-        if self._table()[:, : LimitRow.JERK].all():
+        if self._has_limits:
             try:
                 return self._as_given(crane, friction)
             except SegfmuError as error:
                 refusal = error
-        options, points = self._options(), tuple(self._waypoints(1.0))
+        options = self._options()
+        points = self._waypoints(1.0)
+        states = np.array([p.planned for p in points])
+        states[:, :, WaypointState.VELOCITY :][self._free()] = np.nan
+        points = with_states(points, states, np.array([p.dwell for p in points]))
         timing = {name: options.pop(name) for name in ("sample_time", "duration")}
         caps = np.hstack([self._table(), self._least()])
         task = Task(
@@ -253,15 +284,15 @@ class FeedforwardSlave(SpecSlave):
         table = limits.table(len(AXES), LimitRow.VELOCITY_MIN)[:, : LimitRow.VELOCITY_MIN]
         self.show(PlanLimits, np.hstack([table, -limits.lower(len(AXES))]).ravel())
 
-    def _waypoints(self, pace: float) -> list[Waypoint]:
+    def _waypoints(self, pace: float) -> tuple[Waypoint, ...]:
         count = int(self.value("waypoint.count"))
         position, velocity, acceleration, dwell = (
             np.array([float(self.value(n)) for n in array.members[: count * array.columns]])
             .reshape(count, -1)
-            for array in gantry_feedforward.arrays(count)
+            for array in gantry_feedforward.arrays(count) if array.name not in FREE
         )
         rows = zip(position, pace * velocity, pace**2 * acceleration, dwell, strict=True)
-        return [Waypoint(p, v, a, dwell=float(rest[0])) for p, v, a, rest in rows]
+        return tuple(Waypoint(p, v, a, dwell=float(rest[0])) for p, v, a, rest in rows)
 
     @property
     def _begin(self) -> float:

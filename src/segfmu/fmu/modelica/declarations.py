@@ -101,18 +101,22 @@ def _table(spec: Spec, array: Array) -> list[str]:
     name, count = identifier(array.name), identifier(array.rows)
     first = next(a for a in spec.arrays if a.rows == array.rows)
     used = int(variables[array.rows].start or 0)
-    values = [float(variables[m].start or 0.0) for m in array.members[: used * array.columns]]
+    v = variables[array.members[0]]
+    starts = [variables[m].start or 0 for m in array.members[: used * array.columns]]
+    values = [literal(v, start) for start in starts]
     rows = [values[i : i + array.columns] for i in range(0, len(values), array.columns)]
     columns = "" if array.columns == 1 else f", {array.columns}"
-    if array is not first and not any(values):
-        value = f"zeros({count}{columns})"
+    if array is not first and not any(starts):
+        zero = literal(v, 0)
+        value = (
+            f"zeros({count}{columns})" if v.kind == "Real" else f"fill({zero}, {count}{columns})"
+        )
     elif array.columns == 1:
-        value = listed(map(repr, values))
+        value = listed(values)
     else:
-        value = "[" + ";\n      ".join(", ".join(map(repr, row)) for row in rows) + "]"
-    v = variables[array.members[0]]
+        value = "[" + ";\n      ".join(", ".join(row) for row in rows) + "]"
     lines = [
-        f"  parameter Real {name}[{':' if array is first else count}{columns}]"
+        f"  parameter {v.kind} {name}[{':' if array is first else count}{columns}]"
         f"{modifiers(v, each=True)} = {value} {quoted(array.description)} "
         f"annotation(Dialog(tab = {quoted(title(array.name))}));"
     ]

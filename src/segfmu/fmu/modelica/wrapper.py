@@ -20,8 +20,10 @@ from segfmu.fmu.modelica.declarations import (
 from segfmu.fmu.modelica.drawing import icon, places
 from segfmu.fmu.modelica.names import identifier, listed, quoted, title
 from segfmu.fmu.standard.identity import guid
-from segfmu.fmu.standard.spec import Array, Spec, Variable
+from segfmu.fmu.standard.spec import Array, Kind, Spec, Variable
 
+# between the parts of a vector
+JOINT = ",\n      "
 # inputs that start values of states can follow from
 REFERENCE = "reference"
 
@@ -81,22 +83,31 @@ def _real_parameters(spec: Spec) -> list[str]:
     """Value references and values, scalars first, then the used rows of every table."""
     members = {m for a in spec.arrays for m in a.members}
     scalars = [v for v in settable(spec) if v.kind == "Real" and v.name not in members]
-    refs = [listed(spec.references[v.name] for v in scalars)]
-    values = [listed(parameter_name(v) for v in scalars)]
-    for array in spec.arrays:
+    refs, values = _tables(spec, "Real", "rows")
+    refs.insert(0, listed(spec.references[v.name] for v in scalars))
+    values.insert(0, listed(parameter_name(v) for v in scalars))
+    return [
+        *(_table_references(spec, array) for array in spec.arrays),
+        f"  final parameter Integer real_references[:] = cat(1, {JOINT.join(refs)});",
+        f"  final parameter Real reals[:] = cat(1, {JOINT.join(values)});",
+    ]
+
+
+def _tables(spec: Spec, kind: Kind, function: str) -> tuple[list[str], list[str]]:
+    """Value references and values of the used rows of tables of a kind, the values by a function.
+
+    Columns are taken as they are if they are real.
+    """
+    refs, values = [], []
+    for array in (a for a in spec.arrays if spec.variable(a.members[0]).kind == kind):
         name, count = identifier(array.name), identifier(array.rows)
         flat = array.columns == 1
         refs.append(
             f"{name}_references[1:{count}]" if flat
             else f"FMI.references({name}_references, {count})"
         )
-        values.append(name if flat else f"FMI.rows({name})")
-    joint = ",\n      "
-    return [
-        *(_table_references(spec, array) for array in spec.arrays),
-        f"  final parameter Integer real_references[:] = cat(1, {joint.join(refs)});",
-        f"  final parameter Real reals[:] = cat(1, {joint.join(values)});",
-    ]
+        values.append(name if flat else f"FMI.{function}({name})")
+    return refs, values
 
 
 def _table_references(spec: Spec, array: Array) -> str:
@@ -111,8 +122,9 @@ def _table_references(spec: Spec, array: Array) -> str:
 
 
 def _discrete_parameters(spec: Spec) -> list[str]:
+    members = {m for a in spec.arrays for m in a.members}
     integers, booleans = [], []
-    for v in settable(spec):
+    for v in (v for v in settable(spec) if v.name not in members):
         name, reference = parameter_name(v), str(spec.references[v.name])
         if v.kind == "Boolean":
             booleans.append((reference, f"if {name} then 1 else 0"))
@@ -122,11 +134,18 @@ def _discrete_parameters(spec: Spec) -> list[str]:
             integers.append((reference, name))
     lines = []
     for kind, rows in (("integer", integers), ("boolean", booleans)):
+        refs, values = _vector([r for r, _ in rows], "0"), _vector([v for _, v in rows], "0")
+        tables = _tables(spec, "Boolean", "truths") if kind == "boolean" else ([], [])
+        size, use = str(len(rows)), "constant"
+        if tables[0]:
+            refs, values = (
+                f"cat(1, {JOINT.join([one, *others])})"
+                for one, others in zip((refs, values), tables, strict=True)
+            )
+            size, use = ":", "final parameter"
         lines += [
-            f"  constant Integer {kind}_references[{len(rows)}] = "
-            + _vector([r for r, _ in rows], "0") + ";",
-            f"  final parameter Integer {kind}s[{len(rows)}] = "
-            + _vector([value for _, value in rows], "0") + ";",
+            f"  {use} Integer {kind}_references[{size}] = {refs};",
+            f"  final parameter Integer {kind}s[{size}] = {values};",
         ]
     return lines
 

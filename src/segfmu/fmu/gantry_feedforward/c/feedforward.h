@@ -13,7 +13,8 @@
 enum {
     AXES = VECTOR_SIZE, ORDERS = LOAD_MOTION_SIZE / AXES, LIMITS = LOAD_LIMITS_Y - LOAD_LIMITS_X, MOST_SMOOTHNESS = 6,
     RESULTS = FEEDFORWARD_SIZE,
-    MOST_POINTS = MODEL_ROWS
+    MOST_POINTS = MODEL_ROWS,
+    MOST_COLUMNS = 8 * MOST_SMOOTHNESS - 5 /* of what `check_rope` works in */
 };
 
 /* a bound that is used up to this is used in full */
@@ -44,7 +45,7 @@ typedef struct {
 /* What is planned: limits of the load, a row per axis; least ones are below 0, 0: as the others. */
 typedef struct {
     double limits[LOAD_LIMITS_SIZE], lower[LOWER_LIMITS_SIZE];
-    double pace;                     /* of the given velocities and accelerations */
+    double velocity[MOST_POINTS * AXES], acceleration[MOST_POINTS * AXES];
     bool timed;                      /* whether a sample time and a duration are kept */
 } request;
 
@@ -86,8 +87,13 @@ static bool require_space(feedforward *m, char message[MESSAGE]);
    among samples. */
 static void measure(feedforward *m, bool exact, double *peaks, double *times);
 
-/* Plan with limits of the load that are found; false with a message where there are none. */
+/* Plan with limits of the load that are found, and free states with them; false with a message where
+   there are none. It needs so many numbers behind those that `segfmu_plan` needs. */
 static bool feedforward_limits(feedforward *m, char message[MESSAGE]);
+static size_t search_size(const model *base);
+
+/* The first waypoint with a free velocity or acceleration, counted from 0; -1: there is none. */
+static int64_t free_waypoint(const model *base);
 
 /* Numbers of the plan in the block, without contacts. */
 static size_t planned_size(const feedforward *m);

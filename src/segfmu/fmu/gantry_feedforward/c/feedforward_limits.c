@@ -4,18 +4,24 @@
 
 #include "feedforward.h"
 
-enum { UNKNOWNS = AXES * LIMIT_ROW_SIZE };
+/* unknowns: limits, then velocities and accelerations of places between the first and the last */
+enum { LIMIT_UNKNOWNS = AXES * LIMIT_ROW_SIZE, STATE_UNKNOWNS = 2 * AXES, POINT = AXES * WAYPOINT_STATE_SIZE };
 
 /* a bound that is used beyond this is exceeded, and the largest pace beyond what samples suggest */
 static const double KEPT = 1.0 + 1e-9, FASTEST = 1e3;
 
 typedef struct {
-    double bounds[DRIVE_BOUNDS_SIZE], known[RESISTANCE_SIZE], caps[UNKNOWNS];
-    double axes[AXES * AXIS_TASK_SIZE], kinds[UNKNOWNS], starts[STARTS_COUNT * UNKNOWNS];
-    double rows[SEARCH_SIZE * UNKNOWNS], values[SEARCH_VALUES_SIZE * VALUES_SIZE];
-    double slopes[UNKNOWNS * VALUES_SIZE], newton[2 * UNKNOWNS * UNKNOWNS];
-    double uses[2 * DEMAND_SIZE], most;
-    double closest[UNKNOWNS], least; /* of the last plans the one that uses the bounds least */
+    double bounds[DRIVE_BOUNDS_SIZE], known[RESISTANCE_SIZE], caps[LIMIT_UNKNOWNS];
+    double axes[AXES * AXIS_TASK_SIZE], values[SEARCH_VALUES_SIZE * VALUES_SIZE];
+    double uses[2 * DEMAND_SIZE], most, least;
+    int64_t points, places, unknowns;
+    bool chooses;      /* free states are searched for, too */
+    bool strict;       /* where bounds are exceeded paths are judged as well: free states lead astray */
+    request base;      /* states with rest where they are free */
+    /* by waypoint, in the block behind the plan */
+    double *states, *tried, *place, *places_at, *led;
+    /* by unknown, there as well; closest: of the last plans the one that uses the bounds least */
+    double *kinds, *starts, *rows, *slopes, *newton, *closest;
 } limit_search;
 
 static array_double_2d axes_of(limit_search *s)
@@ -25,12 +31,108 @@ static array_double_2d axes_of(limit_search *s)
 
 static array_double_2d rows_of(limit_search *s)
 {
-    return matrix(s->rows, SEARCH_SIZE, UNKNOWNS);
+    return matrix(s->rows, SEARCH_SIZE, s->unknowns);
 }
 
 static array_double_2d starts_of(limit_search *s)
 {
-    return matrix(s->starts, STARTS_COUNT, UNKNOWNS);
+    return matrix(s->starts, STARTS_COUNT, s->unknowns);
+}
+
+static double *unknowns_in(limit_search *s, int64_t row)
+{
+    return s->rows + row * s->unknowns;
+}
+
+static bool has_free(const model *base, int64_t place, int order)
+{
+    return base->integer[(order == 0 ? V_WAYPOINT_VELOCITY_FREE : V_WAYPOINT_ACCELERATION_FREE) + place];
+}
+
+int64_t free_waypoint(const model *base)
+{
+    for (int64_t i = 0; i < base->integer[V_WAYPOINT_COUNT] * AXES; i++) {
+        if (has_free(base, i, 0) || has_free(base, i, 1)) {
+            return i / AXES;
+        }
+    }
+    return -1;
+}
+
+static int64_t most_unknowns(const model *base)
+{
+    const int64_t inner = base->integer[V_WAYPOINT_COUNT] - 2;
+    return LIMIT_UNKNOWNS + (free_waypoint(base) >= 0 && inner > 0 ? STATE_UNKNOWNS * inner : 0);
+}
+
+/* Numbers by waypoint and by unknown. */
+enum {
+    BY_POINT = 2 * POINT + 1 + 2 * AXES, BY_UNKNOWN = 2 + STARTS_COUNT + SEARCH_SIZE + VALUES_SIZE
+};
+
+size_t search_size(const model *base)
+{
+    const int64_t most = most_unknowns(base);
+    return (size_t)(base->integer[V_WAYPOINT_COUNT] * BY_POINT + most * (BY_UNKNOWN + 2 * most));
+}
+
+static void lay_out(limit_search *s, const model *base, double *block)
+{
+    const int64_t most = most_unknowns(base);
+    s->states = take(&block, s->points * POINT);
+    s->tried = take(&block, s->points * POINT);
+    s->place = take(&block, s->points);
+    s->places_at = take(&block, s->points * AXES);
+    s->led = take(&block, s->points * AXES);
+    s->kinds = take(&block, most);
+    s->closest = take(&block, most);
+    s->starts = take(&block, STARTS_COUNT * most);
+    s->rows = take(&block, SEARCH_SIZE * most);
+    s->slopes = take(&block, VALUES_SIZE * most);
+    s->newton = take(&block, 2 * most * most);
+}
+
+/* Velocities and accelerations of states. */
+static void split(const double *states, int64_t points, request *r)
+{
+    for (int64_t i = 0; i < points * AXES; i++) {
+        r->velocity[i] = states[i * WAYPOINT_STATE_SIZE + WAYPOINT_STATE_VELOCITY];
+        r->acceleration[i] = states[i * WAYPOINT_STATE_SIZE + WAYPOINT_STATE_ACCELERATION];
+    }
+}
+
+/* Begin with the places of the waypoints; whether free states are to be searched for. */
+static bool find_places(limit_search *s, feedforward *m)
+{
+    double *real = m->base.real;
+    memset(s, 0, sizeof *s);
+    s->points = m->base.integer[V_WAYPOINT_COUNT];
+    lay_out(s, &m->base, m->space + segfmu_plan_size(s->points, AXES, m->base.integer[V_PLANNER_SMOOTHNESS]));
+    for (int64_t i = 0; i < s->points * AXES; i++) {
+        double *state = s->states + i * WAYPOINT_STATE_SIZE;
+        state[WAYPOINT_STATE_POSITION] = real[V_WAYPOINT_POSITION + i];
+        state[WAYPOINT_STATE_VELOCITY] = has_free(&m->base, i, 0) ? NAN : real[V_WAYPOINT_VELOCITY + i];
+        state[WAYPOINT_STATE_ACCELERATION] =
+            has_free(&m->base, i, 1) ? NAN : real[V_WAYPOINT_ACCELERATION + i];
+    }
+    array_double_3d states = cuboid(s->states, s->points, AXES, WAYPOINT_STATE_SIZE);
+    array_double_1d place = vector(s->place, s->points);
+    segfmu_unite_waypoints(states, place);
+    for (int64_t i = 0; i < s->points; i++) {
+        if (i == 0 || s->place[i] > s->place[i - 1]) {
+            memcpy(s->places_at + s->places++ * AXES, real + V_WAYPOINT_POSITION + i * AXES,
+                   AXES * sizeof *real);
+        }
+    }
+    segfmu_write_free(
+        states, place, vector(real + V_WAYPOINT_DWELL, s->points),
+        vector(s->kinds, most_unknowns(&m->base)), matrix(s->led, s->points, AXES));
+    split(s->states, s->points, &s->base);
+    bool chooses = false;
+    for (int64_t i = 0; i < s->points * AXES; i++) {
+        chooses = chooses || s->led[i] > 0.0;
+    }
+    return chooses;
 }
 
 /* The given limits, as the search takes them: largest ones, 0 where there are none. */
@@ -50,11 +152,12 @@ static void gather_caps(const model *base, double *caps)
 }
 
 /* What is searched for; narrow: with the smaller bounds of both directions in both. */
-static bool pose_search(limit_search *s, const feedforward *m, bool narrow, char message[MESSAGE])
+static bool pose_search(
+    limit_search *s, const feedforward *m, bool narrow, bool chooses, char message[MESSAGE])
 {
     double *real = (double *)m->base.real, fault[LIMIT_FAULT_SIZE], rope = 0.0;
-    const int64_t points = m->base.integer[V_WAYPOINT_COUNT];
-    array_double_2d positions = matrix(&real[V_WAYPOINT_POSITION], points, AXES);
+    s->chooses = s->strict = chooses;
+    s->unknowns = LIMIT_UNKNOWNS + (chooses ? STATE_UNKNOWNS * (s->places - 2) : 0);
     feed_record(&feeds_drive_bounds, &m->base, s->bounds);
     feed_record(&feeds_resistance, &m->base, s->known);
     gather_caps(&m->base, s->caps);
@@ -63,38 +166,75 @@ static bool pose_search(limit_search *s, const feedforward *m, bool narrow, char
         segfmu_narrow_bounds(vector(s->bounds, DRIVE_BOUNDS_SIZE), caps);
     }
     segfmu_write_axes(
-        positions, matrix(&real[V_WAYPOINT_VELOCITY], points, AXES),
-        matrix(&real[V_WAYPOINT_ACCELERATION], points, AXES), vector(s->bounds, DRIVE_BOUNDS_SIZE),
-        caps, vector(s->known, RESISTANCE_SIZE), axes_of(s));
-    segfmu_write_kinds(axes_of(s), vector(s->kinds, UNKNOWNS));
-    for (int64_t i = 0; i < points; i++) {
+        matrix(&real[V_WAYPOINT_POSITION], s->points, AXES),
+        matrix(s->base.velocity, s->points, AXES), matrix(s->base.acceleration, s->points, AXES),
+        vector(s->bounds, DRIVE_BOUNDS_SIZE), caps, vector(s->known, RESISTANCE_SIZE), axes_of(s));
+    segfmu_write_kinds(axes_of(s), vector(s->kinds, s->unknowns));
+    for (int64_t i = 0; i < s->points; i++) {
         rope = fmax(rope, -real[V_WAYPOINT_POSITION + i * AXES + AXES_ROPE]);
     }
+    memset(s->starts, 0, (size_t)(STARTS_COUNT * s->unknowns) * sizeof *s->starts);
     int64_t status = segfmu_write_starts(
         rope, vector(s->bounds, DRIVE_BOUNDS_SIZE), vector(s->known, RESISTANCE_SIZE), axes_of(s),
         starts_of(s), vector(fault, LIMIT_FAULT_SIZE));
+    for (int k = 0; chooses && k < STARTS_COUNT; k++) {
+        segfmu_write_passing(
+            matrix(s->places_at, s->places, AXES), vector(s->kinds, s->unknowns), axes_of(s),
+            vector(s->starts + k * s->unknowns, s->unknowns));
+    }
     return !segfmu_limit_message(status, fault, message, MESSAGE);
 }
 
-/* Plan what the row TRIAL stands for; its duration, -1 with a message if there is no plan that may be
-   taken. A plan within the bounds has to be clear of obstacles as well. */
-static double try_limits(
-    feedforward *m, limit_search *s, bool exact, bool timed, char message[MESSAGE])
+/* The request that the row TRIAL stands for. */
+static void read_trial(limit_search *s, bool timed, request *r)
 {
-    double table[UNKNOWNS], peaks[2 * DEMAND_SIZE], times[2 * DEMAND_SIZE];
-    double *trial = s->rows + SEARCH_TRIAL * UNKNOWNS;
-    request r = {.pace = 1.0, .timed = timed};
-    segfmu_write_limits(
-        vector(trial, UNKNOWNS), axes_of(s), matrix(table, AXES, LIMIT_ROW_SIZE));
+    double table[LIMIT_UNKNOWNS];
+    array_double_1d trial = vector(unknowns_in(s, SEARCH_TRIAL), s->unknowns);
+    array_double_2d limits = matrix(table, AXES, LIMIT_ROW_SIZE);
+    *r = s->base;
+    r->timed = timed;
+    segfmu_write_limits(trial, axes_of(s), limits);
     for (int axis = 0; axis < AXES; axis++) {
         const double *row = table + axis * LIMIT_ROW_SIZE;
-        memcpy(r.limits + axis * LIMITS, row, LIMITS * sizeof *row);
+        memcpy(r->limits + axis * LIMITS, row, LIMITS * sizeof *row);
         for (int i = 0; i < LIMIT_ROW_SIZE - LIMIT_ROW_VELOCITY_MIN; i++) {
             const bool own = s->axes[axis * AXIS_TASK_SIZE + AXIS_TASK_DIRECTED + i] > 0.0;
-            r.lower[axis * (LIMIT_ROW_SIZE - LIMIT_ROW_VELOCITY_MIN) + i] =
+            r->lower[axis * (LIMIT_ROW_SIZE - LIMIT_ROW_VELOCITY_MIN) + i] =
                 own ? -row[LIMIT_ROW_VELOCITY_MIN + i] : 0.0;
         }
     }
+    if (s->chooses) {
+        memcpy(s->tried, s->states, (size_t)(s->points * POINT) * sizeof *s->tried);
+        segfmu_write_states(
+            trial, vector(s->kinds, s->unknowns), limits, vector(s->place, s->points),
+            cuboid(s->tried, s->points, AXES, WAYPOINT_STATE_SIZE));
+        split(s->tried, s->points, r);
+    }
+}
+
+/* Check that the path stays in the boxes of waypoints with states that were chosen. */
+static bool require_boxes(limit_search *s, feedforward *m, char message[MESSAGE])
+{
+    const segfmu_trajectory t = feedforward_trajectory(m);
+    const int64_t width = 2 * t.smoothness;
+    double work[ROPE_WORK_SIZE * MOST_COLUMNS], fault[EXCURSION_SIZE];
+    int64_t status = !s->chooses ? PATH_STATUS_INSIDE : segfmu_path_excursion(
+        matrix(s->led, s->points, AXES),
+        matrix(&m->base.real[V_WAYPOINT_POSITION], s->points, AXES),
+        matrix((double *)t.times, s->points, AXES), timing_of(&t),
+        matrix((double *)t.coefficients, t.pieces, width), offsets_of(&t),
+        matrix(work, ROPE_WORK_SIZE, 4 * width - 5), vector(fault, EXCURSION_SIZE));
+    return !segfmu_path_message(status, fault, message, MESSAGE);
+}
+
+/* Plan what the row TRIAL stands for; its duration, -1 with a message if there is no plan that may be
+   taken. A plan within the bounds has to stay in its boxes and to be clear of obstacles as well. */
+static double try_limits(
+    feedforward *m, limit_search *s, bool exact, bool timed, char message[MESSAGE])
+{
+    double peaks[2 * DEMAND_SIZE], times[2 * DEMAND_SIZE];
+    request r;
+    read_trial(s, timed, &r);
     if (!plan_at(m, &r, message)) {
         return -1.0;
     }
@@ -108,25 +248,29 @@ static double try_limits(
     }
     if (s->most < s->least) {
         s->least = s->most;
-        memcpy(s->closest, trial, sizeof s->closest);
+        memcpy(s->closest, unknowns_in(s, SEARCH_TRIAL), (size_t)s->unknowns * sizeof *s->closest);
     }
-    return s->most > KEPT || require_space(m, message) ? m->duration : -1.0;
+    const bool judged = s->most <= KEPT || s->strict;
+    return !judged || (require_boxes(s, m, message) && require_space(m, message)) ? m->duration : -1.0;
 }
 
 /* Search by samples; whether there is a plan. */
 static bool search_limits(feedforward *m, limit_search *s, char message[MESSAGE])
 {
     double duration;
+    const int64_t n = s->unknowns;
     s->least = 1e300;
-    segfmu_begin_limits(starts_of(s), vector(s->kinds, UNKNOWNS), rows_of(s));
+    memset(s->rows, 0, (size_t)(SEARCH_SIZE * n) * sizeof *s->rows);
+    memset(s->slopes, 0, (size_t)(VALUES_SIZE * n) * sizeof *s->slopes);
+    segfmu_begin_limits(starts_of(s), vector(s->kinds, n), rows_of(s));
     do {
         memset(s->uses, 0, sizeof s->uses);
         duration = try_limits(m, s, false, false, message);
     } while (segfmu_next_limits(
         duration, vector(s->uses, 2 * DEMAND_SIZE), starts_of(s), rows_of(s),
-        matrix(s->values, SEARCH_VALUES_SIZE, VALUES_SIZE), matrix(s->slopes, UNKNOWNS, VALUES_SIZE),
-        matrix(s->newton, 2 * UNKNOWNS, UNKNOWNS)));
-    return s->rows[SEARCH_STATE * UNKNOWNS + SEARCH_STATE_BEST] < 1e300;
+        matrix(s->values, SEARCH_VALUES_SIZE, VALUES_SIZE), matrix(s->slopes, n, VALUES_SIZE),
+        matrix(s->newton, 2 * n, n)));
+    return unknowns_in(s, SEARCH_STATE)[SEARCH_STATE_BEST] < 1e300;
 }
 
 /* Plan what was found at the pace at which its exact peaks just keep the bounds, up to a pace. */
@@ -157,28 +301,43 @@ static bool is_directed(limit_search *s)
     return false;
 }
 
+/* Search as posed, from the limits of a narrower search where there is one, so that nothing that is
+   allowed in addition makes the plan longer; known: whether there is one, whose limits these are. */
+static bool search_from(
+    feedforward *m, limit_search *s, bool known, double *limits, char message[MESSAGE])
+{
+    if (known) {
+        memset(s->starts, 0, (size_t)s->unknowns * sizeof *s->starts);
+        memcpy(s->starts, limits, LIMIT_UNKNOWNS * sizeof *limits);
+    }
+    const bool found = search_limits(m, s, message);
+    memcpy(limits, unknowns_in(s, SEARCH_BEST), LIMIT_UNKNOWNS * sizeof *limits);
+    return found;
+}
+
 bool feedforward_limits(feedforward *m, char message[MESSAGE])
 {
     limit_search s;
-    memset(&s, 0, sizeof s);
-    if (!pose_search(&s, m, false, message)) {
+    double limits[LIMIT_UNKNOWNS];
+    const bool chooses = find_places(&s, m);
+    if (!pose_search(&s, m, false, false, message)) {
         return false;
     }
+    bool known = false;
     if (is_directed(&s)) {
-        /* from the limits for the smaller bounds, so that no larger one makes the plan longer */
-        double found[UNKNOWNS];
-        bool narrow = pose_search(&s, m, true, message) && search_limits(m, &s, message);
-        memcpy(found, s.rows + SEARCH_BEST * UNKNOWNS, sizeof found);
+        known = pose_search(&s, m, true, false, message) && search_from(m, &s, false, limits, message);
         for (int axis = 0; axis < AXES; axis++) {
-            double *row = found + axis * LIMIT_ROW_SIZE;
+            double *row = limits + axis * LIMIT_ROW_SIZE;
             memcpy(row + LIMIT_ROW_VELOCITY_MIN, row, LIMIT_ROW_JERK * sizeof *row);
         }
-        pose_search(&s, m, false, message);
-        if (narrow) {
-            memcpy(s.starts, found, sizeof found);
-        }
+        pose_search(&s, m, false, false, message);
     }
-    bool found = search_limits(m, &s, message) && pace_limits(m, &s, FASTEST, false, message);
+    bool found = search_from(m, &s, known, limits, message);
+    if (chooses) {
+        pose_search(&s, m, false, true, message);
+        found = search_from(m, &s, found, limits, message);
+    }
+    found = found && pace_limits(m, &s, FASTEST, false, message);
     const double *real = m->base.real;
     const bool timed = found
         && (real[V_PLANNER_SAMPLE_TIME] > 0.0 || real[V_PLANNER_DURATION] > 0.0);
@@ -188,7 +347,8 @@ bool feedforward_limits(feedforward *m, char message[MESSAGE])
     }
     if (!found && s.least < 1e300) {
         /* the plan that comes closest is refused with what it exceeds or meets */
-        memcpy(s.rows + SEARCH_TRIAL * UNKNOWNS, s.closest, sizeof s.closest);
+        memcpy(unknowns_in(&s, SEARCH_TRIAL), s.closest, (size_t)s.unknowns * sizeof *s.closest);
+        s.strict = false;
         found = try_limits(m, &s, true, timed, message) >= 0.0;
     }
     return found;

@@ -158,7 +158,10 @@ static void gather_limits(const model *base, double pace, request *r)
     for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
         r->lower[i] *= i % 2 == 0 ? pace : pace * pace;
     }
-    r->pace = pace;
+    for (int64_t i = 0; i < base->integer[V_WAYPOINT_COUNT] * AXES; i++) {
+        r->velocity[i] = pace * base->real[V_WAYPOINT_VELOCITY + i];
+        r->acceleration[i] = pace * pace * base->real[V_WAYPOINT_ACCELERATION + i];
+    }
     r->timed = true;
 }
 
@@ -181,7 +184,6 @@ static void show_limits(model *base, const request *r)
 /* Check that the load stays below the trolley, the rope taut, and its length within its range. */
 static bool require_rope(const segfmu_trajectory *t, const model *base, char message[MESSAGE])
 {
-    enum { MOST_WIDTH = 2 * MOST_SMOOTHNESS, MOST_COLUMNS = 4 * MOST_WIDTH - 5 };
     const int64_t width = 2 * t->smoothness;
     double space[ROPE_WORK_SIZE * MOST_COLUMNS];
     double fault[ROPE_FAULT_SIZE], bounds[ROPE_BOUNDS_SIZE];
@@ -220,7 +222,6 @@ bool plan_at(feedforward *m, const request *r, char message[MESSAGE])
 {
     const double *real = m->base.real;
     double limits[AXES * (MOST_SMOOTHNESS + 1)] = {0.0}, lower[LOWER_LIMITS_SIZE];
-    double velocity[MOST_POINTS * AXES], acceleration[MOST_POINTS * AXES];
     double options[PLAN_OPTIONS_SIZE];
     feed_record(&feeds_plan_options, &m->base, options);
     segfmu_problem problem = {
@@ -228,13 +229,9 @@ bool plan_at(feedforward *m, const request *r, char message[MESSAGE])
         (int64_t)options[PLAN_OPTIONS_SHAPE], (int64_t)options[PLAN_OPTIONS_SYNCHRONIZATION],
         r->timed ? options[PLAN_OPTIONS_SAMPLE_TIME] : 0.0,
         r->timed ? options[PLAN_OPTIONS_DURATION] : 0.0,
-        &real[V_WAYPOINT_POSITION], velocity, acceleration, &real[V_WAYPOINT_DWELL], limits, lower
+        &real[V_WAYPOINT_POSITION], r->velocity, r->acceleration, &real[V_WAYPOINT_DWELL], limits, lower
     };
     segfmu_trajectory found;
-    for (int64_t i = 0; i < problem.points * AXES; i++) {
-        velocity[i] = r->pace * real[V_WAYPOINT_VELOCITY + i];
-        acceleration[i] = r->pace * r->pace * real[V_WAYPOINT_ACCELERATION + i];
-    }
     for (int axis = 0; axis < AXES; axis++) {
         const double *own = r->limits + axis * LIMITS;
         memcpy(limits + axis * (problem.smoothness + 1), own, LIMITS * sizeof *own);
@@ -289,6 +286,17 @@ static bool has_limits(const model *base)
     return true;
 }
 
+/* Refuse free states where nothing chooses them. */
+static bool require_choice(const model *base, char message[MESSAGE])
+{
+    double fault[LIMIT_FAULT_SIZE] = {0.0};
+    const int64_t point = free_waypoint(base);
+    const bool chosen = base->integer[V_PLANNER_FINDS_LIMITS] && !has_limits(base);
+    fault[LIMIT_FAULT_POINT] = (double)point;
+    return !segfmu_limit_message(
+        point < 0 || chosen ? LIMIT_STATUS_FOUND : LIMIT_STATUS_FREE_STATE, fault, message, MESSAGE);
+}
+
 /* The plan with limits that are found where those given do not keep the bounds. */
 static bool plan_as_found(feedforward *m, char message[MESSAGE])
 {
@@ -310,7 +318,7 @@ bool feedforward_plan(feedforward *m, char message[MESSAGE])
 {
     const bool finds = m->base.integer[V_PLANNER_FINDS_LIMITS];
     m->base.real[V_PLAN_PACE] = 1.0;
-    if (!(finds ? plan_as_found(m, message) : plan_as_given(m, message))) {
+    if (!require_choice(&m->base, message) || !(finds ? plan_as_found(m, message) : plan_as_given(m, message))) {
         return false;
     }
     const segfmu_trajectory plan = feedforward_trajectory(m);

@@ -14,9 +14,11 @@ size_t model_least(void)
 size_t model_size(const model *base)
 {
     const int64_t smoothness = base->integer[V_PLANNER_SMOOTHNESS];
-    size_t size = segfmu_plan_size(base->integer[V_WAYPOINT_COUNT], AXES, smoothness);
-    size += base->integer[V_COMMAND_ENABLED] ? operation_size(smoothness) : 0;
-    return sizeof(feedforward) + sizeof(double) * size;
+    const size_t plan = segfmu_plan_size(base->integer[V_WAYPOINT_COUNT], AXES, smoothness);
+    const size_t search = base->integer[V_PLANNER_FINDS_LIMITS] ? search_size(base) : 0;
+    const size_t operation = base->integer[V_COMMAND_ENABLED] ? operation_size(smoothness) : 0;
+    /* commands begin when the search is over */
+    return sizeof(feedforward) + sizeof(double) * (plan + (search > operation ? search : operation));
 }
 
 size_t mission_size(const feedforward *m)

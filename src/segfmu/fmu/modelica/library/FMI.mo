@@ -125,6 +125,17 @@ package FMI "An FMU as functions of time, states and inputs"
     end for;
   end rows;
 
+  function truths "The rows of a table, one behind the other, 1 where it is true"
+    input Boolean table[:, :];
+    output Integer values[size(table, 1)*size(table, 2)];
+  algorithm
+    for i in 1:size(table, 1) loop
+      for j in 1:size(table, 2) loop
+        values[(i - 1)*size(table, 2) + j] := if table[i, j] then 1 else 0;
+      end for;
+    end for;
+  end truths;
+
   function references "Value references of the first rows of a table"
     input Integer table[:, :];
     input Integer count "of the rows";

@@ -146,7 +146,7 @@ static fmi2Status get_integers(instance *c, const char *function,
         return fmi2Error;
     }
     for (size_t i = 0; i < count; i++) {
-        values[i] = (int)glue_integer(c, references[i]);
+        values[i] = (int)glue_integer(c, references[i], 0);
     }
     return fmi2OK;
 }
@@ -190,7 +190,7 @@ static fmi2Status set_integers(instance *c, const char *function,
     }
     for (size_t i = 0; i < count; i++) {
         bool boolean = glue_variable(references[i])->kind == KIND_BOOLEAN;
-        if (!glue_set_integer(c, references[i], boolean ? values[i] != fmi2False : values[i])) {
+        if (!glue_set_integer(c, references[i], 0, boolean ? values[i] != fmi2False : values[i])) {
             return fmi2Error;
         }
     }

@@ -28,7 +28,7 @@ WITHOUT(UInt32)
 WITHOUT(UInt64)
 WITHOUT(String)
 
-/* Whole numbers and truth values: all of them scalars. */
+/* Whole numbers and truth values, arrays row by row. */
 #define WHOLE(Type, kinds)                                                                        \
     fmi3Status fmi3Get##Type(fmi3Instance c, const fmi3ValueReference references[], size_t count, \
                              fmi3##Type values[], size_t size)                                    \
@@ -38,7 +38,10 @@ WITHOUT(String)
             return fmi3Error;                                                                     \
         }                                                                                         \
         for (size_t i = 0; i < count; i++) {                                                      \
-            values[i] = (fmi3##Type)glue_integer(c, references[i]);                               \
+            const size_t elements = glue_elements_of(c, glue_variable(references[i]));            \
+            for (size_t k = 0; k < elements; k++) {                                               \
+                *values++ = (fmi3##Type)glue_integer(c, references[i], k);                        \
+            }                                                                                     \
         }                                                                                         \
         return fmi3OK;                                                                            \
     }                                                                                             \
@@ -50,8 +53,11 @@ WITHOUT(String)
             return fmi3Error;                                                                     \
         }                                                                                         \
         for (size_t i = 0; i < count; i++) {                                                      \
-            if (!glue_set_integer(c, references[i], (int64_t)values[i])) {                        \
-                return fmi3Error;                                                                 \
+            const size_t elements = glue_elements_of(c, glue_variable(references[i]));            \
+            for (size_t k = 0; k < elements; k++) {                                               \
+                if (!glue_set_integer(c, references[i], k, (int64_t)*values++)) {                 \
+                    return fmi3Error;                                                             \
+                }                                                                                 \
             }                                                                                     \
         }                                                                                         \
         return fmi3OK;                                                                            \

@@ -85,8 +85,8 @@ static void glue_get_reals(const instance *c, const uint32_t references[], size_
 static bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size);
 /* One integer, Boolean or enumeration. */
-static int64_t glue_integer(const instance *c, uint32_t reference);
-static bool glue_set_integer(instance *c, uint32_t reference, int64_t value);
+static int64_t glue_integer(const instance *c, uint32_t reference, size_t element);
+static bool glue_set_integer(instance *c, uint32_t reference, size_t element, int64_t value);
 
 /* The experiment: start time, and stop time where there is one. */
 static bool glue_begin(instance *c, double start, bool has_stop, double stop);

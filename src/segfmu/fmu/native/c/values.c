@@ -222,19 +222,19 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
     return true;
 }
 
-int64_t glue_integer(const instance *c, uint32_t reference)
+int64_t glue_integer(const instance *c, uint32_t reference, size_t element)
 {
-    return c->model->integer[glue_variable(reference)->offset];
+    return c->model->integer[glue_variable(reference)->offset + element];
 }
 
-bool glue_set_integer(instance *c, uint32_t reference, int64_t value)
+bool glue_set_integer(instance *c, uint32_t reference, size_t element, int64_t value)
 {
     const variable *v = glue_variable(reference);
     double number = (double)value;
     if (!tuned_in_range(c, v, &number, 1)) {
         return false;
     }
-    c->model->integer[v->offset] = value;
+    c->model->integer[v->offset + element] = value;
     touch(c, 1 << v->setting);
     return true;
 }
