@@ -10,6 +10,10 @@ import lzma
 import tarfile
 from collections.abc import Mapping
 
+# bits of the last byte, of the place, and of its alignment by which bytes are foretold: usual, and
+# what instructions of 4 bytes and of any size are like
+CONTEXTS = ((3, 0, 2), (2, 2, 2), (4, 0, 0))
+
 
 def pack(libraries: Mapping[str, bytes]) -> bytes:
     """A .tar.xz archive of libraries by their names; equal libraries give equal bytes."""
@@ -19,7 +23,12 @@ def pack(libraries: Mapping[str, bytes]) -> bytes:
             entry = tarfile.TarInfo(name)
             entry.size = len(libraries[name])
             archive.addfile(entry, io.BytesIO(libraries[name]))
-    return lzma.compress(written.getvalue(), preset=9 | lzma.PRESET_EXTREME)
+    return min((_compressed(written.getvalue(), *each) for each in CONTEXTS), key=len)
+
+
+def _compressed(content: bytes, lc: int, lp: int, pb: int) -> bytes:
+    chosen = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME}
+    return lzma.compress(content, filters=[chosen | {"lc": lc, "lp": lp, "pb": pb}])
 
 
 def unpack(content: bytes) -> dict[str, bytes]:
