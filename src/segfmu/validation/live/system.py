@@ -11,6 +11,7 @@ import numpy as np
 
 from segfmu.crane.variables import filled
 from segfmu.errors import InputError
+from segfmu.fmu.gantry_crane.rig_parameters import FAR
 from segfmu.fmu.models import named
 from segfmu.fmu.native import start, tables
 from segfmu.fmu.native.archive import sources
@@ -20,6 +21,7 @@ from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import entries
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.kernels import backend
+from segfmu.kernels.crane.records import AXES as CRANE_AXES
 from segfmu.kernels.crane.records import Compensation, Resistance
 from segfmu.kernels.messages import READY
 from segfmu.kernels.operation.records import ReadyFault, ReadyStatus
@@ -58,11 +60,24 @@ def interfaces(
     for axis, (low, high) in zip(AXES, room.tolist(), strict=True):
         values |= {f"workspace.{axis}.min": low, f"workspace.{axis}.max": high}
     # the feedback's gains stay those of the mission's load when the page changes it
-    load = {"feedback.payload_mass": mission.crane.payload_mass}
-    own = started(feedforward, values), started(crane, load)
+    fixed = {"feedback.payload_mass": mission.crane.payload_mass, **_unstopped(crane)}
+    own = started(feedforward, values), started(crane, fixed)
     _require_ready(own[0], int(trajectory.offsets[-1]))
     first, second = (named(spec.name).native_spec(spec) for spec in own)
     return first, second
+
+
+def _unstopped(crane: Spec) -> dict[str, float]:
+    """No end stops without buffers: wind and feedback would end the run at them again and again.
+
+    The load's room is within them.
+    """
+    ends = (("min", -FAR), ("max", FAR))
+    return {
+        f"travel.{axis}.{end}": place
+        for axis in CRANE_AXES if not crane.variable(f"travel.{axis}.stiffness").start
+        for end, place in ends
+    }
 
 
 def _require_ready(feedforward: Spec, pieces: int) -> None:
