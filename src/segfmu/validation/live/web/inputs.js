@@ -40,9 +40,9 @@ class Joystick {
 
   // a pad that a finger or a mouse pulls, and that springs back
   drag(pad, tell) {
-    const knob = pad.querySelector(".knob");
+    const knob = pad.querySelector(".knob"), KNOB = 33;
     const move = (right, up) => {
-      knob.style.transform = `translate(${50 * right}%, ${-50 * up}%)`;
+      knob.style.transform = `translate(${KNOB * right}%, ${-KNOB * up}%)`;
       tell(Joystick.stepped(right), Joystick.stepped(up));
     };
     const follow = (event) => {
