@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from segfmu.validation.files.mission import Mission, load_mission
     from segfmu.validation.identification.identify import identify
     from segfmu.validation.identification.result import Identification
+    from segfmu.validation.live.page import live
     from segfmu.validation.runs import Run, simulate
     from segfmu.validation.suites import Suite, validate
 
@@ -80,6 +81,7 @@ __all__ = [
     "campaign",
     "excursions",
     "identify",
+    "live",
     "load_mission",
     "load_result",
     "plan",
@@ -112,6 +114,7 @@ _HOMES = {
     "segfmu.validation.files.mission": ("Mission", "load_mission"),
     "segfmu.validation.identification.identify": ("identify",),
     "segfmu.validation.identification.result": ("Identification",),
+    "segfmu.validation.live.page": ("live",),
     "segfmu.validation.runs": ("Run", "simulate"),
     "segfmu.validation.suites": ("Suite", "validate"),
 }

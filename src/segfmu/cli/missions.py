@@ -149,10 +149,10 @@ def live(
     ] = "live.html",
 ) -> None:
     """Write a page on which the mission's crane is driven in a browser, without a network."""
-    from segfmu.validation.live import write
+    from segfmu.validation.live import page
 
     with watched() as progress:
-        path = write(mission, output, progress)
+        path = page.live(mission, output, progress=progress)
     tell(f"{path}  {path.stat().st_size / 1024:.0f} KiB; open it in a browser")
 
 

@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from segfmu.validation.live import write
+import segfmu
 
 MODELS = Path(__file__).parents[3] / "models"
 MISSIONS = ("inteco.toml", "container.toml")
@@ -111,7 +111,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder, firefox() as browser:
         print("Firefox", browser.version)
         for name in MISSIONS:
-            drive(browser, write(MODELS / name, Path(folder) / f"{name}.html"))
+            drive(browser, segfmu.live(MODELS / name, Path(folder) / f"{name}.html"))
 
 
 if __name__ == "__main__":

@@ -12,7 +12,6 @@ import segfmu
 from segfmu.cosim.change import Change
 from segfmu.cosim.system import System
 from segfmu.fmu.native.archive import build_all
-from segfmu.validation.live import write
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.live.system import interfaces
 from segfmu.validation.planned import planned
@@ -57,7 +56,7 @@ def main() -> None:
     """Measure both sizes of cranes."""
     with tempfile.TemporaryDirectory() as place, chromium() as browser:
         for name, path in MISSIONS.items():
-            page = write(path, Path(place) / f"{name}.html")
+            page = segfmu.live(path, Path(place) / f"{name}.html")
             print(f"{name}: {page.stat().st_size / 1024:.0f} KiB")
             for size in (DESK, PHONE):
                 tab, _ = opened(browser, page, size)

@@ -13,7 +13,7 @@ from pathlib import Path
 from PIL import Image, ImageDraw, ImageFont
 from playwright.sync_api import Browser
 
-from segfmu.validation.live import write
+import segfmu
 from tests.validation.report.browser import chromium, opened
 
 MISSION = Path(__file__).parents[3] / "models" / "container.toml"
@@ -72,7 +72,7 @@ def main() -> None:
     """Write live.gif."""
     target = Path(sys.argv[1]) / "live.gif"
     with tempfile.TemporaryDirectory() as place, chromium() as browser:
-        page = write(MISSION, Path(place) / "live.html")
+        page = segfmu.live(MISSION, Path(place) / "live.html")
         free, plain = (run(browser, page, kind) for kind in (False, True))
     pictures = [
         beside([("swing-free", one), ("plain joystick", other)])

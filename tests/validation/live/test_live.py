@@ -16,7 +16,6 @@ from segfmu.cosim.change import Change
 from segfmu.cosim.system import System
 from segfmu.fmu.gantry_feedforward.interface import MODES
 from segfmu.fmu.native.archive import build_all
-from segfmu.validation.live import write
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.live.system import interfaces
 from segfmu.validation.planned import planned
@@ -62,7 +61,7 @@ RUN = """async ([names, changes, settings, end]) => {
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("live")
-    return {name: write(path, folder / f"{name}.html") for name, path in MISSIONS.items()}
+    return {name: segfmu.live(path, folder / f"{name}.html") for name, path in MISSIONS.items()}
 
 
 @pytest.fixture(scope="module")

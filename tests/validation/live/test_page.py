@@ -15,7 +15,6 @@ from segfmu.crane import bound_uses
 from segfmu.errors import BuildError, InputError
 from segfmu.fmu.native import binaries, compilers
 from segfmu.planning import Waypoint
-from segfmu.validation.live import write
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.planned import planned
 from tests.validation.live.compiler import needs_wasm
@@ -84,7 +83,7 @@ def test_a_crane_that_follows_no_command_is_refused(
     tmp_path: Path, crane: dict[str, object], words: str
 ) -> None:
     with pytest.raises(InputError, match=words) as refused:
-        write(mission(crane=crane), tmp_path / "live.html")
+        segfmu.live(mission(crane=crane), tmp_path / "live.html")
     assert "\n" not in str(refused.value) and "leave it out" in str(refused.value)
     assert not list(tmp_path.iterdir())
 
@@ -95,7 +94,7 @@ def test_without_compiler_the_way_out_is_told(
     monkeypatch.setattr(compilers, "_has_zig", lambda: False)
     monkeypatch.setattr(binaries, "_packaged", lambda _: {})
     with pytest.raises(BuildError, match=r"install the extra segfmu\[platforms\]"):
-        write(mission(), tmp_path / "live.html")
+        segfmu.live(mission(), tmp_path / "live.html")
     assert not list(tmp_path.iterdir())
 
 
@@ -117,4 +116,4 @@ def test_the_command_writes_one_file(
 
 def test_a_target_that_is_a_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be written"):
-        write(mission(), tmp_path)
+        segfmu.live(mission(), tmp_path)

@@ -1,5 +1,5 @@
 """A page on which a mission's crane is driven, with both FMUs in it."""
 
-from segfmu.validation.live.page import write
+from segfmu.validation.live.page import live
 
-__all__ = ["write"]
+__all__ = ["live"]

@@ -36,10 +36,26 @@ LIGHTEST, HEAVIEST = 0.1, 1.2
 SWINGS = 6
 
 
-def write(mission: Source, path: str | Path, progress: Progress = quiet) -> Path:
-    """Write the page on which a mission's crane is driven; returns its path.
+def live(
+    mission: Source, path: str | Path = "live.html", *, progress: Progress = quiet
+) -> Path:
+    """Write the page on which a mission's crane is driven in a browser.
 
-    One file with both FMUs, which opens without a network. It appears when it is complete.
+    It is one file with both FMUs, which opens without a network. It appears when it is complete.
+
+    Parameters
+    ----------
+    mission : path, mapping or Mission
+        As of `load_mission`.
+    path : path
+        Of the page.
+    progress : callable
+        Called with what is being done and the share of it that is done.
+
+    Returns
+    -------
+    Path
+        Of the page.
 
     Raises
     ------
