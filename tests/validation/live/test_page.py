@@ -13,9 +13,11 @@ import segfmu
 from segfmu import cli
 from segfmu.crane import bound_uses
 from segfmu.errors import BuildError, InputError
+from segfmu.fmu.gantry_crane.interface import MODES
 from segfmu.fmu.native import binaries, compilers
 from segfmu.planning import Waypoint
 from segfmu.validation.live.space import limits, space, speeds
+from segfmu.validation.live.system import interfaces
 from segfmu.validation.planned import planned
 from tests.validation.live.compiler import needs_wasm
 
@@ -70,6 +72,19 @@ def test_a_joystick_commands_what_load_and_drive_can() -> None:
     velocity, acceleration = speeds(free, planned(free), LIMITS)
     np.testing.assert_allclose(velocity, [0.475, 1.0, 1.0])
     np.testing.assert_allclose(acceleration, [0.7, 1.0, 1.0])
+
+
+def test_the_crane_is_the_missions_but_begins_at_rest_without_stops() -> None:
+    own = mission(
+        crane={"drive": "force", "sensors": {"sample_time": 0.01}, "travel": {"bridge": [-1, 1]}},
+        simulation={"initial_sway": [5.0, 0.0]},
+    )
+    plan = planned(own)
+    feedforward, crane = interfaces(own, plan, space(own, plan), LIMITS)
+    known = {v.name: v.start for v in (*feedforward.variables, *crane.variables)}
+    assert known["sway.x.angle"] == 0.0 and known["travel.bridge.max"] > 1e6
+    assert known["sensor.sample_time"] == 0.01 and known["command.enabled"] is True
+    assert MODES.items[int(known["drive.mode"]) - 1] == "velocity"
 
 
 @pytest.mark.parametrize(

@@ -113,8 +113,7 @@ def entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:
     texts = sources(spec.name, fmi)
     found = _described(spec, fmi)
     found |= {f"sources/{n}": t for n, t in texts.items()}
-    mark = tables.mark({n: t for n, t in texts.items() if n != "build.h"})
-    found["resources/start.bin"] = start.content(spec, named(spec.name).largest(), fmi, mark)
+    found["resources/start.bin"] = start_values(spec, fmi)
     for name in platforms:
         library = binary(spec.name, texts, name)
         platform = PLATFORMS[name]
@@ -123,6 +122,13 @@ def entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:
     if fmi == 2:
         _join_darwin(spec.name, found)
     return found
+
+
+def start_values(spec: Spec, fmi: int) -> bytes:
+    """The file start.bin that a binary of this model's sources reads."""
+    texts = sources(spec.name, fmi)
+    mark = tables.mark({n: t for n, t in texts.items() if n != "build.h"})
+    return start.content(spec, named(spec.name).largest(), fmi, mark)
 
 
 def _join_darwin(name: str, entries: dict[str, bytes]) -> None:

@@ -13,8 +13,7 @@ from segfmu.crane.variables import filled
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane.rig_parameters import FAR
 from segfmu.fmu.models import named
-from segfmu.fmu.native import start, tables
-from segfmu.fmu.native.archive import sources
+from segfmu.fmu.native.archive import sources, start_values
 from segfmu.fmu.native.binaries import binary
 from segfmu.fmu.native.compilers import BROWSER
 from segfmu.fmu.standard.identity import guid
@@ -61,6 +60,8 @@ def interfaces(
         values |= {f"workspace.{axis}.min": low, f"workspace.{axis}.max": high}
     # the feedback's gains stay those of the mission's load when the page changes it
     fixed = {"feedback.payload_mass": mission.crane.payload_mass, **_unstopped(crane)}
+    # the load is at rest whenever the page begins
+    fixed |= {f"sway.{axis}.angle": 0.0 for axis in "xy"}
     own = started(feedforward, values), started(crane, fixed)
     _require_ready(own[0], int(trajectory.offsets[-1]))
     first, second = (named(spec.name).native_spec(spec) for spec in own)
@@ -108,13 +109,11 @@ def system(feedforward: Spec, crane: Spec, step: float) -> dict[str, Any]:
 
 def _fmu(spec: Spec) -> dict[str, Any]:
     """One FMU: what its archive has, and value reference and type of every variable."""
-    texts = sources(spec.name, FMI)
-    mark = tables.mark({n: t for n, t in texts.items() if n != "build.h"})
     return {
         "name": spec.name,
         "guid": guid(spec),
-        "start": packed(start.content(spec, named(spec.name).largest(), FMI, mark)),
-        "code": packed(binary(spec.name, texts, BROWSER.name)),
+        "start": packed(start_values(spec, FMI)),
+        "code": packed(binary(spec.name, sources(spec.name, FMI), BROWSER.name)),
         "variables": {
             entry.name: [spec.references[entry.name], KINDS[entry.variable.kind]]
             for entry in entries(spec, FMI) if not HIDDEN.match(entry.name)
