@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -24,13 +23,14 @@ def probes(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
 
 
 @pytest.fixture(scope="session")
-def pendulums(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[int, Path]]:
+def pendulums(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """The pendulum, native, by version of FMI."""
     require_native()
+    # the registration ends here: other tests have the models of the package
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(models, "_registered", dict(models._registered))
         models.register(PENDULUM)
-        yield {
+        return {
             fmi: build_all(
                 tmp_path_factory.mktemp(f"pendulum{fmi}"), Choice(True, fmi), [PENDULUM.spec()]
             )[0]

@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 from benchmarks.operated import LAB, PORT, Site, commands
+from fmpy import simulate_fmu
 
 from segfmu import Operator
+from segfmu.cosim import System
 from tests.campaign import campaign
+from tests.cosim.probe.build import build
 from tests.fmu.gantry_feedforward.test_drive_bounds import initialised
 from tests.fmu.native.importer import Importer
 from tests.fmu.native.test_state import restore, serialised
@@ -236,3 +239,55 @@ def test_model_exchange_renews_what_is_held(native_fmus) -> None:
     assert velocity == pytest.approx(-0.3)
     assert place == pytest.approx(operator.load[0, 0], abs=1e-9)
     assert events < 400
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("name", SITES)
+def test_a_joystick_is_an_input(native_fmus, name: str, fmi: int) -> None:
+    """A signal that an importer connects acts as values that are set between steps."""
+    site, step = SITES[name], SITES[name].step
+    times = step * np.arange(200)
+    fastest = site.limits.table(3, 4)[0, 0]
+    stick = np.where(times < times[120], 0.4 * fastest * np.sign(np.sin(times / step / 15.0)), 0.0)
+    with Importer(native_fmus[fmi][0]) as fmu:
+        begun(fmu, site)
+        still = {"mode": "velocity", "scale": 1.0, "target": [0.0] * 3}
+        wanted = [still | {"velocity": [v, 0.0, 0.0]} for v in stick]
+        expected = follow(fmu, site, wanted)[:, 0]
+    values = parameters(site) | {"command.mode": 3}
+    with Importer(native_fmus[fmi][0]) as fmu:
+        given = {
+            n: np.ravel(v).tolist() if np.ndim(v) else v for n, v in arrays(fmu, values).items()
+        }
+    signal = np.array(
+        list(zip(times, stick, strict=True)),
+        dtype=[("time", float), ("command.velocity.x", float)],
+    )
+    found = simulate_fmu(
+        str(native_fmus[fmi][0]), fmi_type="CoSimulation", stop_time=float(times[-1]),
+        step_size=step, output_interval=step, start_values=given, input=signal,
+        output=["reference.load.position.x"],
+    )["reference.load.position.x"]
+    assert found[1:] == pytest.approx(expected[: found.size - 1], rel=1e-9, abs=1e-12)
+    assert np.ptp(expected) > 5.0 * fastest * step
+
+
+def test_a_stick_that_is_an_fmu(native_fmus, tmp_path: Path) -> None:
+    """An output of another FMU, which rises with time, commands the velocity."""
+    with System(
+        {"stick": build(tmp_path, 2), "planner": native_fmus[2][0]}, step=LAB.step,
+        connections=[("stick", "y", "planner", "command.velocity.y")],
+        coupling="sequential", events=False,
+    ) as system:
+        rows = system.run(stop_time=1.0, values={
+            "stick": {"x": 0.5, "gain": -0.2}, "planner": parameters(LAB) | {"command.mode": 3},
+        })
+    # in sequence the planner has the stick at the end of its step
+    still = {"mode": "velocity", "scale": 1.0, "target": [0.0] * 3}
+    wanted = [still | {"velocity": [0.0, y, 0.0]} for y in rows["y"][1:].tolist()]
+    with Importer(native_fmus[2][0]) as fmu:
+        begun(fmu, LAB)
+        expected = follow(fmu, LAB, wanted)
+    for k, name in enumerate(LOAD):
+        assert rows[name][1:] == pytest.approx(expected[:, k], rel=1e-9, abs=1e-9), name
+    assert rows["reference.load.velocity.y"][-1] > 0.2

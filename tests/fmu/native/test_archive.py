@@ -126,7 +126,7 @@ def test_places_of_values_do_not_overlap() -> None:
         for array in spec.arrays:
             places = [placed.offsets[n] for n in array.members]
             assert places == list(range(places[0], places[0] + len(places)))
-        for i, variable in enumerate(spec.where("input")):
+        for i, variable in enumerate(spec.signals):
             assert placed.offsets[variable.name] == i
 
 

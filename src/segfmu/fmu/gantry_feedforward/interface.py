@@ -13,6 +13,7 @@ from segfmu.fmu.standard.spec import (
     beginning,
     calculated,
     choice,
+    command,
     output,
     parameter,
     time,
@@ -107,9 +108,9 @@ def _commands() -> list[Variable]:
             "command.enabled", False, None, "commands can be followed; takes 2 MB, and drives "
             "without dead time", kind="Boolean",
         ),
-        Variable(
-            "command.mode", "Enumeration", "parameter", "tunable", "what the load does; mission: "
-            "the plan that it has", 1, enumeration=MODES,
+        command(
+            "command.mode", 1, None, "what the load does; mission: the plan that it has",
+            kind="Enumeration", enumeration=MODES,
         ),
     ]
     for name, unit, meaning in (
@@ -117,17 +118,16 @@ def _commands() -> list[Variable]:
         ("target", "m", "target of the load"),
     ):
         rows += [
-            parameter(f"command.{name}.{a}", 0.0, unit, f"{meaning}, {a}", tunable=True)
+            command(f"command.{name}.{a}", 0.0, unit, f"{meaning}, {a}")
             for a in "xyz"
         ]
     rows += [
-        parameter(
+        command(
             "command.go", True, None, "in the mode target: go there; false: stop", kind="Boolean",
-            tunable=True,
         ),
-        parameter(
+        command(
             "limits.scale", 1.0, None, "share of the velocity limits that commands are followed "
-            "with; 0: stop", minimum=0.0, maximum=1.0, tunable=True,
+            "with; 0: stop", minimum=0.0, maximum=1.0,
         ),
         parameter(
             "command.hold", 0.1, "s", "how long a commanded velocity is held beyond a step, if "

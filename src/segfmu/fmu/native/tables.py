@@ -37,11 +37,11 @@ class Layout:
 
 
 def layout(spec: Spec) -> Layout:
-    """Give every variable its place, inputs first."""
+    """Give every variable its place, continuous inputs first."""
     member_of = {m: a for a in spec.arrays for m in a.members}
     variables = {v.name: v for v in spec.variables}
     placed = Layout({}, [], [])
-    for variable in (*spec.where("input"), *spec.variables):
+    for variable in (*spec.signals, *spec.variables):
         if variable.name not in placed.offsets:
             array = member_of.get(variable.name)
             for name in array.members if array else (variable.name,):
@@ -86,7 +86,7 @@ def header(spec: Spec, version: int) -> str:
         "DIFFERENTIABLE": differentiable,
         "REALS": len(placed.reals),
         # C has no arrays of no size
-        "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.where("input")),
+        "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.signals),
         "STATES": len(spec.states), "ROWS": rows, "ORDERS": spec.orders,
     }
     lines = [
@@ -151,7 +151,8 @@ def _differentiable(v: Variable) -> bool:
 
 def _setting(v: Variable) -> str:
     if v.causality == "input":
-        return "SET_INPUT"
+        # a discrete one acts from event to event, as what is tuned does
+        return "SET_INPUT" if v.variability == "continuous" else "SET_TUNABLE"
     if v.causality == "parameter":
         return "SET_TUNABLE" if v.variability == "tunable" else "SET_FIXED"
     return "SET_NEVER" if v.initial != "exact" else "SET_START"

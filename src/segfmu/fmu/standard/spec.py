@@ -125,6 +125,11 @@ class Spec:
         return tuple(v for v in self.variables if v.causality in causalities)
 
     @property
+    def signals(self) -> tuple[Variable, ...]:
+        """The continuous inputs."""
+        return tuple(v for v in self.where("input") if v.variability == "continuous")
+
+    @property
     def enumerations(self) -> tuple[Enumeration, ...]:
         """Enumeration types in use, in the order of their first use."""
         return tuple(dict.fromkeys(v.enumeration for v in self.variables if v.enumeration))
@@ -202,6 +207,18 @@ def derivative(state: str, rate: Variable) -> Variable:
 def signal(name: str, unit: str, description: str) -> Variable:
     """A continuous real input that starts at zero."""
     return Variable(name, "Real", "input", "continuous", description, 0.0, unit)
+
+
+def command(
+    name: str, start: Value, unit: str | None, description: str, *,
+    minimum: float | None = None, maximum: float | None = None, kind: Kind = "Real",
+    enumeration: Enumeration | None = None,
+) -> Variable:
+    """A discrete input: what it is at a communication point, or an event, holds until the next."""
+    return Variable(
+        name, kind, "input", "discrete", description, start, unit, minimum, maximum,
+        enumeration=enumeration,
+    )
 
 
 def parameter(
