@@ -40,6 +40,11 @@ def test_every_answer_is_that_of_samples(trajectory: Trajectory) -> None:
                 assert off < 2e-6 * abs(ends[1] - ends[0]) + 1e-8 * np.abs(values).max()
             else:
                 assert found.distance == pytest.approx(off, rel=1e-4, abs=1e-9 * np.ptp(values))
+                # what is less than this is none
+                small = max(1e-6 * abs(ends[1] - ends[0]), 1e-9 * np.abs(values).max())
+                away = (values < min(ends) - small) | (values > max(ends) + small)
+                first = times[away.argmax()] if away.any() else times[-1]
+                assert first - 1.1 * (times[1] - times[0]) <= found.time <= first
 
 
 def test_the_first_is_that_beside_waypoints_that_count() -> None:
