@@ -350,7 +350,7 @@ def limit_calls() -> dict[str, Call]:
     bounds[DriveBounds.VELOCITY_MIN] = -0.4
     known[: Resistance.VISCOUS] = 2.0, 1.0, 1.0, 9.81
     caps, axes = zeros(3, LimitRow.SIZE), zeros(3, AxisTask.SIZE)
-    backend.write_axes(points, rest, rest, bounds, caps, known, axes)
+    backend.write_axes(False, points, rest, rest, bounds, caps, known, axes)
     starts, fault = zeros(Starts.COUNT, 24), zeros(LimitFault.SIZE)
     backend.write_starts(1.2, bounds, known, axes, starts, fault)
     kinds = np.repeat([float(Unknown.LIMIT), float(Unknown.STATE)], [18, 6])
@@ -363,7 +363,7 @@ def limit_calls() -> dict[str, Call]:
     return {
         "begin_pace": (1.0, 0.999, zeros(Pace.SIZE)),
         "next_pace": (1.4, np.array([0.8, 1.0, 0.999, 0.5, 1.0, 0.7, 1.9, 1.0, 1.9, 2.0])),
-        "write_axes": (points, rest, rest, bounds, caps, known, axes.copy()),
+        "write_axes": (False, points, rest, rest, bounds, caps, known, axes.copy()),
         "narrow_bounds": (bounds.copy(), caps + 1.0),
         "write_kinds": (axes, kinds.copy()),
         "write_limits": (starts[0].copy(), axes, zeros(3, LimitRow.SIZE)),

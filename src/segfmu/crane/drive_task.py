@@ -137,7 +137,8 @@ class Task:
         rows = np.zeros((3, AxisTask.SIZE))
         velocities, accelerations = np.ascontiguousarray(np.moveaxis(self.states, 2, 0)[1:])
         backend.write_axes(
-            self.positions, velocities, accelerations, *self._bounds, self.resistance, rows
+            self.narrow, self.positions, velocities, accelerations, *self._bounds, self.resistance,
+            rows,
         )
         higher = np.array([[p.jerk, p.snap] for p in self.waypoints])
         first = AxisTask.FLOOR + LimitRow.JERK

@@ -584,6 +584,45 @@ def next_pace(
     /,
 ) -> bool: ...
 
+def write_axes(
+    narrow: bool,
+    positions: Floats,
+    velocities: Floats,
+    accelerations: Floats,
+    bounds: Floats,
+    caps: Floats,
+    resistance: Floats,
+    axes: Floats,
+    /,
+) -> None: ...
+
+def narrow_bounds(
+    bounds: Floats,
+    caps: Floats,
+    /,
+) -> None: ...
+
+def write_kinds(
+    axes: Floats,
+    kinds: Floats,
+    /,
+) -> None: ...
+
+def write_limits(
+    unknowns: Floats,
+    axes: Floats,
+    table: Floats,
+    /,
+) -> None: ...
+
+def write_shares(
+    peaks: Floats,
+    bounds: Floats,
+    axes: Floats,
+    uses: Floats,
+    /,
+) -> None: ...
+
 def write_starts(
     rope: float,
     bounds: Floats,
@@ -655,44 +694,6 @@ def next_limits(
     newton: Floats,
     /,
 ) -> bool: ...
-
-def write_axes(
-    positions: Floats,
-    velocities: Floats,
-    accelerations: Floats,
-    bounds: Floats,
-    caps: Floats,
-    resistance: Floats,
-    axes: Floats,
-    /,
-) -> None: ...
-
-def narrow_bounds(
-    bounds: Floats,
-    caps: Floats,
-    /,
-) -> None: ...
-
-def write_kinds(
-    axes: Floats,
-    kinds: Floats,
-    /,
-) -> None: ...
-
-def write_limits(
-    unknowns: Floats,
-    axes: Floats,
-    table: Floats,
-    /,
-) -> None: ...
-
-def write_shares(
-    peaks: Floats,
-    bounds: Floats,
-    axes: Floats,
-    uses: Floats,
-    /,
-) -> None: ...
 
 def check_range(
     value: float,

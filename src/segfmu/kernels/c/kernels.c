@@ -261,6 +261,12 @@ static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
 static double pace_between(double use, array_double_1d pace);
+static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
+static bool differs(int64_t i, array_double_1d bounds);
+static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
+static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row);
+static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
+static double held_force(int64_t side, array_double_1d row);
 static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault);
 static double least_of(double limit, double bound);
 static double rigid_mass(int64_t axis, array_double_1d resistance);
@@ -300,10 +306,6 @@ static void note_start(array_double_2d search);
 static void enter_centre(array_double_2d search, array_double_2d values);
 static bool enter_round(array_double_2d search, array_double_2d values);
 static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
-static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
-static bool differs(int64_t i, array_double_1d bounds);
-static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
-static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static double least_scale(void);
@@ -9637,6 +9639,291 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
     return result;
 }
+static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
+{
+    double ahead;
+    double back;
+    int64_t k;
+    double velocity;
+    double way;
+    ahead = 0.0;
+    back = 0.0;
+    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        velocity = (*cspan_at(&velocities, k, axis));
+        (*cspan_at(&row, INT64_C(2))) = span_max((*cspan_at(&row, INT64_C(2))), fabs(velocity));
+        way = 0.0;
+        if (k > INT64_C(0))
+        {
+            way = (*cspan_at(&positions, k, axis)) - (*cspan_at(&positions, k - INT64_C(1), axis));
+        }
+        (*cspan_at(&row, INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(1))), fabs(way));
+        if ((velocity > 0.0) || (way > 0.0))
+        {
+            ahead = 1.0;
+        }
+        if ((velocity < 0.0) || (way < 0.0))
+        {
+            back = 1.0;
+        }
+        if ((velocity != 0.0) || ((*cspan_at(&accelerations, k, axis)) != 0.0) || (way != 0.0))
+        {
+            (*cspan_at(&row, INT64_C(0))) = 1.0;
+        }
+    }
+    if ((ahead < 0.5) && (back < 0.5))
+    {
+        ahead = (*cspan_at(&row, INT64_C(0)));
+        back = (*cspan_at(&row, INT64_C(0)));
+    }
+    (*cspan_at(&row, INT64_C(3))) = ahead;
+    (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = back;
+    if (axis == INT64_C(2))
+    {
+        (*cspan_at(&row, INT64_C(3))) = back;
+        (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = ahead;
+    }
+}
+static bool differs(int64_t i, array_double_1d bounds)
+{
+    bool result;
+    result = bound_magnitude(i, INT64_C(0), bounds) != bound_magnitude(i, INT64_C(1), bounds);
+    return result;
+}
+static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row)
+{
+    bool turns;
+    bool forced;
+    int64_t i;
+    int64_t caps;
+    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
+    if (turns && differs(INT64_C(3) + axis, bounds))
+    {
+        (*cspan_at(&row, INT64_C(5))) = 1.0;
+    }
+    forced = (axis != INT64_C(2)) && differs(INT64_C(0) + axis, bounds);
+    if (forced || differs(INT64_C(6) + axis, bounds))
+    {
+        (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        caps = INT64_C(15) + i;
+        if ((*cspan_at(&row, caps)) != (*cspan_at(&row, caps + INT64_C(4))))
+        {
+            (*cspan_at(&row, INT64_C(5) + i)) = 1.0;
+        }
+    }
+}
+static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row)
+{
+    bool turns;
+    bool forced;
+    bool result;
+    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
+    forced = (*cspan_at(&bounds, INT64_C(0) + axis)) > 0.0;
+    result = forced && ((*cspan_at(&row, INT64_C(7))) > 0.0) && (!turns) && (axis != INT64_C(2));
+    return result;
+}
+static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
+{
+    int64_t k;
+    int64_t i;
+    double state;
+    int64_t ahead;
+    int64_t back;
+    bool directed;
+    for (k = INT64_C(0); k < velocities.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            state = (*cspan_at(&velocities, k, axis));
+            if (i == INT64_C(1))
+            {
+                state = (*cspan_at(&accelerations, k, axis));
+            }
+            ahead = INT64_C(9) + INT64_C(0) + i;
+            back = INT64_C(9) + INT64_C(4) + i;
+            directed = (*cspan_at(&row, INT64_C(5) + i)) > 0.5;
+            if ((state > 0.0) || (!directed))
+            {
+                (*cspan_at(&row, ahead)) = span_max((*cspan_at(&row, ahead)), fabs(state));
+            }
+            if ((state < 0.0) || (!directed))
+            {
+                (*cspan_at(&row, back)) = span_max((*cspan_at(&row, back)), fabs(state));
+            }
+        }
+    }
+}
+void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes)
+{
+    int64_t axis;
+    array_double_1d row;
+    int64_t i;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        row = span_row(&axes, axis);
+        for (i = INT64_C(0); i < INT64_C(21); i += INT64_C(1))
+        {
+            (*cspan_at(&row, i)) = 0.0;
+        }
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&row, INT64_C(15) + i)) = 1e+300;
+            if ((*cspan_at(&caps, axis, i)) > 0.0)
+            {
+                (*cspan_at(&row, INT64_C(15) + i)) = (*cspan_at(&caps, axis, i));
+            }
+        }
+        write_motion_of(axis, positions, velocities, accelerations, row);
+        if ((*cspan_at(&row, INT64_C(0))) > 0.5)
+        {
+            (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
+        }
+        write_directions(axis, bounds, row);
+        if ((!narrow) && is_braked_by_friction(axis, bounds, row))
+        {
+            (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
+        }
+        write_floors(axis, velocities, accelerations, row);
+        if (axis == INT64_C(2))
+        {
+            (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = (*cspan_at(&resistance, INT64_C(2))) * (*cspan_at(&resistance, INT64_C(3)));
+        }
+    }
+}
+void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps)
+{
+    int64_t i;
+    double least;
+    int64_t axis;
+    double ahead;
+    double back;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        least = (*cspan_at(&bounds, INT64_C(14) + i));
+        if ((least < 0.0) && (i != INT64_C(0) + INT64_C(2)))
+        {
+            if (((*cspan_at(&bounds, i)) == 0.0) || (-least < (*cspan_at(&bounds, i))))
+            {
+                (*cspan_at(&bounds, i)) = -least;
+            }
+            (*cspan_at(&bounds, INT64_C(14) + i)) = 0.0;
+        }
+    }
+    for (axis = INT64_C(0); axis < caps.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
+        {
+            ahead = (*cspan_at(&caps, axis, i));
+            back = (*cspan_at(&caps, axis, INT64_C(4) + i));
+            least = span_min(ahead, back);
+            if (least <= 0.0)
+            {
+                least = span_max(ahead, back);
+            }
+            (*cspan_at(&caps, axis, i)) = least;
+            (*cspan_at(&caps, axis, INT64_C(4) + i)) = least;
+        }
+    }
+}
+static double held_force(int64_t side, array_double_1d row)
+{
+    double weight;
+    double result;
+    weight = (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
+    if (weight > 0.0)
+    {
+        result = span_max((*cspan_at(&row, INT64_C(7))) + (2.0 * side - 1.0) * weight, 0.0);
+        return result;
+    }
+    if ((*cspan_at(&row, INT64_C(3) + side)) < 0.5)
+    {
+        result = -(*cspan_at(&row, INT64_C(7)));
+        return result;
+    }
+    result = (*cspan_at(&row, INT64_C(7)));
+    return result;
+}
+void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds)
+{
+    int64_t axis;
+    int64_t i;
+    bool own;
+    int64_t same;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(0);
+            own = (*cspan_at(&axes, axis, INT64_C(0))) > 0.5;
+            if (i >= INT64_C(4))
+            {
+                same = i - INT64_C(4);
+                own = own && ((*cspan_at(&axes, axis, INT64_C(5) + same)) > 0.5);
+            }
+            if (own)
+            {
+                (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(1);
+            }
+        }
+    }
+}
+void segfmu_write_limits(array_double_1d unknowns, array_double_2d axes, array_double_2d table)
+{
+    int64_t axis;
+    int64_t i;
+    int64_t own;
+    int64_t same;
+    double value;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            own = i;
+            if (i >= INT64_C(4))
+            {
+                same = i - INT64_C(4);
+                if ((*cspan_at(&axes, axis, INT64_C(5) + same)) < 0.5)
+                {
+                    own = same;
+                }
+            }
+            value = exp(span_min(span_max((*cspan_at(&unknowns, axis * INT64_C(6) + own)), -300.0), 300.0));
+            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(9) + own)));
+            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(15) + own)));
+        }
+    }
+}
+void segfmu_write_shares(array_double_2d peaks, array_double_1d bounds, array_double_2d axes, array_double_1d uses)
+{
+    int64_t i;
+    int64_t side;
+    double bound;
+    double held;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            bound = bound_magnitude(i, side, bounds);
+            held = 0.0;
+            if (i < INT64_C(3))
+            {
+                held = held_force(side, span_row(&axes, i));
+            }
+            if (bound <= held * (1.0 + 1e-06))
+            {
+                held = 0.0;
+            }
+            (*cspan_at(&uses, side * INT64_C(14) + i)) = 0.0;
+            if (bound > 0.0)
+            {
+                (*cspan_at(&uses, side * INT64_C(14) + i)) = span_max((*cspan_at(&peaks, side, i)) - held, 0.0) / (bound - held);
+            }
+        }
+    }
+}
 static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
 {
     int64_t side;
@@ -9689,6 +9976,7 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     double velocity;
     double strongest;
     double acceleration;
+    double carried;
     double held;
     double mass;
     double force;
@@ -9710,7 +9998,8 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
     strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
     acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
-    held = (*cspan_at(&row, INT64_C(7))) + (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
+    carried = (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
+    held = (*cspan_at(&row, INT64_C(7))) + carried;
     mass = rigid_mass(axis, resistance);
     force = bound_magnitude(INT64_C(0) + axis, side, bounds);
     if (axis == INT64_C(2))
@@ -9724,6 +10013,10 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     }
     else if (force > 0.0)
     {
+        if (axis != INT64_C(2))
+        {
+            held = held_force(side, row);
+        }
         strong = span_min((force - held) / mass, 1e+299);
         acceleration = span_min(acceleration, span_max(strong, 0.001 * gravity));
     }
@@ -9758,7 +10051,7 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     }
     if (power > 0.0)
     {
-        velocity = span_min(velocity, power / (held + mass * acceleration));
+        velocity = span_min(velocity, power / ((*cspan_at(&row, INT64_C(7))) + carried + mass * acceleration));
     }
     (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
     (*result_1) = acceleration;
@@ -10780,261 +11073,6 @@ bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d s
     }
     result = judge_step(search, values, slopes, newton);
     return result;
-}
-static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
-{
-    double ahead;
-    double back;
-    int64_t k;
-    double velocity;
-    double way;
-    ahead = 0.0;
-    back = 0.0;
-    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        velocity = (*cspan_at(&velocities, k, axis));
-        (*cspan_at(&row, INT64_C(2))) = span_max((*cspan_at(&row, INT64_C(2))), fabs(velocity));
-        way = 0.0;
-        if (k > INT64_C(0))
-        {
-            way = (*cspan_at(&positions, k, axis)) - (*cspan_at(&positions, k - INT64_C(1), axis));
-        }
-        (*cspan_at(&row, INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(1))), fabs(way));
-        if ((velocity > 0.0) || (way > 0.0))
-        {
-            ahead = 1.0;
-        }
-        if ((velocity < 0.0) || (way < 0.0))
-        {
-            back = 1.0;
-        }
-        if ((velocity != 0.0) || ((*cspan_at(&accelerations, k, axis)) != 0.0) || (way != 0.0))
-        {
-            (*cspan_at(&row, INT64_C(0))) = 1.0;
-        }
-    }
-    if ((ahead < 0.5) && (back < 0.5))
-    {
-        ahead = (*cspan_at(&row, INT64_C(0)));
-        back = (*cspan_at(&row, INT64_C(0)));
-    }
-    (*cspan_at(&row, INT64_C(3))) = ahead;
-    (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = back;
-    if (axis == INT64_C(2))
-    {
-        (*cspan_at(&row, INT64_C(3))) = back;
-        (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = ahead;
-    }
-}
-static bool differs(int64_t i, array_double_1d bounds)
-{
-    bool result;
-    result = bound_magnitude(i, INT64_C(0), bounds) != bound_magnitude(i, INT64_C(1), bounds);
-    return result;
-}
-static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row)
-{
-    bool turns;
-    bool forced;
-    int64_t i;
-    int64_t caps;
-    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
-    if (turns && differs(INT64_C(3) + axis, bounds))
-    {
-        (*cspan_at(&row, INT64_C(5))) = 1.0;
-    }
-    forced = (axis != INT64_C(2)) && differs(INT64_C(0) + axis, bounds);
-    if (forced || differs(INT64_C(6) + axis, bounds))
-    {
-        (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        caps = INT64_C(15) + i;
-        if ((*cspan_at(&row, caps)) != (*cspan_at(&row, caps + INT64_C(4))))
-        {
-            (*cspan_at(&row, INT64_C(5) + i)) = 1.0;
-        }
-    }
-}
-static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
-{
-    int64_t k;
-    int64_t i;
-    double state;
-    int64_t ahead;
-    int64_t back;
-    bool directed;
-    for (k = INT64_C(0); k < velocities.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            state = (*cspan_at(&velocities, k, axis));
-            if (i == INT64_C(1))
-            {
-                state = (*cspan_at(&accelerations, k, axis));
-            }
-            ahead = INT64_C(9) + INT64_C(0) + i;
-            back = INT64_C(9) + INT64_C(4) + i;
-            directed = (*cspan_at(&row, INT64_C(5) + i)) > 0.5;
-            if ((state > 0.0) || (!directed))
-            {
-                (*cspan_at(&row, ahead)) = span_max((*cspan_at(&row, ahead)), fabs(state));
-            }
-            if ((state < 0.0) || (!directed))
-            {
-                (*cspan_at(&row, back)) = span_max((*cspan_at(&row, back)), fabs(state));
-            }
-        }
-    }
-}
-void segfmu_write_axes(array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes)
-{
-    int64_t axis;
-    array_double_1d row;
-    int64_t i;
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        row = span_row(&axes, axis);
-        for (i = INT64_C(0); i < INT64_C(21); i += INT64_C(1))
-        {
-            (*cspan_at(&row, i)) = 0.0;
-        }
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            (*cspan_at(&row, INT64_C(15) + i)) = 1e+300;
-            if ((*cspan_at(&caps, axis, i)) > 0.0)
-            {
-                (*cspan_at(&row, INT64_C(15) + i)) = (*cspan_at(&caps, axis, i));
-            }
-        }
-        write_motion_of(axis, positions, velocities, accelerations, row);
-        write_directions(axis, bounds, row);
-        write_floors(axis, velocities, accelerations, row);
-        if ((*cspan_at(&row, INT64_C(0))) > 0.5)
-        {
-            (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
-        }
-        if (axis == INT64_C(2))
-        {
-            (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = (*cspan_at(&resistance, INT64_C(2))) * (*cspan_at(&resistance, INT64_C(3)));
-        }
-    }
-}
-void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps)
-{
-    int64_t i;
-    double least;
-    int64_t axis;
-    double ahead;
-    double back;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        least = (*cspan_at(&bounds, INT64_C(14) + i));
-        if ((least < 0.0) && (i != INT64_C(0) + INT64_C(2)))
-        {
-            if (((*cspan_at(&bounds, i)) == 0.0) || (-least < (*cspan_at(&bounds, i))))
-            {
-                (*cspan_at(&bounds, i)) = -least;
-            }
-            (*cspan_at(&bounds, INT64_C(14) + i)) = 0.0;
-        }
-    }
-    for (axis = INT64_C(0); axis < caps.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
-        {
-            ahead = (*cspan_at(&caps, axis, i));
-            back = (*cspan_at(&caps, axis, INT64_C(4) + i));
-            least = span_min(ahead, back);
-            if (least <= 0.0)
-            {
-                least = span_max(ahead, back);
-            }
-            (*cspan_at(&caps, axis, i)) = least;
-            (*cspan_at(&caps, axis, INT64_C(4) + i)) = least;
-        }
-    }
-}
-void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds)
-{
-    int64_t axis;
-    int64_t i;
-    bool own;
-    int64_t same;
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(0);
-            own = (*cspan_at(&axes, axis, INT64_C(0))) > 0.5;
-            if (i >= INT64_C(4))
-            {
-                same = i - INT64_C(4);
-                own = own && ((*cspan_at(&axes, axis, INT64_C(5) + same)) > 0.5);
-            }
-            if (own)
-            {
-                (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(1);
-            }
-        }
-    }
-}
-void segfmu_write_limits(array_double_1d unknowns, array_double_2d axes, array_double_2d table)
-{
-    int64_t axis;
-    int64_t i;
-    int64_t own;
-    int64_t same;
-    double value;
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            own = i;
-            if (i >= INT64_C(4))
-            {
-                same = i - INT64_C(4);
-                if ((*cspan_at(&axes, axis, INT64_C(5) + same)) < 0.5)
-                {
-                    own = same;
-                }
-            }
-            value = exp(span_min(span_max((*cspan_at(&unknowns, axis * INT64_C(6) + own)), -300.0), 300.0));
-            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(9) + own)));
-            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(15) + own)));
-        }
-    }
-}
-void segfmu_write_shares(array_double_2d peaks, array_double_1d bounds, array_double_2d axes, array_double_1d uses)
-{
-    int64_t i;
-    int64_t side;
-    double bound;
-    double held;
-    double weight;
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
-    {
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            bound = bound_magnitude(i, side, bounds);
-            held = 0.0;
-            if (i < INT64_C(3))
-            {
-                weight = (*cspan_at(&axes, i, INT64_C(7) + INT64_C(1)));
-                held = span_max((*cspan_at(&axes, i, INT64_C(7))) + (2.0 * side - 1.0) * weight, 0.0);
-            }
-            if (bound <= held * (1.0 + 1e-06))
-            {
-                held = 0.0;
-            }
-            (*cspan_at(&uses, side * INT64_C(14) + i)) = 0.0;
-            if (bound > 0.0)
-            {
-                (*cspan_at(&uses, side * INT64_C(14) + i)) = span_max((*cspan_at(&peaks, side, i)) - held, 0.0) / (bound - held);
-            }
-        }
-    }
 }
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
 {

@@ -2200,6 +2200,162 @@ static PyObject *call_next_pace(
     return answer;
 }
 
+static PyObject *call_write_axes(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_axes", .values = values};
+    PyObject *answer = NULL;
+    bool in_narrow;
+    Py_buffer *in_positions;
+    Py_buffer *in_velocities;
+    Py_buffer *in_accelerations;
+    Py_buffer *in_bounds;
+    Py_buffer *in_caps;
+    Py_buffer *in_resistance;
+    Py_buffer *in_axes;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && take_bool(&call, 0, &in_narrow)
+        && (in_positions = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_velocities = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_accelerations = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_bounds = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_caps = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_resistance = take_array(&call, 6, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 7, 2, 'd', true)) != NULL
+        && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
+        && has_extent(&call, "velocities", 0, in_velocities->shape[0], in_positions->shape[0])
+        && has_extent(&call, "accelerations", 0, in_accelerations->shape[0], in_positions->shape[0])
+        && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
+        && has_at_least(&call, "velocities", 1, in_velocities->shape[1], 3)
+        && has_at_least(&call, "accelerations", 1, in_accelerations->shape[1], 3)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
+        && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
+        segfmu_write_axes(
+            in_narrow,
+            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
+            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
+            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_caps->buf, {in_caps->shape[0], in_caps->shape[1]}},
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_narrow_bounds(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "narrow_bounds", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_bounds;
+    Py_buffer *in_caps;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_bounds = take_array(&call, 0, 1, 'd', true)) != NULL
+        && (in_caps = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
+        && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)) {
+        segfmu_narrow_bounds(
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_caps->buf, {in_caps->shape[0], in_caps->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_kinds(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_kinds", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_axes;
+    Py_buffer *in_kinds;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], 18)) {
+        segfmu_write_kinds(
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_limits", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_unknowns;
+    Py_buffer *in_axes;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_unknowns = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], 18)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "table", 0, in_table->shape[0], 3)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 6)) {
+        segfmu_write_limits(
+            (array_double_1d){in_unknowns->buf, {in_unknowns->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_shares(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_shares", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_peaks;
+    Py_buffer *in_bounds;
+    Py_buffer *in_axes;
+    Py_buffer *in_uses;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_peaks = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_bounds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_uses = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)) {
+        segfmu_write_shares(
+            (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_write_starts(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2480,159 +2636,6 @@ static PyObject *call_next_limits(
             (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}},
             (array_double_2d){in_slopes->buf, {in_slopes->shape[0], in_slopes->shape[1]}},
             (array_double_2d){in_newton->buf, {in_newton->shape[0], in_newton->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_axes(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_axes", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_positions;
-    Py_buffer *in_velocities;
-    Py_buffer *in_accelerations;
-    Py_buffer *in_bounds;
-    Py_buffer *in_caps;
-    Py_buffer *in_resistance;
-    Py_buffer *in_axes;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_velocities = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_accelerations = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_bounds = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_caps = take_array(&call, 4, 2, 'd', false)) != NULL
-        && (in_resistance = take_array(&call, 5, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
-        && has_extent(&call, "velocities", 0, in_velocities->shape[0], in_positions->shape[0])
-        && has_extent(&call, "accelerations", 0, in_accelerations->shape[0], in_positions->shape[0])
-        && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
-        && has_at_least(&call, "velocities", 1, in_velocities->shape[1], 3)
-        && has_at_least(&call, "accelerations", 1, in_accelerations->shape[1], 3)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
-        && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
-        segfmu_write_axes(
-            (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
-            (array_double_2d){in_velocities->buf, {in_velocities->shape[0], in_velocities->shape[1]}},
-            (array_double_2d){in_accelerations->buf, {in_accelerations->shape[0], in_accelerations->shape[1]}},
-            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
-            (array_double_2d){in_caps->buf, {in_caps->shape[0], in_caps->shape[1]}},
-            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_narrow_bounds(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "narrow_bounds", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_bounds;
-    Py_buffer *in_caps;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_bounds = take_array(&call, 0, 1, 'd', true)) != NULL
-        && (in_caps = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
-        && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)) {
-        segfmu_narrow_bounds(
-            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
-            (array_double_2d){in_caps->buf, {in_caps->shape[0], in_caps->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_kinds(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_kinds", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_axes;
-    Py_buffer *in_kinds;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_kinds = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
-        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], 18)) {
-        segfmu_write_kinds(
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_limits(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_limits", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_unknowns;
-    Py_buffer *in_axes;
-    Py_buffer *in_table;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_unknowns = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_table = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], 18)
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
-        && has_at_least(&call, "table", 0, in_table->shape[0], 3)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 6)) {
-        segfmu_write_limits(
-            (array_double_1d){in_unknowns->buf, {in_unknowns->shape[0]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_shares(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_shares", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_peaks;
-    Py_buffer *in_bounds;
-    Py_buffer *in_axes;
-    Py_buffer *in_uses;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && (in_peaks = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_bounds = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_uses = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
-        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)) {
-        segfmu_write_shares(
-            (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
-            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_1d){in_uses->buf, {in_uses->shape[0]}});
-        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -4735,6 +4738,11 @@ static PyMethodDef methods[] = {
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
     {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
     {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
+    {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},
+    {"narrow_bounds", (PyCFunction)(void (*)(void))call_narrow_bounds, METH_FASTCALL, NULL},
+    {"write_kinds", (PyCFunction)(void (*)(void))call_write_kinds, METH_FASTCALL, NULL},
+    {"write_limits", (PyCFunction)(void (*)(void))call_write_limits, METH_FASTCALL, NULL},
+    {"write_shares", (PyCFunction)(void (*)(void))call_write_shares, METH_FASTCALL, NULL},
     {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
     {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
     {"unite_waypoints", (PyCFunction)(void (*)(void))call_unite_waypoints, METH_FASTCALL, NULL},
@@ -4744,11 +4752,6 @@ static PyMethodDef methods[] = {
     {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
     {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},
     {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
-    {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},
-    {"narrow_bounds", (PyCFunction)(void (*)(void))call_narrow_bounds, METH_FASTCALL, NULL},
-    {"write_kinds", (PyCFunction)(void (*)(void))call_write_kinds, METH_FASTCALL, NULL},
-    {"write_limits", (PyCFunction)(void (*)(void))call_write_limits, METH_FASTCALL, NULL},
-    {"write_shares", (PyCFunction)(void (*)(void))call_write_shares, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
     {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},

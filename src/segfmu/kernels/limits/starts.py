@@ -9,6 +9,7 @@ from math import exp, log, sqrt, tan
 from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
 from segfmu.kernels.crane.uses import bound_magnitude
 from segfmu.kernels.limits.records import AxisTask, LimitFault, LimitRow, LimitStatus
+from segfmu.kernels.limits.task import held_force
 
 
 def write_starts(
@@ -132,7 +133,8 @@ def rigid_limits(
     velocity = least_of(row[cap], bound_magnitude(Demand.VELOCITY + axis, side, bounds))
     strongest = bound_magnitude(Demand.ACCELERATION + axis, side, bounds)
     acceleration = least_of(row[cap + 1], strongest)
-    held = row[AxisTask.HELD] + row[AxisTask.HELD + 1]
+    carried = row[AxisTask.HELD + 1]
+    held = row[AxisTask.HELD] + carried
     mass = rigid_mass(axis, resistance)
     force = bound_magnitude(Demand.FORCE + axis, side, bounds)
     if axis == Axes.ROPE:
@@ -142,6 +144,8 @@ def rigid_limits(
         acceleration = min(acceleration, 0.9 * gravity)
     elif force > 0.0:
         # a bound may hardly move the load, or be next to none
+        if axis != Axes.ROPE:
+            held = held_force(side, row)
         strong = min((force - held) / mass, 1e299)
         acceleration = min(acceleration, max(strong, 1e-3 * gravity))
     steepest = tan(1.0)
@@ -164,7 +168,7 @@ def rigid_limits(
         fastest = row[AxisTask.FASTEST]
         distance = max(fastest * fastest / acceleration, 1e-9)
     if power > 0.0:
-        velocity = min(velocity, power / (held + mass * acceleration))
+        velocity = min(velocity, power / (row[AxisTask.HELD] + carried + mass * acceleration))
     return min(velocity, 2.0 * sqrt(acceleration * distance)), acceleration
 
 

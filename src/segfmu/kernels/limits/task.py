@@ -12,6 +12,7 @@ from segfmu.kernels.limits.records import AxisTask, LimitRow, Unknown
 
 
 def write_axes(
+    narrow: bool,
     positions: 'float[:,:]',
     velocities: 'float[:,:]',
     accelerations: 'float[:,:]',
@@ -20,7 +21,10 @@ def write_axes(
     resistance: 'float[:]',
     axes: 'float[:,:]',
 ) -> None:
-    """Write the rows of all axes; caps (3, LimitRow.SIZE): largest limits, 0: none."""
+    """Write the rows of all axes; caps (3, LimitRow.SIZE): largest limits, 0: none.
+
+    narrow: bounds and caps are those of `narrow_bounds`, and friction gives no direction either.
+    """
     for axis in range(axes.shape[0]):
         row = axes[axis, :]
         for i in range(AxisTask.SIZE):
@@ -30,12 +34,14 @@ def write_axes(
             if caps[axis, i] > 0.0:
                 row[AxisTask.CAP + i] = caps[axis, i]
         write_motion_of(axis, positions, velocities, accelerations, row)
-        write_directions(axis, bounds, row)
-        write_floors(axis, velocities, accelerations, row)
         if row[AxisTask.MOVES] > 0.5:
             row[AxisTask.HELD] = max(
                 resistance[Resistance.STATIC + axis], resistance[Resistance.COULOMB + axis]
             )
+        write_directions(axis, bounds, row)
+        if not narrow and is_braked_by_friction(axis, bounds, row):
+            row[AxisTask.DIRECTED + 1] = 1.0
+        write_floors(axis, velocities, accelerations, row)
         if axis == Axes.ROPE:
             row[AxisTask.HELD + 1] = (
                 resistance[Resistance.PAYLOAD_MASS] * resistance[Resistance.GRAVITY]
@@ -118,6 +124,23 @@ def write_directions(axis: int, bounds: 'float[:]', row: 'float[:]') -> None:
             row[AxisTask.DIRECTED + i] = 1.0
 
 
+def is_braked_by_friction(axis: int, bounds: 'float[:]', row: 'float[:]') -> bool:
+    """Whether an axis can brake harder than it can drive, as it goes in one direction alone."""
+    turns = row[AxisTask.GOES] > 0.5 and row[AxisTask.GOES + 1] > 0.5
+    forced = bounds[DriveBounds.FORCE_MAX + axis] > 0.0
+    return forced and row[AxisTask.HELD] > 0.0 and not turns and axis != Axes.ROPE
+
+
+def held_force(side: int, row: 'float[:]') -> float:
+    """What no slower motion reduces of a drive's force in a direction [N]; below 0: it helps."""
+    weight = row[AxisTask.HELD + 1]
+    if weight > 0.0:
+        return max(row[AxisTask.HELD] + (2.0 * side - 1.0) * weight, 0.0)
+    if row[AxisTask.GOES + side] < 0.5:
+        return -row[AxisTask.HELD]
+    return row[AxisTask.HELD]
+
+
 def write_floors(
     axis: int, velocities: 'float[:,:]', accelerations: 'float[:,:]', row: 'float[:]'
 ) -> None:
@@ -176,8 +199,7 @@ def write_shares(
             bound = bound_magnitude(i, side, bounds)
             held = 0.0
             if i < Demand.VELOCITY:
-                weight = axes[i, AxisTask.HELD + 1]
-                held = max(axes[i, AxisTask.HELD] + (2.0 * side - 1.0) * weight, 0.0)
+                held = held_force(side, axes[i, :])
             if bound <= held * (1.0 + 1e-6):
                 held = 0.0
             uses[side * Demand.SIZE + i] = 0.0

@@ -58,7 +58,7 @@ static bool pose_search(
         segfmu_narrow_bounds(vector(s->bounds, DRIVE_BOUNDS_SIZE), caps);
     }
     segfmu_write_axes(
-        matrix(&real[V_WAYPOINT_POSITION], s->points, AXES),
+        narrow, matrix(&real[V_WAYPOINT_POSITION], s->points, AXES),
         matrix(s->base.velocity, s->points, AXES), matrix(s->base.acceleration, s->points, AXES),
         vector(s->bounds, DRIVE_BOUNDS_SIZE), caps, vector(s->known, RESISTANCE_SIZE), axes_of(s));
     segfmu_write_kinds(axes_of(s), vector(s->kinds, s->unknowns));
