@@ -79,6 +79,9 @@ def build(
     enumerations: Annotated[
         str, typer.Option(help="Type of choices: enumeration, or integer for importers without.")
     ] = "enumeration",
+    commands: Annotated[
+        str, typer.Option(help="An operator's commands: parameters, or inputs to be connected.")
+    ] = "parameters",
     modelica: Annotated[
         bool, typer.Option("--modelica", help="Also write a Modelica package with both FMUs.")
     ] = False,
@@ -97,7 +100,8 @@ def build(
     with watched() as progress:
         written = archives.build(
             mission, output, fmi=fmi, backend=backend, platforms=platforms, waypoints=waypoints,
-            enumerations=enumerations, modelica=modelica, ssp=ssp, progress=progress,
+            enumerations=enumerations, commands=commands, modelica=modelica, ssp=ssp,
+            progress=progress,
         )
     warn(written.note)
     for path in (written.feedforward, written.crane):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.models import named, registered
-from segfmu.fmu.standard.spec import Spec, numbered
+from segfmu.fmu.standard.spec import Spec, connected, numbered
 
 
 def build_all(
@@ -61,4 +61,5 @@ def describe(
 
 
 def _typed(spec: Spec, choice: Choice) -> Spec:
+    spec = connected(spec) if choice.connected else spec
     return numbered(spec) if choice.numbered else spec

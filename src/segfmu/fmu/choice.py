@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from segfmu.errors import InputError
 from segfmu.fmu.models import registered
@@ -13,13 +13,14 @@ from segfmu.planning.arrays import shown
 
 BACKENDS = ("native", "python")
 ENUMERATIONS = ("enumeration", "integer")
+COMMANDS = ("parameters", "inputs")
 
 
 @dataclass(frozen=True)
 class Choice:
     """A backend, its platforms (the host's where there are none), and what the user must know.
 
-    `numbered` makes enumerations integers.
+    `numbered` makes enumerations integers, `connected` commands inputs.
     """
 
     native: bool
@@ -27,6 +28,7 @@ class Choice:
     platforms: tuple[str, ...] = ()
     note: str = ""
     numbered: bool = False
+    connected: bool = False
 
 
 def require_native(choice: Choice, option: str, versions: tuple[int, ...] = (2, 3)) -> None:
@@ -37,6 +39,8 @@ def require_native(choice: Choice, option: str, versions: tuple[int, ...] = (2, 
     InputError
         For other FMUs than native ones with enumerations, of one of these versions of FMI.
     """
+    if choice.connected:
+        raise InputError(f"{option} has commands that are parameters: leave out commands inputs")
     if choice.numbered:
         raise InputError(
             f"{option} has enumerations that arrive: leave out enumerations integer"
@@ -52,7 +56,7 @@ def require_native(choice: Choice, option: str, versions: tuple[int, ...] = (2, 
 
 def chosen(
     fmi: int, backend: str, platforms: str, *, everywhere: bool = True,
-    enumerations: str = "enumeration",
+    enumerations: str = "enumeration", commands: str = "parameters",
 ) -> Choice:
     """The backend asked for, or Python where there is neither a binary nor a C compiler.
 
@@ -68,7 +72,14 @@ def chosen(
         raise InputError(f"fmi must be 2 or 3, got {fmi}")
     _require_one_of("backend", backend, BACKENDS)
     _require_one_of("enumerations", enumerations, ENUMERATIONS)
-    numbered = enumerations == "integer"
+    _require_one_of("commands", commands, COMMANDS)
+    return replace(
+        _backend(fmi, backend, platforms, everywhere), numbered=enumerations == "integer",
+        connected=commands == "inputs",
+    )
+
+
+def _backend(fmi: int, backend: str, platforms: str, everywhere: bool) -> Choice:
     names = tuple(PLATFORMS) if platforms == "all" else tuple(
         n.strip() for n in platforms.split(",") if n.strip()
     )
@@ -80,14 +91,14 @@ def chosen(
     if backend == "python":
         if fmi == 3 or names:
             raise InputError("backend python has neither FMI 3 nor platforms; use native")
-        return Choice(native=False, numbered=numbered)
+        return Choice(native=False)
     ready = packaged((m.name, sources(m.name, fmi)) for m in registered())
     if names or (ready and everywhere):
-        return Choice(True, fmi, names or ready, numbered=numbered)
+        return Choice(True, fmi, names or ready)
     if fmi == 3 or available() or host() in ready:
-        return Choice(True, fmi, numbered=numbered)
+        return Choice(True, fmi)
     return Choice(
-        native=False, numbered=numbered,
+        native=False,
         note="no C compiler found; built with the Python backend. Install a C compiler, or the "
         "extra segfmu[platforms]",
     )

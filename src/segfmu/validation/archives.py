@@ -64,6 +64,7 @@ def build(
     platforms: str | None = None,
     waypoints: int | None = None,
     enumerations: str = "enumeration",
+    commands: str = "parameters",
     modelica: bool = False,
     ssp: bool = False,
     progress: Progress = quiet,
@@ -89,6 +90,8 @@ def build(
         Maximum number of waypoints; 16 by default, or that of the mission.
     enumerations : str
         Type of choices: "enumeration", or "integer" for importers without.
+    commands : str
+        What an operator commands: "parameters", tunable, or "inputs", to be connected.
     modelica, ssp : bool
         Whether to write a Modelica package with both FMUs, and the coupled system for importers of
         SSP (1.0; 2.0 with FMI 3) and, with FMI 2, for libcosim.
@@ -119,7 +122,10 @@ def build(
         raise InputError(f"platforms must be all, or names with commas, got {shown(platforms)}")
     if platforms is not None and not platforms.strip(", "):
         raise InputError("platforms is empty; name some, or all, or omit it for those available")
-    choice = chosen(as_index("fmi", fmi), backend, platforms or "", enumerations=enumerations)
+    choice = chosen(
+        as_index("fmi", fmi), backend, platforms or "", enumerations=enumerations,
+        commands=commands,
+    )
     if waypoints is not None:
         waypoints = as_index("waypoints", waypoints, MOST_WAYPOINTS, least=2)
     if modelica:

@@ -12,7 +12,11 @@ from fmpy import simulate_fmu
 
 from segfmu import Operator
 from segfmu.cosim import System
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import Choice
+from segfmu.fmu.gantry_feedforward import interface
 from tests.campaign import campaign
+from tests.compiler import require_native
 from tests.cosim.probe.build import build
 from tests.fmu.gantry_feedforward.test_drive_bounds import initialised
 from tests.fmu.native.importer import Importer
@@ -241,9 +245,22 @@ def test_model_exchange_renews_what_is_held(native_fmus) -> None:
     assert events < 400
 
 
+@pytest.fixture(scope="module")
+def connectable(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    """Archives in which commands are inputs, by version of FMI."""
+    require_native()
+    return {
+        fmi: build_all(
+            tmp_path_factory.mktemp(f"connectable{fmi}"), Choice(True, fmi, connected=True),
+            [interface.spec()],
+        )[0]
+        for fmi in (2, 3)
+    }
+
+
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("name", SITES)
-def test_a_joystick_is_an_input(native_fmus, name: str, fmi: int) -> None:
+def test_a_joystick_is_an_input(native_fmus, connectable, name: str, fmi: int) -> None:
     """A signal that an importer connects acts as values that are set between steps."""
     site, step = SITES[name], SITES[name].step
     times = step * np.arange(200)
@@ -264,7 +281,7 @@ def test_a_joystick_is_an_input(native_fmus, name: str, fmi: int) -> None:
         dtype=[("time", float), ("command.velocity.x", float)],
     )
     found = simulate_fmu(
-        str(native_fmus[fmi][0]), fmi_type="CoSimulation", stop_time=float(times[-1]),
+        str(connectable[fmi]), fmi_type="CoSimulation", stop_time=float(times[-1]),
         step_size=step, output_interval=step, start_values=given, input=signal,
         output=["reference.load.position.x"],
     )["reference.load.position.x"]
@@ -272,10 +289,10 @@ def test_a_joystick_is_an_input(native_fmus, name: str, fmi: int) -> None:
     assert np.ptp(expected) > 5.0 * fastest * step
 
 
-def test_a_stick_that_is_an_fmu(native_fmus, tmp_path: Path) -> None:
+def test_a_stick_that_is_an_fmu(native_fmus, connectable, tmp_path: Path) -> None:
     """An output of another FMU, which rises with time, commands the velocity."""
     with System(
-        {"stick": build(tmp_path, 2), "planner": native_fmus[2][0]}, step=LAB.step,
+        {"stick": build(tmp_path, 2), "planner": connectable[2]}, step=LAB.step,
         connections=[("stick", "y", "planner", "command.velocity.y")],
         coupling="sequential", events=False,
     ) as system:

@@ -87,7 +87,7 @@ def test_units_and_texts_arrive(specs, texts, name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_connectors_lie_at_the_edges_and_apart(specs, name: str) -> None:
     found = places(specs[name])
-    ports = (*specs[name].signals, *specs[name].where("output"))
+    ports = specs[name].where("input", "output")
     assert found.keys() == {v.name for v in ports}
     assert len(set(found.values())) == len(found)
     for v in ports:

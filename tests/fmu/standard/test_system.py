@@ -92,8 +92,7 @@ def test_connectors_are_variables_of_the_fmus(entries, described) -> None:
             assert connector[0].get("unit") == variable.unit
             assert variable.unit is None or variable.unit in units
         assert {c.get("name") for c in connectors if c.get("kind") in ("input", "output")} == {
-            n for n, v in variables.items()
-            if v.causality in ("input", "output") and v.type != "Enumeration"
+            n for n, v in variables.items() if v.causality in ("input", "output")
         }
 
 

@@ -17,8 +17,6 @@ from segfmu.fmu.standard.spec import Array, Spec, Variable
 
 # inputs that a model may leave without a connection, by the first part of their names
 UNUSED = ("wind",)
-# what parameters of the class set, the others have start values
-GIVEN = ("parameter", "input")
 
 FOLDER = (
     '  parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" '
@@ -28,7 +26,7 @@ FOLDER = (
 
 def groups(spec: Spec) -> list[str]:
     """First parts of the names of the inputs."""
-    return list(dict.fromkeys(title(v.name) for v in spec.signals))
+    return list(dict.fromkeys(title(v.name) for v in spec.where("input")))
 
 
 def switches(spec: Spec) -> list[str]:
@@ -44,7 +42,7 @@ def switches(spec: Spec) -> list[str]:
 def connectors(spec: Spec, where: dict[str, Place]) -> list[str]:
     """Connectors, and the values of inputs that are none."""
     lines = []
-    for v in spec.signals:
+    for v in spec.where("input"):
         name = identifier(v.name)
         lines += [
             f"  Interfaces.RealInput {name}{modifiers(v, start=True)} if use_{title(v.name)} "
@@ -80,25 +78,21 @@ def parameters(spec: Spec) -> list[str]:
 
 
 def settable(spec: Spec) -> list[Variable]:
-    """Parameters, commands, which stay what they are, and start values of calculated variables."""
-    signals = spec.signals
-    return [
-        v for v in spec.variables
-        if v.initial == "exact" or (v.causality == "input" and v not in signals)
-    ]
+    """Parameters, and start values of calculated variables."""
+    return [v for v in spec.variables if v.initial == "exact"]
 
 
 def parameter_name(v: Variable) -> str:
     """The name of a parameter, which may be the start value of an output."""
-    return identifier(v.name) + ("" if v.causality in GIVEN else "_start")
+    return identifier(v.name) + ("" if v.causality == "parameter" else "_start")
 
 
 def _text(v: Variable) -> str:
-    return v.description if v.causality in GIVEN else f"start value: {v.description}"
+    return v.description if v.causality == "parameter" else f"start value: {v.description}"
 
 
 def _tab(v: Variable) -> str:
-    return title(v.name) if v.causality in GIVEN else "start"
+    return title(v.name) if v.causality == "parameter" else "start"
 
 
 def _table(spec: Spec, array: Array) -> list[str]:

@@ -35,7 +35,7 @@ def extent(x: int, y: int, half_width: int, half_height: int | None = None) -> s
 
 def half_height(spec: Spec) -> int:
     """Half the height of an icon with room for all connectors of its fuller edge."""
-    rows = max(_rows(spec.signals), _rows(spec.where("output")))
+    rows = max(_rows(spec.where("input")), _rows(spec.where("output")))
     return rows * DISTANCE // 2 + DISTANCE
 
 
@@ -48,7 +48,7 @@ def places(spec: Spec) -> dict[str, Place]:
     """The place of every connector."""
     found = {}
     for x, variables in (
-        (-HALF_WIDTH - HALF_CONNECTOR, spec.signals),
+        (-HALF_WIDTH - HALF_CONNECTOR, spec.where("input")),
         (HALF_WIDTH + HALF_CONNECTOR, spec.where("output")),
     ):
         y, before = _rows(variables) * DISTANCE // 2, ""
@@ -88,7 +88,7 @@ def _labels(spec: Spec) -> list[str]:
     for edge, side, alignment in (("input", -1, "Left"), ("output", 1, "Right")):
         seen = set()
         for v in spec.variables:
-            if v.causality == edge and v.name in where and title(v.name) not in seen:
+            if v.causality == edge and title(v.name) not in seen:
                 seen.add(title(v.name))
                 middle = side * (HALF_WIDTH - 60)
                 found.append(

@@ -108,7 +108,7 @@ def _types(specs: Sequence[Spec]) -> str:
 def coupled(feedforward: Spec, crane: Spec) -> str:
     """The text of the class in which both FMUs are connected by name."""
     sources = {v.name for v in feedforward.where("output")}
-    shared = [v.name for v in crane.signals if v.name in sources]
+    shared = [v.name for v in crane.where("input") if v.name in sources]
     high = max(half_height(feedforward), half_height(crane))
     middle = HALF_WIDTH + 100
     lines = [
@@ -130,7 +130,7 @@ def coupled(feedforward: Spec, crane: Spec) -> str:
         f"  annotation(Diagram(coordinateSystem({extent(0, 0, 2 * middle, high + 60)})));",
         "end Coupled;", "",
     ]
-    left = {title(v.name) for v in crane.signals if v.name not in sources}
+    left = {title(v.name) for v in crane.where("input") if v.name not in sources}
     if not left <= set(UNUSED):
         raise AssertionError(f"inputs without a source: {left}")
     return "\n".join(lines)

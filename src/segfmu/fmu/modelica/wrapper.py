@@ -51,7 +51,7 @@ def _hidden(spec: Spec) -> list[str]:
 
 def _used(spec: Spec) -> list[str]:
     """Inputs as the FMU has them: connected, or at their start values."""
-    inputs = spec.signals
+    inputs = spec.where("input")
     refs = _vector([str(spec.references[v.name]) for v in inputs], "0")
     values = _vector([f"{identifier(v.name)}_used" for v in inputs], "0.0")
     return [
@@ -156,7 +156,7 @@ def _calls(spec: Spec) -> list[tuple[tuple[str, ...], list[Variable]]]:
     In one call all outputs would depend on all inputs, and a controller would close algebraic
     loops.
     """
-    inputs = {v.name for v in spec.signals}
+    inputs = {v.name for v in spec.where("input")}
     found: dict[tuple[str, ...], list[Variable]] = {}
     for v in spec.where("output", "local"):
         if v.kind == "Real" and v.same_as is None:
@@ -179,7 +179,7 @@ def _initial(spec: Spec) -> list[str]:
         "  begun = FMI.begin(fmu, input_references, inputs, started);",
     ]
     if spec.states:
-        references = tuple(v.name for v in spec.signals if title(v.name) == REFERENCE)
+        references = tuple(v.name for v in spec.where("input") if title(v.name) == REFERENCE)
         lines.append(
             f"  x = FMI.states(fmu, {_given(spec, references)}, {len(spec.states)}, started);"
         )
@@ -206,7 +206,7 @@ def _equations(spec: Spec) -> list[str]:
 
 
 def _input_equations(spec: Spec) -> list[str]:
-    names = {v.name: identifier(v.name) for v in spec.signals}
+    names = {v.name: identifier(v.name) for v in spec.where("input")}
     lines = [f"  connect({name}, {name}_used);" for name in names.values()]
     for group in groups(spec):
         own = [name for n, name in names.items() if title(n) == group]
@@ -224,7 +224,7 @@ def _rates(spec: Spec) -> list[str]:
     known = {
         n for _, rate in spec.states for n in dict(spec.dependencies).get(rate, ())
     }
-    acting = tuple(v.name for v in spec.signals if v.name in known)
+    acting = tuple(v.name for v in spec.where("input") if v.name in known)
     return [f"  der(x) = FMI.derivatives(fmu, time, x, {_given(spec, acting)}, last);"]
 
 

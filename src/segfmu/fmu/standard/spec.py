@@ -31,7 +31,8 @@ class Variable:
 
     `computed` marks a start value that was computed from those of other variables. Its last digits
     may depend on the machine, so it is no part of the FMU's identity. `same_as` names the variable
-    whose value this one has as well.
+    whose value this one has as well. `commands` marks a tunable parameter that `connected` makes an
+    input.
     """
 
     name: str
@@ -47,6 +48,7 @@ class Variable:
     enumeration: Enumeration | None = None
     computed: bool = False
     same_as: str | None = None
+    commands: bool = False
 
     @property
     def initial(self) -> str | None:
@@ -182,6 +184,18 @@ def numbered(spec: Spec) -> Spec:
     return replace(spec, variables=tuple(map(number, spec.variables)))
 
 
+def connected(spec: Spec) -> Spec:
+    """A specification with discrete inputs in place of commands.
+
+    Not by default: some importers have zeros where nothing is connected, others need a connection.
+    """
+    variables = tuple(
+        replace(v, causality="input", variability="discrete") if v.commands else v
+        for v in spec.variables
+    )
+    return replace(spec, variables=variables)
+
+
 def output(
     name: str, unit: str | None, description: str, *, nominal: float | None = None,
     start: float | None = None, kind: Kind = "Real",
@@ -214,10 +228,10 @@ def command(
     minimum: float | None = None, maximum: float | None = None, kind: Kind = "Real",
     enumeration: Enumeration | None = None,
 ) -> Variable:
-    """A discrete input: what it is at a communication point, or an event, holds until the next."""
+    """A tunable parameter that FMUs may have as an input instead, see `connected`."""
     return Variable(
-        name, kind, "input", "discrete", description, start, unit, minimum, maximum,
-        enumeration=enumeration,
+        name, kind, "parameter", "tunable", description, start, unit, minimum, maximum,
+        enumeration=enumeration, commands=True,
     )
 
 
