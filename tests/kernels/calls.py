@@ -142,6 +142,7 @@ def operation_calls() -> dict[str, Call]:
     known[Known.CRANE, :4] = LAB.masses
     known[Known.ROPE, RopeBounds.GRAVITY] = known[Known.SPACE, Space.GRAVITY] = 9.81
     known[Known.BOUNDS, DriveBounds.VELOCITY_MAX] = 2.0
+    known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX : DriveBounds.POWER_MAX] = 1.0
     known[Known.SPACE, Space.WORKSPACE_MIN : Space.WORKSPACE_MAX] = -2.0
     known[Known.SPACE, Space.WORKSPACE_MAX : Space.LOAD_SIZE] = 2.0
     backend.begin_operation(0.0, operation)
@@ -163,6 +164,7 @@ def operation_calls() -> dict[str, Call]:
             zeros(LeadWork.SIZE, LeadWork.COLUMNS), work.copy(),
             zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
         ),
+        "foresee_emergency": (operation, known, timing, coefficients, offsets, work.copy()),
         "check_ready": (
             zeros(Compensation.SIZE), zeros(Resistance.SIZE), 9, zeros(ReadyFault.SIZE),
         ),

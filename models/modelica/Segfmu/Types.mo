@@ -2,7 +2,7 @@ within Segfmu;
 package Types "Enumerations of the parameters"
   type Shape = enumeration(smoothstep, plateau) "shape of the acceleration ramps";
   type Synchronization = enumeration(none, waypoints, total) "where the axes meet in time";
-  type Mode = enumeration(mission, target, velocity, stop, inching) "what the load does";
+  type Mode = enumeration(mission, target, velocity, stop, inching, emergency) "what the load does";
   type DriveMode = enumeration(force, velocity) "what the drives follow";
   type SlackRope = enumeration(error, free_fall) "a rope that would have to push";
   type GustShape = enumeration(cosine, sine) "course of a gust over time";

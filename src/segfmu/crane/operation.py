@@ -15,6 +15,7 @@ from segfmu.kernels.operation.records import (
     OperationWork,
     Progress,
     Slot,
+    Swing,
 )
 from segfmu.kernels.planner.records import Cell
 from segfmu.kernels.settling.records import LeadWork
@@ -77,6 +78,21 @@ class OperatedMotion:
             self.record, self._limits, self.known, self._timing, self._coefficients,
             self._offsets, self._states, self._cells, self._lead, self._work, self._stack,
         )
+
+    def foresee(self, time: float) -> FloatArray | None:
+        """An emergency stop at a time [s], or the present one: a `Swing`; None: it cannot be."""
+        self.command[Command.TIME] = time
+        if not backend.foresee_emergency(
+            self.record, self.known, self._timing, self._coefficients, self._offsets, self._work
+        ):
+            return None
+        row: FloatArray = self.record[Operation.SWING]
+        return row
+
+    @property
+    def swings(self) -> bool:
+        """Whether the present motion is an emergency stop."""
+        return bool(self.record[Operation.SWING, Swing.ACTIVE])
 
     @property
     def pieces(self) -> tuple[FloatArray, FloatArray, NDArray[np.int64], FloatArray]:

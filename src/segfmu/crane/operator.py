@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.crane.bounds import ActuatorBounds, require_bounds
+from segfmu.crane.bounds import DRIVES, ActuatorBounds, require_bounds
 from segfmu.crane.bounds import uses as bound_uses
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import peaks
@@ -19,8 +22,8 @@ from segfmu.crane.variables import filled
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
+from segfmu.kernels.crane.records import DriveBounds, RopeBounds
 from segfmu.kernels.crane.records import FlatInverse as Results
-from segfmu.kernels.crane.records import RopeBounds
 from segfmu.kernels.operation.records import (
     Command,
     Known,
@@ -28,6 +31,7 @@ from segfmu.kernels.operation.records import (
     OperationMode,
     OperationStatus,
     Progress,
+    Swing,
 )
 from segfmu.kernels.planner.records import Lower, PlanOptions
 from segfmu.kernels.trajectory.records import Timing
@@ -47,6 +51,22 @@ FREE = Clearance()
 FAR = 1e9
 # how long a velocity is held beyond the next command [s]
 HOLD = 0.1
+
+
+@dataclass(frozen=True)
+class EmergencyStop:
+    """What an emergency stop comes to.
+
+    Attributes
+    ----------
+    duration : float
+        Time until bridge, trolley and hoist rest [s].
+    sway : float
+        Largest angle between rope and vertical from then on [rad], without damping.
+    """
+
+    duration: float
+    sway: float
 
 
 class Operator:
@@ -164,8 +184,11 @@ class Operator:
 
         Parameters
         ----------
-        mode : {"mission", "target", "velocity", "stop", "inching"}
-            "mission" follows the plan that there is to its end.
+        mode : {"mission", "target", "velocity", "stop", "inching", "emergency"}
+            "mission" follows the plan that there is to its end. "emergency" stops bridge, trolley
+            and hoist as fast as their drives can; the load swings on, and no other command is
+            followed any more: begin with another Operator when the load rests. Where no such stop
+            keeps the bounds, it is "stop".
         velocity : array_like, shape (3,), optional
             Of the load [m/s]; beyond the limits, the limits. In the mode "inching" its signs are
             pushes: each change to one moves the target by the distance.
@@ -179,10 +202,13 @@ class Operator:
         Raises
         ------
         InputError
-            For invalid arguments.
+            For invalid arguments, and for an emergency stop of a drive whose acceleration has no
+            bound.
         """
         if not isinstance(mode, str) or mode not in MODES:
             raise InputError(f"mode must be one of {', '.join(MODES)}, got {shown(mode)}")
+        if MODES.index(mode) == OperationMode.EMERGENCY:
+            self._require_brakes()
         command = self._motion.command
         if scale is not None:
             given = finite_number("scale", scale)
@@ -222,6 +248,35 @@ class Operator:
         self._time = after
         return self.load
 
+    def _require_brakes(self) -> None:
+        accelerations = self._motion.known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX :]
+        for drive, bound in zip(DRIVES, accelerations, strict=False):
+            if not bound > 0.0:
+                raise InputError(
+                    f"an emergency stop needs the greatest acceleration of each drive; that of the "
+                    f"{drive} has no bound: give bounds=ActuatorBounds(acceleration=...)"
+                )
+
+    @property
+    def emergency(self) -> EmergencyStop:
+        """What an emergency stop would come to now; during one, what this one comes to.
+
+        Raises
+        ------
+        InputError
+            If the acceleration of a drive has no bound.
+        InfeasibleError
+            If no emergency stop keeps forces and powers of the drives.
+        """
+        self._require_brakes()
+        found = self._motion.foresee(self._time)
+        if found is None:
+            raise InfeasibleError(
+                "no emergency stop keeps the bounds of forces and powers of the drives with a rope "
+                "that pulls; use the mode stop"
+            )
+        return EmergencyStop(float(found[Swing.STAND]), float(found[Swing.SWAY]))
+
     @property
     def time(self) -> float:
         """Time since the start [s]."""
@@ -251,7 +306,12 @@ class Operator:
 
     @property
     def rests_at(self) -> float:
-        """Time at which the load rests if nothing is commanded any more [s]."""
+        """Time at which the load rests if nothing is commanded any more [s].
+
+        It is infinite after an emergency stop, as the load swings.
+        """
+        if self._motion.swings:
+            return math.inf
         return self._motion.begins + float(self._motion.pieces[3].max())
 
     @property

@@ -781,6 +781,16 @@ def join_plans(
     /,
 ) -> int: ...
 
+def foresee_emergency(
+    operation: Floats,
+    known: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    work: Floats,
+    /,
+) -> bool: ...
+
 def axis_limits(
     smoothness: int,
     shape: int,

@@ -350,6 +350,12 @@ ENTRY_POINTS = (
         stack=(Stack.ROWS, Span.SIZE, "4 * orders - 7"),
     ),
     entry(
+        "operation.emergency", "foresee_emergency", operation=(Operation.SIZE, Operation.COLUMNS),
+        known=(Known.SIZE, Known.COLUMNS), timing=(Slot.COUNT, OperationRows.ALL, Timing.SIZE),
+        coefficients=(Slot.COUNT, OperationRows.ALL, "width"),
+        offsets=Slot.COUNT * Slot.OFFSETS, work=(OperationWork.SIZE, OperationWork.COLUMNS),
+    ),
+    entry(
         "operation.ready", "check_ready", compensation=Compensation.SIZE,
         resistance=Resistance.SIZE, fault=ReadyFault.SIZE,
     ),

@@ -23,7 +23,7 @@ from tests.fmu.native.importer import Importer
 from tests.fmu.native.test_state import restore, serialised
 
 SITES = {"lab": LAB, "port": PORT}
-MODES = {"mission": 1, "target": 2, "velocity": 3, "stop": 4, "inching": 5}
+MODES = {"mission": 1, "target": 2, "velocity": 3, "stop": 4, "inching": 5, "emergency": 6}
 LOAD = [f"reference.load.{n}.{a}" for n in ("position", "velocity", "acceleration", "jerk", "snap")
         for a in "xyz"]
 FORCE = [f"force.{d}" for d in ("bridge", "trolley", "hoist")]
@@ -308,3 +308,19 @@ def test_a_stick_that_is_an_fmu(native_fmus, connectable, tmp_path: Path) -> Non
     for k, name in enumerate(LOAD):
         assert rows[name][1:] == pytest.approx(expected[:, k], rel=1e-9, abs=1e-9), name
     assert rows["reference.load.velocity.y"][-1] > 0.2
+
+
+def test_an_emergency_stop_is_that_of_the_operator(archive: Path) -> None:
+    moves = {"mode": "velocity", "velocity": [0.3, 0.2, 0.1], "target": [0.0] * 3, "scale": 1.0}
+    wanted = [moves] * 20 + [moves | {"mode": "emergency"}] * 100
+    operator = LAB.operator()
+    with Importer(archive) as fmu:
+        begun(fmu, LAB)
+        found = follow(fmu, LAB, wanted)
+    scale = np.vstack([np.ones(3), LAB.limits.table(3, 4).T[:4]])
+    for command, row in zip(wanted, found, strict=True):
+        operator.command(**command)
+        load = operator.step(LAB.step)
+        assert (np.abs(row[:15].reshape(5, 3) - load) <= 1e-8 * scale).all()
+        np.testing.assert_allclose(row[15:18], operator.setpoints[:3], rtol=1e-8, atol=1e-6)
+    assert operator.rests_at == np.inf

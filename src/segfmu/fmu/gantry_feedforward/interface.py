@@ -45,7 +45,7 @@ LIMITS = {
     "z": (0.3, 0.5, 0.5, 5.0),
 }
 MODES = Enumeration(
-    "Mode", ("mission", "target", "velocity", "stop", "inching"), "what the load does"
+    "Mode", ("mission", "target", "velocity", "stop", "inching", "emergency"), "what the load does"
 )
 # an end of the workspace [m] that is none
 FAR = 1e9

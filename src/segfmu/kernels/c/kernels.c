@@ -373,6 +373,29 @@ static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array
 static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool has_room(int64_t slot, array_int64_t_1d offsets);
 static void clear_plan(int64_t slot, array_int64_t_1d offsets);
+static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static double suspension_pull(int64_t axis, double gravity, array_double_1d swing);
+static void expand_swing(double gravity, array_double_1d swing, array_double_2d work);
+static void tighten_rope(array_double_1d swing);
+static void move_swing(double step, array_double_1d swing, array_double_2d work);
+static double swing_step(double longest, array_double_1d swing);
+static double resolved_step(double gravity, array_double_1d swing);
+static double stand_time(array_double_1d swing);
+static double sway_amplitude(double gravity, array_double_1d swing);
+static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work);
+static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work);
+static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void invert_flat(array_double_2d known, array_double_2d work);
+static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work);
+static void set_brakes(double share, array_double_1d swing, array_double_2d known);
+static bool is_inside(double value, int64_t demand, array_double_2d known);
+static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work);
+static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work);
+static double covered_time(array_double_2d operation);
+static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
 static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
 static double side_limit(int64_t order, double sign, array_double_1d axis);
@@ -810,8 +833,8 @@ static bool lead_to_target(array_double_2d operation, array_double_2d limits, ar
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static void begin_swing(array_double_2d operation);
 static bool is_aim(int64_t row, array_double_2d operation);
-static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_stop(array_double_1d aim);
 static void note_taken(int64_t attempt, array_double_2d operation);
 static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
@@ -11664,7 +11687,7 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
     array_double_1d pull;
     int64_t axis;
     write_load(begin, end, timing, coefficients, offsets, work);
-    reach = span_rows(&work, INT64_C(90), INT64_C(131));
+    reach = span_rows(&work, INT64_C(90), INT64_C(144));
     pull = span_row(&reach, INT64_C(15));
     set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
     add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
@@ -12841,6 +12864,601 @@ static void clear_plan(int64_t slot, array_int64_t_1d offsets)
     {
         (*cspan_at(&offsets, slot * INT64_C(4) + i)) = INT64_C(0);
     }
+}
+static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t present;
+    int64_t rest;
+    int64_t width;
+    int64_t axis;
+    int64_t row;
+    int64_t order;
+    present = INT64_C(0) * INT64_C(4);
+    rest = INT64_C(1) * INT64_C(4);
+    segfmu_cut_plan(span_max(elapsed, 0.0), span_matrix(&timing, INT64_C(0)), span_matrix(&coefficients, INT64_C(0)), span_part(&offsets, present, present + INT64_C(4)), span_matrix(&timing, INT64_C(1)), span_matrix(&coefficients, INT64_C(1)), span_part(&offsets, rest, rest + INT64_C(4)));
+    width = coefficients.shape[INT64_C(2)];
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        row = (*cspan_at(&offsets, rest + axis));
+        for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(13) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
+        }
+    }
+}
+static double suspension_pull(int64_t axis, double gravity, array_double_1d swing)
+{
+    double result;
+    if (axis == INT64_C(2))
+    {
+        return gravity;
+    }
+    result = (*cspan_at(&swing, INT64_C(8) + axis));
+    return result;
+}
+static void expand_swing(double gravity, array_double_1d swing, array_double_2d work)
+{
+    array_double_2d series;
+    double length;
+    double rate;
+    double half;
+    array_double_1d square;
+    int64_t i;
+    int64_t axis;
+    array_double_1d pull;
+    int64_t k;
+    double found;
+    double product;
+    double value;
+    series = span_rows(&work, INT64_C(131), INT64_C(136));
+    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    rate = (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
+    half = 0.5 * (*cspan_at(&swing, INT64_C(8) + INT64_C(2)));
+    square = span_row(&work, INT64_C(135));
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&square, i)) = 0.0;
+    }
+    (*cspan_at(&square, INT64_C(0))) = length * length;
+    (*cspan_at(&square, INT64_C(1))) = 2.0 * length * rate;
+    (*cspan_at(&square, INT64_C(2))) = rate * rate + 2.0 * length * half;
+    (*cspan_at(&square, INT64_C(3))) = 2.0 * rate * half;
+    (*cspan_at(&square, INT64_C(4))) = half * half;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(14) + axis));
+        (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(17) + axis));
+    }
+    pull = span_row(&work, INT64_C(134));
+    for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
+    {
+        found = (-0.5) * (k + INT64_C(1)) * (k + INT64_C(2)) * (*cspan_at(&square, k + INT64_C(2)));
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            found = found - suspension_pull(axis, gravity, swing) * (*cspan_at(&series, axis, k));
+            for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+            {
+                product = (*cspan_at(&series, axis, i + INT64_C(1))) * (*cspan_at(&series, axis, k - i + INT64_C(1)));
+                found = found + (i + INT64_C(1)) * (k - i + INT64_C(1)) * product;
+            }
+        }
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            found = found - (*cspan_at(&pull, i)) * (*cspan_at(&square, k - i));
+        }
+        (*cspan_at(&pull, k)) = found / (*cspan_at(&square, INT64_C(0)));
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            value = 0.0;
+            if (k == INT64_C(0))
+            {
+                value = -suspension_pull(axis, gravity, swing);
+            }
+            for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+            {
+                value = value - (*cspan_at(&pull, i)) * (*cspan_at(&series, axis, k - i));
+            }
+            (*cspan_at(&series, axis, k + INT64_C(2))) = value / ((k + INT64_C(1)) * (k + INT64_C(2)));
+        }
+    }
+}
+static void tighten_rope(array_double_1d swing)
+{
+    double length;
+    double square;
+    int64_t axis;
+    double ratio;
+    double stray;
+    double along;
+    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    square = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        square = square + (*cspan_at(&swing, INT64_C(14) + axis)) * (*cspan_at(&swing, INT64_C(14) + axis));
+    }
+    ratio = length / sqrt(square);
+    stray = (-length) * (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&swing, INT64_C(14) + axis)) = (*cspan_at(&swing, INT64_C(14) + axis)) * ratio;
+        stray = stray + (*cspan_at(&swing, INT64_C(14) + axis)) * (*cspan_at(&swing, INT64_C(17) + axis));
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        along = stray * (*cspan_at(&swing, INT64_C(14) + axis)) / (length * length);
+        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) - along;
+    }
+}
+static void move_swing(double step, array_double_1d swing, array_double_2d work)
+{
+    int64_t axis;
+    array_double_1d series;
+    double place;
+    double rate;
+    int64_t j;
+    int64_t i;
+    double change;
+    double moved;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        series = span_row(&work, INT64_C(131) + axis);
+        place = 0.0;
+        rate = 0.0;
+        for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
+        {
+            i = INT64_C(14) - INT64_C(1) - j;
+            rate = rate * step + place;
+            place = place * step + (*cspan_at(&series, i));
+        }
+        (*cspan_at(&swing, INT64_C(14) + axis)) = place;
+        (*cspan_at(&swing, INT64_C(17) + axis)) = rate;
+        change = (*cspan_at(&swing, INT64_C(8) + axis)) * step;
+        moved = ((*cspan_at(&swing, INT64_C(5) + axis)) + 0.5 * change) * step;
+        (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&swing, INT64_C(2) + axis)) + moved;
+        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&swing, INT64_C(5) + axis)) + change;
+        (*cspan_at(&swing, INT64_C(11) + axis)) = span_max((*cspan_at(&swing, INT64_C(11) + axis)) - step, 0.0);
+        if ((*cspan_at(&swing, INT64_C(11) + axis)) == 0.0)
+        {
+            (*cspan_at(&swing, INT64_C(5) + axis)) = 0.0;
+            (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
+        }
+    }
+    tighten_rope(swing);
+}
+static double swing_step(double longest, array_double_1d swing)
+{
+    int64_t axis;
+    double left;
+    double found;
+    found = longest;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        left = (*cspan_at(&swing, INT64_C(11) + axis));
+        if ((0.0 < left) && (left < found))
+        {
+            found = left;
+        }
+    }
+    return found;
+}
+static double resolved_step(double gravity, array_double_1d swing)
+{
+    double result;
+    result = 0.05 * sqrt((*cspan_at(&swing, INT64_C(2) + INT64_C(2))) / gravity);
+    return result;
+}
+static double stand_time(array_double_1d swing)
+{
+    int64_t axis;
+    double latest;
+    latest = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        latest = span_max(latest, (*cspan_at(&swing, INT64_C(11) + axis)));
+    }
+    return latest;
+}
+static double sway_amplitude(double gravity, array_double_1d swing)
+{
+    double length;
+    double x;
+    double y;
+    double low;
+    double squares;
+    int64_t axis;
+    double energy;
+    double moment;
+    double least;
+    double high;
+    int64_t Dummy_0000;
+    double middle;
+    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    x = (*cspan_at(&swing, INT64_C(14)));
+    y = (*cspan_at(&swing, INT64_C(14) + INT64_C(1)));
+    low = (x * x + y * y) / (length * (length - (*cspan_at(&swing, INT64_C(14) + INT64_C(2)))));
+    squares = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        squares = squares + (*cspan_at(&swing, INT64_C(17) + axis)) * (*cspan_at(&swing, INT64_C(17) + axis));
+    }
+    energy = low + squares / (2.0 * gravity * length);
+    moment = x * (*cspan_at(&swing, INT64_C(17) + INT64_C(1))) - y * (*cspan_at(&swing, INT64_C(17)));
+    least = moment * moment / (2.0 * gravity * length * length * length);
+    high = span_min(energy, 2.0);
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(60); Dummy_0000 += INT64_C(1))
+    {
+        middle = 0.5 * (low + high);
+        if (middle * (2.0 - middle) * (energy - middle) >= least)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    return 2.0 * atan2(sqrt(low), sqrt(span_max(2.0 - low, 0.0)));
+}
+static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work)
+{
+    double left;
+    double longest;
+    double step;
+    left = duration;
+    longest = span_max(resolved_step(gravity, swing), duration / INT64_C(20000));
+    while(left > 0.0)
+    {
+        step = span_min(swing_step(longest, swing), left);
+        expand_swing(gravity, swing, work);
+        move_swing(step, swing, work);
+        left = left - step;
+    }
+}
+static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work)
+{
+    int64_t width;
+    int64_t i;
+    int64_t j;
+    int64_t k;
+    width = coefficients.shape[INT64_C(2)];
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(131) + axis, i));
+    }
+    if (axis < INT64_C(2))
+    {
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) + (*cspan_at(&swing, INT64_C(2) + axis));
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) + (*cspan_at(&swing, INT64_C(5) + axis));
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) + 0.5 * (*cspan_at(&swing, INT64_C(8) + axis));
+    }
+    for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
+        {
+            k = width - INT64_C(2) - j;
+            (*cspan_at(&coefficients, INT64_C(4), row, k)) = (*cspan_at(&coefficients, INT64_C(4), row, k)) - before * (*cspan_at(&coefficients, INT64_C(4), row, k + INT64_C(1)));
+        }
+    }
+}
+static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    double gravity;
+    array_double_1d swing;
+    array_double_1d ahead;
+    int64_t i;
+    double longest;
+    int64_t rows;
+    double time;
+    int64_t count;
+    double step;
+    int64_t axis;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    swing = span_row(&operation, INT64_C(26));
+    ahead = span_row(&operation, INT64_C(27));
+    for (i = INT64_C(0); i < INT64_C(22); i += INT64_C(1))
+    {
+        (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
+    }
+    longest = span_max(resolved_step(gravity, swing), least / INT64_C(300));
+    rows = INT64_C(300) + INT64_C(100);
+    time = 0.0;
+    count = INT64_C(0);
+    while((count < rows) && ((time < least) || (stand_time(ahead) > 0.0) || (count < INT64_C(100))))
+    {
+        step = swing_step(longest, ahead);
+        expand_swing(gravity, ahead, work);
+        move_swing(0.5 * step, ahead, work);
+        expand_swing(gravity, ahead, work);
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            write_swing_piece(axis, axis * rows + count, 0.5 * step, ahead, coefficients, work);
+            (*cspan_at(&timing, INT64_C(4), axis * rows + count, INT64_C(0))) = time;
+            (*cspan_at(&timing, INT64_C(4), axis * rows + count, INT64_C(1))) = step;
+        }
+        move_swing(0.5 * step, ahead, work);
+        time = time + step;
+        count = count + INT64_C(1);
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, INT64_C(0) * INT64_C(4) + axis)) = axis * count;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            copy_piece(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), axis * rows + i, span_matrix(&timing, INT64_C(0)), span_matrix(&coefficients, INT64_C(0)), axis * count + i);
+        }
+    }
+    (*cspan_at(&offsets, INT64_C(0) * INT64_C(4) + INT64_C(3))) = INT64_C(3) * count;
+    (*cspan_at(&swing, INT64_C(1))) = time;
+}
+static void invert_flat(array_double_2d known, array_double_2d work)
+{
+    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(136), INT64_C(141)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(141)), span_row(&work, INT64_C(142)), span_row(&work, INT64_C(143)));
+}
+static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    array_double_2d flat;
+    array_double_1d swing;
+    int64_t axis;
+    int64_t order;
+    array_double_1d state;
+    flat = span_rows(&work, INT64_C(136), INT64_C(141));
+    swing = span_row(&operation, INT64_C(26));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
+        {
+            (*cspan_at(&flat, order, axis)) = (*cspan_at(&operation, INT64_C(13) + axis, order));
+        }
+    }
+    invert_flat(known, work);
+    state = span_row(&work, INT64_C(142));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
+        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&state, INT64_C(5) + axis));
+        (*cspan_at(&swing, INT64_C(14) + axis)) = (*cspan_at(&flat, INT64_C(0), axis));
+        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&flat, INT64_C(1), axis));
+        if (axis < INT64_C(2))
+        {
+            (*cspan_at(&swing, INT64_C(14) + axis)) = (*cspan_at(&swing, INT64_C(14) + axis)) - (*cspan_at(&swing, INT64_C(2) + axis));
+            (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) - (*cspan_at(&swing, INT64_C(5) + axis));
+        }
+    }
+}
+static void set_brakes(double share, array_double_1d swing, array_double_2d known)
+{
+    int64_t axis;
+    double velocity;
+    int64_t side;
+    double most;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        velocity = (*cspan_at(&swing, INT64_C(5) + axis));
+        (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
+        (*cspan_at(&swing, INT64_C(11) + axis)) = 0.0;
+        if (fabs(velocity) > 0.0)
+        {
+            side = INT64_C(0);
+            if (velocity > 0.0)
+            {
+                side = INT64_C(1);
+            }
+            most = share * bound_magnitude(INT64_C(6) + axis, side, span_row(&known, INT64_C(2)));
+            (*cspan_at(&swing, INT64_C(11) + axis)) = fabs(velocity) / most;
+            (*cspan_at(&swing, INT64_C(8) + axis)) = (1.0 - 2.0 * side) * most;
+        }
+    }
+}
+static bool is_inside(double value, int64_t demand, array_double_2d known)
+{
+    int64_t side;
+    double bound;
+    side = INT64_C(0);
+    if (value < 0.0)
+    {
+        side = INT64_C(1);
+    }
+    bound = bound_magnitude(demand, side, span_row(&known, INT64_C(2)));
+    return (bound == 0.0) || (fabs(value) <= 0.999 * bound);
+}
+static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work)
+{
+    array_double_2d flat;
+    int64_t axis;
+    double factorial;
+    int64_t order;
+    int64_t drive;
+    double force;
+    double power;
+    if (!((*cspan_at(&work, INT64_C(134), INT64_C(0))) > 0.0))
+    {
+        return 0;
+    }
+    if (!((*cspan_at(&swing, INT64_C(14) + INT64_C(2))) < 0.0))
+    {
+        return 0;
+    }
+    flat = span_rows(&work, INT64_C(136), INT64_C(141));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        factorial = 1.0;
+        for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
+        {
+            factorial = factorial * span_max_int(order, INT64_C(1));
+            (*cspan_at(&flat, order, axis)) = factorial * (*cspan_at(&work, INT64_C(131) + axis, order));
+        }
+        if (axis < INT64_C(2))
+        {
+            (*cspan_at(&flat, INT64_C(0), axis)) = (*cspan_at(&flat, INT64_C(0), axis)) + (*cspan_at(&swing, INT64_C(2) + axis));
+            (*cspan_at(&flat, INT64_C(1), axis)) = (*cspan_at(&flat, INT64_C(1), axis)) + (*cspan_at(&swing, INT64_C(5) + axis));
+            (*cspan_at(&flat, INT64_C(2), axis)) = (*cspan_at(&flat, INT64_C(2), axis)) + (*cspan_at(&swing, INT64_C(8) + axis));
+        }
+    }
+    invert_flat(known, work);
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        force = (*cspan_at(&work, INT64_C(141), drive));
+        power = force * (*cspan_at(&swing, INT64_C(5) + drive));
+        if (!is_inside(force, INT64_C(0) + drive, known))
+        {
+            return 0;
+        }
+        if (!is_inside(power, INT64_C(9) + drive, known))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    double gravity;
+    array_double_1d swing;
+    array_double_1d ahead;
+    int64_t i;
+    double stand;
+    int64_t pieces;
+    int64_t swings;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    swing = span_row(&operation, INT64_C(26));
+    ahead = span_row(&operation, INT64_C(27));
+    set_brakes(share, swing, known);
+    for (i = INT64_C(0); i < INT64_C(22); i += INT64_C(1))
+    {
+        (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
+    }
+    stand = stand_time(swing);
+    if (!(stand < 1000000000.0 * resolved_step(gravity, swing)))
+    {
+        return 0;
+    }
+    (*cspan_at(&swing, INT64_C(20))) = stand;
+    pieces = INT64_C(0);
+    swings = INT64_C(0);
+    while((stand_time(ahead) > 0.0) || (swings < INT64_C(63)))
+    {
+        if (stand_time(ahead) == 0.0)
+        {
+            if (swings == INT64_C(0))
+            {
+                (*cspan_at(&swing, INT64_C(21))) = sway_amplitude(gravity, ahead);
+            }
+            swings = swings + INT64_C(1);
+        }
+        expand_swing(gravity, ahead, work);
+        if (!is_bearable(ahead, known, work))
+        {
+            return 0;
+        }
+        move_swing(swing_step(2.0 * resolved_step(gravity, ahead), ahead), ahead, work);
+        pieces = pieces + INT64_C(1);
+        if (pieces > INT64_C(20000))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    int64_t drive;
+    double kept;
+    double missed;
+    int64_t Dummy_0000;
+    double middle;
+    bool result;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        if (!((*cspan_at(&known, INT64_C(2), INT64_C(6) + drive)) > 0.0))
+        {
+            return 0;
+        }
+    }
+    note_swing(operation, known, work);
+    if (brakes_with(1.0, operation, known, work))
+    {
+        return 1;
+    }
+    kept = 0.0;
+    missed = 1.0;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(12); Dummy_0000 += INT64_C(1))
+    {
+        middle = 0.5 * (kept + missed);
+        if (brakes_with(middle, operation, known, work))
+        {
+            kept = middle;
+        }
+        else
+        {
+            missed = middle;
+        }
+    }
+    result = (kept > 0.0) && brakes_with(kept, operation, known, work);
+    return result;
+}
+static double covered_time(array_double_2d operation)
+{
+    array_double_1d command;
+    double result;
+    command = span_row(&operation, INT64_C(0));
+    result = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
+    return result;
+}
+static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    write_swing(covered_time(operation), operation, known, timing, coefficients, offsets, work);
+    (*cspan_at(&operation, INT64_C(4), INT64_C(0))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
+}
+static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    double gravity;
+    array_double_1d swing;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    swing = span_row(&operation, INT64_C(26));
+    if (!plan_emergency(operation, known, work))
+    {
+        return 0;
+    }
+    if (((*cspan_at(&swing, INT64_C(20))) == 0.0) && ((*cspan_at(&swing, INT64_C(21))) < 1e-09))
+    {
+        return 0;
+    }
+    if (covered_time(operation) > 6.0 * INT64_C(300) * resolved_step(gravity, swing))
+    {
+        return 0;
+    }
+    (*cspan_at(&swing, INT64_C(0))) = 1.0;
+    cover_swing(operation, known, timing, coefficients, offsets, work);
+    return 1;
+}
+static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    array_double_1d command;
+    array_double_1d swing;
+    command = span_row(&operation, INT64_C(0));
+    swing = span_row(&operation, INT64_C(26));
+    if (elapsed + (*cspan_at(&command, INT64_C(1))) + 0.501 * (*cspan_at(&command, INT64_C(14))) < (*cspan_at(&swing, INT64_C(1))))
+    {
+        return 0;
+    }
+    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), swing, work);
+    cover_swing(operation, known, timing, coefficients, offsets, work);
+    return 1;
+}
+bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    array_double_1d command;
+    double elapsed;
+    bool result;
+    command = span_row(&operation, INT64_C(0));
+    if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
+    {
+        return 1;
+    }
+    elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&operation, INT64_C(4), INT64_C(0)));
+    note_present(elapsed, operation, timing, coefficients, offsets);
+    result = plan_emergency(operation, known, work);
+    return result;
 }
 static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
 {
@@ -25669,7 +26287,7 @@ void segfmu_begin_operation(double time, array_double_2d operation)
 {
     int64_t row;
     int64_t i;
-    for (row = INT64_C(1); row < INT64_C(26); row += INT64_C(1))
+    for (row = INT64_C(1); row < INT64_C(28); row += INT64_C(1))
     {
         for (i = INT64_C(0); i < operation.shape[INT64_C(1)]; i += INT64_C(1))
         {
@@ -25677,6 +26295,26 @@ void segfmu_begin_operation(double time, array_double_2d operation)
         }
     }
     (*cspan_at(&operation, INT64_C(4), INT64_C(0))) = time;
+    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+}
+static void begin_swing(array_double_2d operation)
+{
+    array_double_1d progress;
+    int64_t axis;
+    int64_t i;
+    progress = span_row(&operation, INT64_C(4));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(6) + axis, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
+    (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
+    (*cspan_at(&progress, INT64_C(3))) = 0.0;
+    (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
     (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
 }
 static bool is_aim(int64_t row, array_double_2d operation)
@@ -25690,27 +26328,6 @@ static bool is_aim(int64_t row, array_double_2d operation)
         }
     }
     return 1;
-}
-static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
-{
-    int64_t present;
-    int64_t rest;
-    int64_t width;
-    int64_t axis;
-    int64_t row;
-    int64_t order;
-    present = INT64_C(0) * INT64_C(4);
-    rest = INT64_C(1) * INT64_C(4);
-    segfmu_cut_plan(span_max(elapsed, 0.0), span_matrix(&timing, INT64_C(0)), span_matrix(&coefficients, INT64_C(0)), span_part(&offsets, present, present + INT64_C(4)), span_matrix(&timing, INT64_C(1)), span_matrix(&coefficients, INT64_C(1)), span_part(&offsets, rest, rest + INT64_C(4)));
-    width = coefficients.shape[INT64_C(2)];
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        row = (*cspan_at(&offsets, rest + axis));
-        for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
-        {
-            (*cspan_at(&operation, INT64_C(13) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
-        }
-    }
 }
 static bool is_stop(array_double_1d aim)
 {
@@ -25867,14 +26484,31 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
 {
     array_double_1d command;
     array_double_1d progress;
-    int64_t i;
+    int64_t mode;
     double elapsed;
+    int64_t i;
     bool taken;
     int64_t status;
     bool result;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
-    if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
+    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
+    if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
+    {
+        result = prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work);
+        return result;
+    }
+    if (mode == INT64_C(5))
+    {
+        note_present(elapsed, operation, timing, coefficients, offsets);
+        if (begin_emergency(operation, known, timing, coefficients, offsets, work))
+        {
+            begin_swing(operation);
+            return 1;
+        }
+    }
+    if (mode == INT64_C(0))
     {
         return 0;
     }
@@ -25883,7 +26517,6 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
         (*cspan_at(&operation, INT64_C(2), i)) = (*cspan_at(&operation, INT64_C(1), i));
     }
     write_aim(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets);
-    elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
     taken = is_aim(INT64_C(3), operation);
     if (!is_aim(INT64_C(2), operation))
     {
@@ -25949,12 +26582,19 @@ double segfmu_next_operation(array_double_2d operation)
 {
     array_double_1d command;
     array_double_1d progress;
+    array_double_1d swing;
     int64_t axis;
     array_double_1d held;
     double renewed;
     double following;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
+    swing = span_row(&operation, INT64_C(26));
+    if ((*cspan_at(&swing, INT64_C(0))) > 0.5)
+    {
+        following = (*cspan_at(&progress, INT64_C(0))) + (*cspan_at(&swing, INT64_C(1))) - 0.5 * (*cspan_at(&command, INT64_C(14)));
+        return following;
+    }
     if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
     {
         return 1e+300;

@@ -2710,7 +2710,7 @@ static PyObject *call_keeps_drives(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
         && has_at_least(&call, "known", 1, in_known->shape[1], 23)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 131)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 144)
         && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyBool_FromLong(segfmu_keeps_drives(
@@ -2975,6 +2975,50 @@ static PyObject *call_join_plans(
             (array_double_2d){in_joined_timing->buf, {in_joined_timing->shape[0], in_joined_timing->shape[1]}},
             (array_double_2d){in_joined_coefficients->buf, {in_joined_coefficients->shape[0], in_joined_coefficients->shape[1]}},
             (array_int64_t_1d){in_joined_offsets->buf, {in_joined_offsets->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_foresee_emergency(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "foresee_emergency", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_operation;
+    Py_buffer *in_known;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
+        && (in_known = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 3, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
+        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
+        && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 144)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 50)) {
+        answer = PyBool_FromLong(segfmu_foresee_emergency(
+            (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
+            (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+            (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
+            (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -3495,8 +3539,8 @@ static PyObject *call_begin_operation(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_time)
         && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 26)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)) {
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)) {
         segfmu_begin_operation(
             in_time,
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}});
@@ -3537,8 +3581,8 @@ static PyObject *call_operate(
         && (in_stack = take_array(&call, 10, 3, 'd', true)) != NULL
         && has_at_least(&call, "limits", 2, in_limits->shape[2], 1)
         && has_extent(&call, "states", 2, in_states->shape[2], in_limits->shape[2])
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 26)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
@@ -3557,7 +3601,7 @@ static PyObject *call_operate(
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 131)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 144)
         && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
@@ -3616,8 +3660,8 @@ static PyObject *call_next_operation(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_operation = take_array(&call, 0, 2, 'd', false)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 26)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 15)) {
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)) {
         answer = PyFloat_FromDouble(segfmu_next_operation(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}}));
     }
@@ -4762,6 +4806,7 @@ static PyMethodDef methods[] = {
     {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
+    {"foresee_emergency", (PyCFunction)(void (*)(void))call_foresee_emergency, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},

@@ -15,7 +15,8 @@ from segfmu.kernels.operation.attempts import (
     set_attempt,
     share_of,
 )
-from segfmu.kernels.operation.plans import copy_plan
+from segfmu.kernels.operation.emergency import begin_emergency, prolong_swing
+from segfmu.kernels.operation.plans import copy_plan, note_present
 from segfmu.kernels.operation.proof import prove_plan
 from segfmu.kernels.operation.records import (
     Aim,
@@ -26,11 +27,10 @@ from segfmu.kernels.operation.records import (
     OperationStatus,
     Progress,
     Slot,
+    Swing,
 )
 from segfmu.kernels.operation.target import seek_target
 from segfmu.kernels.operation.velocity import holds_long_enough, prolong_holds, seek_velocity
-from segfmu.kernels.trajectory.cut import cut_plan
-from segfmu.kernels.trajectory.evaluate import evaluate_piece
 
 
 def begin_operation(time: float, operation: 'float[:,:]') -> None:
@@ -65,12 +65,20 @@ def operate(
     """
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
-    if int(command[Command.MODE]) == OperationMode.MISSION:
+    mode = int(command[Command.MODE])
+    elapsed = command[Command.TIME] - progress[Progress.BEGIN]
+    if operation[Operation.SWING, Swing.ACTIVE] > 0.5:
+        return prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work)
+    if mode == OperationMode.EMERGENCY:
+        note_present(elapsed, operation, timing, coefficients, offsets)
+        if begin_emergency(operation, known, timing, coefficients, offsets, work):
+            begin_swing(operation)
+            return True
+    if mode == OperationMode.MISSION:
         return False
     for i in range(Aim.SIZE):
         operation[Operation.BEFORE, i] = operation[Operation.AIM, i]
     write_aim(operation, limits[0, :, :], known, timing, coefficients, offsets)
-    elapsed = command[Command.TIME] - progress[Progress.BEGIN]
     taken = is_aim(Operation.TAKEN, operation)
     if not is_aim(Operation.BEFORE, operation):
         progress[Progress.NEXT] = 0.0
@@ -96,6 +104,20 @@ def operate(
     return attempt_plans(
         operation, limits, known, timing, coefficients, offsets, states, cells, lead, work, stack
     )
+
+
+def begin_swing(operation: 'float[:,:]') -> None:
+    """Note that the present motion is an emergency stop, which holds nothing and is for no aim."""
+    progress = operation[Operation.PROGRESS, :]
+    for axis in range(3):
+        for i in range(HeldVelocity.SIZE):
+            operation[Operation.HELD + axis, i] = 0.0
+    progress[Progress.PLANS] = progress[Progress.PLANS] + 1.0
+    progress[Progress.STATUS] = OperationStatus.TAKEN
+    progress[Progress.ATTEMPT] = 0.0
+    progress[Progress.NEXT] = 0.0
+    progress[Progress.MODE] = OperationMode.EMERGENCY
+    operation[Operation.TAKEN, Aim.IS_TARGET] = -1.0
 
 
 def attempt_plans(
@@ -193,27 +215,6 @@ def is_aim(row: int, operation: 'float[:,:]') -> bool:
         if not operation[Operation.AIM, i] == operation[row, i]:
             return False
     return True
-
-
-def note_present(
-    elapsed: float, operation: 'float[:,:]', timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]', offsets: 'int[:]',
-) -> None:
-    """Cut what is left of the present plan, in the slot REST, and note the state."""
-    present = Slot.PRESENT * Slot.OFFSETS
-    rest = Slot.REST * Slot.OFFSETS
-    cut_plan(
-        max(elapsed, 0.0), timing[Slot.PRESENT, :, :], coefficients[Slot.PRESENT, :, :],
-        offsets[present:present + Slot.OFFSETS], timing[Slot.REST, :, :],
-        coefficients[Slot.REST, :, :], offsets[rest:rest + Slot.OFFSETS],
-    )
-    width = coefficients.shape[2]
-    for axis in range(3):
-        row = offsets[rest + axis]
-        for order in range(width // 2 + 1):
-            operation[Operation.NOW + axis, order] = evaluate_piece(
-                coefficients[Slot.REST, :, :], row, width, 0.0, order
-            )
 
 
 def take_plan(

@@ -4,8 +4,9 @@ timing and coefficients have a plan a slot (`Slot`, rows, columns), offsets Slot
 slot.
 """
 
-from segfmu.kernels.operation.records import OperationRows, Slot
-from segfmu.kernels.trajectory.cut import copy_piece
+from segfmu.kernels.operation.records import Operation, OperationRows, Slot
+from segfmu.kernels.trajectory.cut import copy_piece, cut_plan
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
 
@@ -43,3 +44,24 @@ def clear_plan(slot: int, offsets: 'int[:]') -> None:
     """Leave a plan no pieces."""
     for i in range(Slot.OFFSETS):
         offsets[slot * Slot.OFFSETS + i] = 0
+
+
+def note_present(
+    elapsed: float, operation: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]',
+) -> None:
+    """Cut what is left of the present plan, in the slot REST, and note the state."""
+    present = Slot.PRESENT * Slot.OFFSETS
+    rest = Slot.REST * Slot.OFFSETS
+    cut_plan(
+        max(elapsed, 0.0), timing[Slot.PRESENT, :, :], coefficients[Slot.PRESENT, :, :],
+        offsets[present:present + Slot.OFFSETS], timing[Slot.REST, :, :],
+        coefficients[Slot.REST, :, :], offsets[rest:rest + Slot.OFFSETS],
+    )
+    width = coefficients.shape[2]
+    for axis in range(3):
+        row = offsets[rest + axis]
+        for order in range(width // 2 + 1):
+            operation[Operation.NOW + axis, order] = evaluate_piece(
+                coefficients[Slot.REST, :, :], row, width, 0.0, order
+            )

@@ -11,6 +11,7 @@ from segfmu.kernels.operation.records import (
     Progress,
     ReadyFault,
     ReadyStatus,
+    Swing,
 )
 
 
@@ -40,6 +41,9 @@ def next_operation(operation: 'float[:,:]') -> float:
     """When a command has to be looked at again though it stays the same [s], 1e300: never."""
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
+    swing = operation[Operation.SWING, :]
+    if swing[Swing.ACTIVE] > 0.5:
+        return progress[Progress.BEGIN] + swing[Swing.COVERED] - 0.5 * command[Command.HOLD]
     if int(command[Command.MODE]) == OperationMode.MISSION:
         return 1e300
     if progress[Progress.ATTEMPT] > 0.0 or progress[Progress.NEXT] > 0.0:

@@ -2,11 +2,14 @@
 
 from segfmu.kernels.clearance.records import Box, ObstacleRow, Space, SpaceFault, SpaceLimits
 from segfmu.kernels.crane.records import (
+    Axes,
+    Coordinates,
     Demand,
     DriveBounds,
     Resistance,
     RopeBounds,
     RopeWork,
+    State,
     Vector,
 )
 from segfmu.kernels.planner.records import Axis, Lower, PlanOptions
@@ -17,7 +20,8 @@ from segfmu.kernels.settling.records import LeadEnd
 class OperationMode(Codes):
     """What the load does.
 
-    MISSION: follows the plan that it has. INCHING: moves by a distance with each push.
+    MISSION: follows the plan that it has. INCHING: moves by a distance with each push. EMERGENCY:
+    the carriages stop as fast as their drives can, and the load swings on.
     """
 
     MISSION = 0
@@ -25,6 +29,7 @@ class OperationMode(Codes):
     VELOCITY = 2
     STOP = 3
     INCHING = 4
+    EMERGENCY = 5
 
 
 class OperationStatus(Codes):
@@ -124,6 +129,21 @@ class Motion(Record):
     DERIVATIVES = field("by their order, up to the largest smoothness", size=7)
 
 
+class Swing(Record):
+    """An emergency stop: carriages that brake, and the load that swings below them."""
+
+    ACTIVE = field("1: it is the present motion")
+    COVERED = field("until when it is in the plan's pieces, since their start", "s")
+    POSITION = field("of bridge and trolley, length of the rope", "m", size=3)
+    VELOCITY = field("their rates", "m/s", size=3)
+    ACCELERATION = field("rates of these, until they rest", "m/s2", size=3)
+    LEFT = field("time until each rests", "s", size=3)
+    PATH = field("from the suspension to the load", "m", size=3)
+    RATE = field("its rate", "m/s", size=3)
+    STAND = field("time from the stop's start until all rest", "s")
+    SWAY = field("largest angle between rope and vertical from then on", "rad")
+
+
 class Operation(Record):
     """Rows: an operated motion."""
 
@@ -141,6 +161,8 @@ class Operation(Record):
     LOWER = field("by axis: limits in the negative direction, as tried", size=3, of=Lower)
     LEAD_ENDS = field("by axis: where a velocity is reached", size=3, of=LeadEnd)
     STOP_ENDS = field("by axis: where it comes to rest from there", size=3, of=LeadEnd)
+    SWING = field("an emergency stop, at the start of its pieces", of=Swing)
+    AHEAD = field("the same at a later time", of=Swing)
 
 
 class Known(Record):
@@ -209,6 +231,32 @@ class Reach(Record):
     DEMAND = field("what it asks of the drives", size=Demand.SIZE, of=Range)
 
 
+class SwingTerms(Codes):
+    """Terms of a swinging load's series, and the pieces of an axis."""
+
+    CONSTANT = 0
+    LINEAR = 1
+    QUADRATIC = 2
+    CUBIC = 3
+    QUARTIC = 4
+    COUNT = 14
+    # pieces of an axis: in a long step, and those at least, which few steps use up
+    PIECES = 300
+    SPARE = 100
+    # looks at the drives: in a swing, and in a stop at most
+    SWING = 63
+    LONGEST = 20000
+
+
+class FlatOrder(Codes):
+    """Derivatives of the load's position that the flat inverse uses."""
+
+    POSITION = 0
+    VELOCITY = 1
+    ACCELERATION = 2
+    COUNT = 5
+
+
 class OperationWork(Record):
     """Rows: work space."""
 
@@ -222,3 +270,10 @@ class OperationWork(Record):
     AXES = field("the axes", size=3, of=Axis)
     PIECE = field("a piece of an axis", of=Column)
     REACH = field("ranges", size=Reach.SIZE, of=Range)
+    PATH = field("series of the way from the suspension to a load that swings", size=3, of=Column)
+    PULL = field("that of the rope's pull over the load's mass and the rope's length", of=Column)
+    SQUARE = field("that of the rope's length, squared", of=Column)
+    FLAT = field("position of the load and four derivatives", size=5, of=Vector)
+    FORCE = field("forces of the drives", of=Axes)
+    STATE = field("state of the crane", of=State)
+    ACCELERATION = field("second derivatives of its coordinates", of=Coordinates)

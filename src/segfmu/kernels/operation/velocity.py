@@ -99,7 +99,7 @@ def reach_and_stop(
             states[1, axis, i] = 0.0
         states[0, axis, WaypointState.POSITION] = reached[axis, LeadEnd.POSITION]
         states[0, axis, WaypointState.VELOCITY] = reached[axis, LeadEnd.VELOCITY]
-    stopped = operation[Operation.STOP_ENDS:Operation.SIZE, :]
+    stopped = operation[Operation.STOP_ENDS:Operation.SWING, :]
     set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
     clear_plan(Slot.NONE, offsets)
     return lead_between(

@@ -184,6 +184,12 @@ bool operation_sound(const feedforward *m)
         && isfinite(progress[PROGRESS_BEGIN])
         && progress[PROGRESS_NEXT] >= 0.0 && progress[PROGRESS_NEXT] <= OPERATION_ROWS_KEPT
         && progress[PROGRESS_FAILED] >= 0.0 && progress[PROGRESS_FAILED] <= OPERATION_STATUS_DRIVES;
+    const double *swing = row_of(&a.operation, OPERATION_SWING);
+    for (int i = 0; i < SWING_SIZE; i++) {
+        sound = sound && isfinite(swing[i]);
+    }
+    /* a load that swings has a rope */
+    sound = sound && (swing[SWING_ACTIVE] == 0.0 || swing[SWING_POSITION + 2] > 0.0);
     for (int axis = 0; axis < AXES && sound; axis++) {
         const double *held = row_of(&a.operation, OPERATION_HELD + axis);
         int64_t pieces = a.offsets.data[axis + 1] - a.offsets.data[axis];
