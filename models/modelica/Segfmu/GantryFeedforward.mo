@@ -507,7 +507,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{aa3e5411-b7ef-3530-c8d0-7d9299e45a71}", 0);
+      "{ec516b3e-b9cc-a0e5-59c3-e8e97965658c}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
