@@ -23,7 +23,7 @@ from segfmu.validation.report.web import as_json, filled
 from segfmu.validation.scenario import limit_values
 from segfmu.validation.units import scale
 
-STYLES = ("page.css", "live.css")
+PARTS = ("page.css", "live.css", "view.html")
 SCRIPTS = (
     "view.js", "wasi.js", "fmu.js", "system.js", "plain.js", "driver.js", "inputs.js", "traces.js",
     "live.js",
@@ -76,7 +76,7 @@ def live(
         with with_keys():
             content = contents(task, trajectory)
     text = filled(
-        "live.html", (*STYLES, *SCRIPTS), "segfmu.validation.live", scripts=SCRIPTS,
+        "live.html", (*PARTS, *SCRIPTS), "segfmu.validation.live", scripts=SCRIPTS,
         name=task.name, data=as_json(content),
         window=content["window"], lightest=LIGHTEST, heaviest=HEAVIEST,
     )

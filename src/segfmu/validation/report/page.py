@@ -166,7 +166,7 @@ def render(page: Page) -> str:
     return filled("page.html", PARTS, page=page, data=_data(page), plotly=get_plotlyjs())
 
 
-PARTS = ("page.html", "page.css", "charts.js", "view.js", "scene.js")
+PARTS = ("page.css", "view.html", "charts.js", "view.js", "scene.js")
 
 
 def _data(page: Page) -> str:
