@@ -1,0 +1,1 @@
+"""A crane whose load hangs on a hook: a double pendulum."""
