@@ -23,11 +23,11 @@ from segfmu.crane.stability import largest_eigenvalue, stability_map
 from segfmu.crane.tracking import TrackingController
 
 __all__ = [
-    "ActuatedPlan", "ActuatorBounds", "BoundUse", "Compensation", "Controller", "Crane", "Drive",
-    "Feedforward", "FlatInverse", "Friction", "Gust", "HookCrane", "Observer", "Operator",
-    "PayloadChange", "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints", "Shaped",
-    "Shaper", "SwayFeedback", "TrackingController", "TravelLimits", "Trapezoid", "Uncertainty", "Weights", "Wind",
-    "bound_uses", "design_flat", "design_lqr", "design_observer", "design_schedule",
-    "largest_eigenvalue",
-    "plan_actuated", "stability_map", "zv", "zvd",
+    "ActuatedPlan", "ActuatorBounds", "BoundUse", "Compensation", "Controller", "Crane",
+    "Drive", "Feedforward", "FlatInverse", "Friction", "Gust", "HookCrane", "Observer",
+    "Operator", "PayloadChange", "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints",
+    "Shaped", "Shaper", "SwayFeedback", "TrackingController", "Trapezoid", "TravelLimits",
+    "Uncertainty", "Weights", "Wind", "bound_uses", "design_flat", "design_lqr",
+    "design_observer", "design_schedule", "largest_eigenvalue", "plan_actuated",
+    "stability_map", "zv", "zvd",
 ]
