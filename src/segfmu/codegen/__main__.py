@@ -6,6 +6,7 @@ from segfmu.codegen import (
     crane,
     drawing,
     extension,
+    hook,
     messages,
     native,
     partials,
@@ -19,7 +20,7 @@ from segfmu.codegen.files import write
 
 def main() -> None:
     """Write the crane's equations first, because the C kernels contain them."""
-    for source in (crane, partials, series, rope):
+    for source in (crane, hook, partials, series, rope):
         write(source.TARGET, source.generate())
     for name, text in (native.generate() | extension.generate() | messages.generate()).items():
         write(native.TARGET / name, text)
