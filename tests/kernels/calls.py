@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from segfmu import Limits, Waypoint, plan
+from segfmu.crane.hook_state import plant_state
 from segfmu.crane.observer import Uncertainty
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import (
@@ -532,7 +533,8 @@ def rig_calls() -> dict[str, Call]:
     memory = zeros(backend.rig_rows(settings), Memory.COLUMNS)
     setpoints = zeros(Setpoints.SIZE)
     setpoints[Setpoints.REFERENCE : Setpoints.REFERENCE + State.SIZE] = HANGING
-    backend.rig_start(settings, components, changes, HANGING, setpoints, 0.2, memory)
+    start = plant_state(HANGING)
+    backend.rig_start(settings, components, changes, start, setpoints, 0.2, memory)
     _, table, gains, tracker = controller.arrays
     fault, balance = zeros(SetupFault.SIZE), zeros(Balance.SIZE)
     tables = table, gains, tracker
@@ -559,7 +561,7 @@ def rig_calls() -> dict[str, Call]:
         "measure_state": (HANGING, rig.sensors.vector, np.array([12.0, 34.0]), zeros(5)),
         "switch_correction": (settings, memory),
         "rig_rows": (settings,),
-        "rig_start": (settings, components, changes, HANGING, setpoints, 0.2, memory),
+        "rig_start": (settings, components, changes, start, setpoints, 0.2, memory),
         "rig_step": (settings, components, changes, *tables, setpoints, 0.02, memory),
         "rig_outputs": (np.array([0.1, 0.2, -1.0]), memory, balance, zeros(Outputs.SIZE)),
         "rig_balance": (memory, balance.copy()),

@@ -11,11 +11,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.crane.checks import require_not_negative, require_positive
+from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
+from segfmu.crane.hook import HookCrane
+from segfmu.crane.hook_state import hook_state, plant_state
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rig import Rig
 from segfmu.crane.setpoints import Setpoints
@@ -33,6 +35,7 @@ from segfmu.kernels.crane.records import (
     Vector,
 )
 from segfmu.kernels.crane.records import Plant as Parameters
+from segfmu.kernels.hook.records import HookState
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import (
     Balance,
@@ -62,10 +65,10 @@ class Plant:
 
     Parameters
     ----------
-    crane : Crane
+    crane : Crane or HookCrane
         The true crane.
-    state : array_like, shape (10,)
-        Initial state.
+    state : array_like, shape (10,), or (14,) with a hook
+        Initial state, a `State` or a `HookState`.
     setpoints : Setpoints
         Setpoints at the start.
     controller : Controller or SwayFeedback
@@ -85,13 +88,14 @@ class Plant:
     Raises
     ------
     InputError
-        If the controller's sample time is not positive, the fade is negative, or a dead time of
-        the drives is too many of the controller's periods.
+        If the controller's sample time is not positive, the fade is negative, a dead time of the
+        drives is too many of the controller's periods, a rope with a hook may slacken, or the state
+        has another size.
     """
 
     def __init__(
         self,
-        crane: Crane,
+        crane: Crane | HookCrane,
         state: FloatArray,
         setpoints: Setpoints,
         controller: Controller | SwayFeedback,
@@ -120,11 +124,13 @@ class Plant:
             known = self._settings[Settings.TRACKING]
             known[Tracking.PERIOD] = controller.sample_time
             backend.set_drives(self._settings[Settings.PLANT], known)
-        self._check_drives()
+        self._check_plant()
+        self._has_hook = isinstance(crane, HookCrane)
+        size = HookState.SIZE if self._has_hook else State.SIZE
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(
-            self._settings, self._components, self._changes, np.array(state, dtype=np.float64),
-            setpoints.vector, start_time, self._memory,
+            self._settings, self._components, self._changes,
+            plant_state(sized("state", state, size)), setpoints.vector, start_time, self._memory,
         )
 
     @property
@@ -178,8 +184,9 @@ class Plant:
 
     @property
     def state(self) -> FloatArray:
-        """The ten components of the state; a copy."""
-        return self._memory[Memory.STATE, : State.SIZE].copy()
+        """State (10,), with a hook (14,); a copy."""
+        state = self._memory[Memory.STATE, : PlantState.SIZE]
+        return hook_state(state) if self._has_hook else state[: State.SIZE].copy()
 
     @property
     def measured(self) -> FloatArray:
@@ -226,9 +233,13 @@ class Plant:
     @property
     def load(self) -> FloatArray:
         """Position and velocity of the load, shape (2, 3)."""
-        load = np.zeros((2, 3))
-        backend.crane_load(self._memory[Memory.STATE], load)
-        return load
+        found = self.outputs(np.zeros(Vector.SIZE))
+        return found[Outputs.LOAD_POSITION : Outputs.LOAD_SPEED].reshape(2, 3)
+
+    @property
+    def sling_tension(self) -> float:
+        """Tension of the sling [N]; 0 without a hook."""
+        return float(self._memory[Memory.REPORT, Report.SLING_TENSION])
 
     @property
     def drive_power(self) -> FloatArray:
@@ -281,9 +292,11 @@ class Plant:
                 failure(status, time, memory[Memory.STATE], memory[Memory.PLANT])
             )
 
-    def _check_drives(self) -> None:
+    def _check_plant(self) -> None:
         fault, plant = np.zeros(SetupFault.SIZE), self._settings[Settings.PLANT]
         status = backend.check_lags(plant, 0, fault)
+        if status == SetupStatus.FITS:
+            status = backend.check_slack(plant, 0, fault)
         if status == SetupStatus.FITS:
             status = backend.check_delays(plant, float(self._loop[Loop.PERIOD]), 0, fault)
         if status != SetupStatus.FITS:

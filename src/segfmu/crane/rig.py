@@ -8,6 +8,7 @@ import numpy as np
 
 from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.parameters import Crane
 from segfmu.crane.sensors import SENSORS, Sensors
 from segfmu.crane.variables import Value, build, filled, values
@@ -49,7 +50,7 @@ class Rig:
         """Times [s] and masses [kg] of the payload changes, shape (changes, 2)."""
         return np.array([(c.time, c.mass) for c in self.payload], dtype=np.float64).reshape(-1, 2)
 
-    def parameters(self, crane: Crane, driven: bool) -> FloatArray:
+    def parameters(self, crane: Crane | HookCrane, driven: bool) -> FloatArray:
         """The kernels' `Plant`, shape (Plant.SIZE,)."""
         found = crane.values() | values(self.friction, FRICTION) | values(self.travel, TRAVEL)
         for drive, mapping in zip(self.drives, DRIVE, strict=True):
@@ -57,7 +58,10 @@ class Rig:
         found |= self.wind.values()
         # the item of the enumeration
         found["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
-        return filled(Plant, found.__getitem__)
+        packed = filled(Plant, found.__getitem__)
+        if isinstance(crane, HookCrane):
+            packed[Plant.HOOK_MASS], packed[Plant.SLING] = crane.hook_mass, crane.sling
+        return packed
 
     @classmethod
     def of(cls, value: Value) -> Rig:

@@ -619,7 +619,7 @@ ENTRY_POINTS = (
     entry(
         "rig.rig", "rig_start", settings=(Settings.SIZE, Settings.COLUMNS),
         components=("sines", Sinusoid.SIZE), changes=("changes", PayloadChange.SIZE),
-        state=State.SIZE, setpoints=Setpoints.SIZE, memory=(RIG_ROWS, Memory.COLUMNS),
+        state=PlantState.SIZE, setpoints=Setpoints.SIZE, memory=(RIG_ROWS, Memory.COLUMNS),
     ),
     entry(
         "rig.rig", "rig_step", settings=(Settings.SIZE, Settings.COLUMNS),

@@ -251,6 +251,7 @@ PLANT = Messages(
         PlantStatus.STEP_TOO_SMALL: _out_of_range("the integration steps became too small"),
         PlantStatus.NOT_FINITE: _out_of_range("a value is not finite"),
         PlantStatus.SLACK_ROPE: _out_of_range("the rope went slack"),
+        PlantStatus.SLACK_SLING: _out_of_range("the sling went slack"),
         PlantStatus.BELOW_TRAVEL: _stopped("least"),
         PlantStatus.ABOVE_TRAVEL: _stopped("greatest"),
     },
@@ -295,6 +296,8 @@ SETUP = Messages(
         "spectrum: set wind.speed",
         SetupStatus.SLACK_EXCHANGE: "in model exchange rope.slack must be error, got free_fall "
         "(the slack rope has no state there); use co-simulation",
+        SetupStatus.SLACK_HOOK: "with a hook rope.slack must be error, got free_fall (hook and "
+        "sling have no slack rope); drop slack",
         SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
         f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
         SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "

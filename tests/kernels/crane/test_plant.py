@@ -68,7 +68,7 @@ def reference(command, rate, duration, wind, viscous, coulomb, slides, sway):
         ]
         moved = np.where(yields | (coulomb == 0.0), 0.0, velocity)
         # the rope stays taut
-        return np.concatenate([x[5:10], second, moved, works, np.zeros(3)])
+        return np.concatenate([x[5:10], second, moved, works, np.zeros(7)])
 
     return solve_ivp(
         right, (0.0, duration), START, method="DOP853", rtol=1e-11, atol=1e-12

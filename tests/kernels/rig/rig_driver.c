@@ -59,7 +59,7 @@ static rig read_rig(void)
         exit(2);
     }
     r.settings = matrix(SETTINGS_SIZE, SETTINGS_COLUMNS);
-    r.state = vector(STATE_SIZE);
+    r.state = vector(PLANT_STATE_SIZE);
     double *start = numbers(1);
     r.start = *start;
     free(start);

@@ -78,13 +78,15 @@ static double velocity_bound(array_double_1d plant, int64_t axis, double sign);
 static double acceleration_bound(array_double_1d plant, int64_t axis, double sign);
 static double static_bound(array_double_1d plant, int64_t axis, double sign);
 static double force_bound(array_double_1d plant, int64_t axis, double sign, double velocity);
-static void rope_direction(array_double_1d state, array_double_1d limit);
+static double resisting_mass(array_double_1d plant, array_double_1d state);
+static void rope_direction(array_double_1d plant, array_double_1d state, array_double_1d limit);
 static double carriage_mass(array_double_1d masses, int64_t axis);
 static double available_force(int64_t axis, double side, array_double_1d limit);
 static double limit_side(array_double_1d plant, int64_t axis, array_double_1d action, array_double_1d limit);
 static double missing_force(int64_t axis, array_double_1d action, array_double_1d limit);
 static void change_accelerations(array_double_1d plant, array_double_1d action, array_double_1d limit);
 static void limit_accelerations(array_double_1d plant, array_double_1d state, array_double_1d action, array_double_1d acceleration, array_double_1d limit);
+static double hanging_mass(array_double_1d resistance);
 static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state);
 static double held_side(int64_t axis, array_double_1d state, array_double_1d derivative, array_double_1d limit);
 static void hold_accelerations(array_double_1d plant, array_double_1d derivative, array_double_1d limit);
@@ -211,6 +213,17 @@ static double axis_position(array_double_1d state, int64_t axis);
 static double axis_velocity(array_double_1d state, int64_t axis);
 static bool bears_wrongly(array_double_1d plant, array_double_1d state, double rope_force);
 static void change_rope(array_double_1d plant, array_double_1d state);
+static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension);
+static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension);
+static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load);
+static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy);
+static bool has_hook(array_double_1d plant);
+static void gather_hook(array_double_1d plant, array_double_1d state, array_double_2d work);
+static void scatter_hook(array_double_2d work, array_double_1d derivative);
+static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load);
+static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy);
 static void run_on(array_double_1d plant, array_double_2d work);
 static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
@@ -255,15 +268,11 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
 static void reuse_last_stage(array_double_2d work);
 static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work);
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
-static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force);
+static int64_t plant_status(array_double_1d plant, array_double_1d state, array_double_1d action);
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
-static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension);
-static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension);
-static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load);
-static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy);
 static double pace_between(double use, array_double_1d pace);
 static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
 static bool differs(int64_t i, array_double_1d bounds);
@@ -3031,19 +3040,19 @@ static double limited(double value, double bound)
 static double velocity_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double result;
-    result = side_bound(sign, (*cspan_at(&plant, INT64_C(34) + axis)), (*cspan_at(&plant, INT64_C(37) + axis)));
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(36) + axis)), (*cspan_at(&plant, INT64_C(39) + axis)));
     return result;
 }
 static double acceleration_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double result;
-    result = side_bound(sign, (*cspan_at(&plant, INT64_C(28) + axis)), (*cspan_at(&plant, INT64_C(31) + axis)));
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(30) + axis)), (*cspan_at(&plant, INT64_C(33) + axis)));
     return result;
 }
 static double static_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double result;
-    result = side_bound(sign, (*cspan_at(&plant, INT64_C(22) + axis)), (*cspan_at(&plant, INT64_C(25) + axis)));
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(24) + axis)), (*cspan_at(&plant, INT64_C(27) + axis)));
     return result;
 }
 static double force_bound(array_double_1d plant, int64_t axis, double sign, double velocity)
@@ -3052,10 +3061,10 @@ static double force_bound(array_double_1d plant, int64_t axis, double sign, doub
     double by_power;
     double bound;
     bound = static_bound(plant, axis, sign);
-    if ((*cspan_at(&plant, INT64_C(40) + axis)) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(42) + axis)) > 0.0)
     {
         speed = span_max(fabs(velocity), 1e-99);
-        by_power = (*cspan_at(&plant, INT64_C(40) + axis)) / speed;
+        by_power = (*cspan_at(&plant, INT64_C(42) + axis)) / speed;
         if ((bound == 0.0) || (by_power < bound))
         {
             bound = by_power;
@@ -3063,10 +3072,31 @@ static double force_bound(array_double_1d plant, int64_t axis, double sign, doub
     }
     return bound;
 }
-static void rope_direction(array_double_1d state, array_double_1d limit)
+static double resisting_mass(array_double_1d plant, array_double_1d state)
+{
+    double hook;
+    double phi_x;
+    double psi_x;
+    double turned;
+    double cosine;
+    double payload;
+    payload = (*cspan_at(&plant, INT64_C(2)));
+    if ((*cspan_at(&plant, INT64_C(19))) <= 0.0)
+    {
+        return payload;
+    }
+    hook = (*cspan_at(&plant, INT64_C(18)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    psi_x = (*cspan_at(&state, INT64_C(16)));
+    turned = cos((*cspan_at(&state, INT64_C(3) + INT64_C(1))) - (*cspan_at(&state, INT64_C(16) + INT64_C(1))));
+    cosine = sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(psi_x) * turned;
+    return hook * (hook + payload) / (hook + payload * (1.0 - cosine * cosine));
+}
+static void rope_direction(array_double_1d plant, array_double_1d state, array_double_1d limit)
 {
     double phi_x;
     double phi_y;
+    (*cspan_at(&limit, INT64_C(18))) = resisting_mass(plant, state);
     phi_x = (*cspan_at(&state, INT64_C(3)));
     phi_y = (*cspan_at(&state, INT64_C(3) + INT64_C(1)));
     (*cspan_at(&limit, INT64_C(6))) = sin(phi_x);
@@ -3122,7 +3152,7 @@ static double limit_side(array_double_1d plant, int64_t axis, array_double_1d ac
         along = along + (*cspan_at(&limit, INT64_C(6) + i)) * (*cspan_at(&limit, INT64_C(3) + i));
     }
     needed = (*cspan_at(&action, INT64_C(0) + axis)) + carriage_mass(plant, axis) * change;
-    needed = needed + (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&limit, INT64_C(6) + axis)) * along;
+    needed = needed + (*cspan_at(&limit, INT64_C(18))) * (*cspan_at(&limit, INT64_C(6) + axis)) * along;
     if (needed > 0.0)
     {
         side = 1.0;
@@ -3159,7 +3189,7 @@ static void change_accelerations(array_double_1d plant, array_double_1d action, 
     double along;
     bool hoist_limited;
     double rest;
-    payload = (*cspan_at(&plant, INT64_C(2)));
+    payload = (*cspan_at(&limit, INT64_C(18)));
     total = 0.0;
     weight = 1.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -3204,7 +3234,7 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
     int64_t Dummy_0000;
     bool changed;
     double side;
-    rope_direction(state, limit);
+    rope_direction(plant, state, limit);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
@@ -3239,6 +3269,12 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
             (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
         }
     }
+}
+static double hanging_mass(array_double_1d resistance)
+{
+    double result;
+    result = (*cspan_at(&resistance, INT64_C(2))) + (*cspan_at(&resistance, INT64_C(18)));
+    return result;
 }
 static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state)
 {
@@ -3279,7 +3315,7 @@ static void hold_accelerations(array_double_1d plant, array_double_1d derivative
     double rope;
     double mass;
     double pull;
-    payload = (*cspan_at(&plant, INT64_C(2)));
+    payload = (*cspan_at(&limit, INT64_C(18)));
     along = 0.0;
     weight = 1.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -3325,7 +3361,7 @@ static void hold_velocities(array_double_1d plant, array_double_1d state, array_
     double side;
     double force;
     double bound;
-    rope_direction(state, limit);
+    rope_direction(plant, state, limit);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&limit, INT64_C(0) + i)) = 0.0;
@@ -3467,7 +3503,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     double angle;
     double weight;
     array_double_1d hoist;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
     gravity = (*cspan_at(&plant, INT64_C(3)));
     slope = 2.0 * damping * bandwidth;
     square = bandwidth * bandwidth;
@@ -3513,7 +3549,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            lead_gains(i, (*cspan_at(&plant, INT64_C(19) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
+            lead_gains(i, (*cspan_at(&plant, INT64_C(21) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
         }
     }
 }
@@ -4126,8 +4162,8 @@ static void kalman_model(int64_t axis, array_double_1d plant, double length, arr
     int64_t j;
     mass = carriage_mass(plant, axis);
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    lag = (*cspan_at(&plant, INT64_C(19) + axis));
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
+    lag = (*cspan_at(&plant, INT64_C(21) + axis));
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
     matrix_set(INT64_C(8), 0.0, model);
     (*cspan_at(&model, INT64_C(6), INT64_C(7))) = 1.0;
     (*cspan_at(&model, INT64_C(0), INT64_C(2))) = 1.0;
@@ -4431,10 +4467,10 @@ static double acts_late(array_double_1d plant, array_double_1d design)
     lag = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        dead = span_max(dead, (*cspan_at(&plant, INT64_C(43) + axis)));
-        lag = span_max(lag, (*cspan_at(&plant, INT64_C(19) + axis)));
+        dead = span_max(dead, (*cspan_at(&plant, INT64_C(45) + axis)));
+        lag = span_max(lag, (*cspan_at(&plant, INT64_C(21) + axis)));
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) != INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) != INT64_C(1))
     {
         lag = 0.0;
     }
@@ -4832,7 +4868,7 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis, double sign)
     double by_force;
     double bound;
     bound = static_bound(plant, axis, sign);
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
     {
         moved = carriage_mass(plant, axis) + (*cspan_at(&plant, INT64_C(2)));
         by_force = bound / moved;
@@ -4865,7 +4901,7 @@ static double drive_strength(array_double_1d plant, int64_t axis)
     double weight;
     double weaker;
     weight = (*cspan_at(&plant, INT64_C(3)));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(0))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(0))
     {
         weight = weight * carriage_mass(plant, axis);
     }
@@ -4882,7 +4918,7 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
 {
     int64_t axis;
     double greatest;
-    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(18)));
+    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(20)));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
@@ -4891,12 +4927,12 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
     {
         (*cspan_at(&tracking, INT64_C(15) + axis)) = segfmu_drive_bound(plant, axis, 1.0);
         (*cspan_at(&tracking, INT64_C(12) + axis)) = -segfmu_drive_bound(plant, axis, -1.0);
-        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(34) + axis));
-        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(37) + axis));
-        (*cspan_at(&tracking, INT64_C(36) + axis)) = (*cspan_at(&plant, INT64_C(40) + axis));
+        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(36) + axis));
+        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(39) + axis));
+        (*cspan_at(&tracking, INT64_C(36) + axis)) = (*cspan_at(&plant, INT64_C(42) + axis));
     }
     greatest = 0.0;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
     {
         greatest = span_min(0.9 * (*cspan_at(&plant, INT64_C(3))), (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))));
     }
@@ -4929,7 +4965,7 @@ void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double l
     (*cspan_at(&tracking, INT64_C(2))) = age / period;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(43) + axis))) / period;
+        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(45) + axis))) / period;
     }
     (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
@@ -5005,7 +5041,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     double velocity;
     sign = 1.0 - 2.0 * axis;
     scale = 1.0;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
     if ((axis == INT64_C(2)) && (!driven))
     {
         scale = 1.0 / (*cspan_at(&plant, INT64_C(2)));
@@ -5020,7 +5056,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     velocity = scheduled_gain(length, axis, INT64_C(5) + axis, table);
     (*cspan_at(&gains, INT64_C(0))) = scale * place;
     (*cspan_at(&gains, INT64_C(2))) = scale * velocity;
-    if (driven && ((*cspan_at(&plant, INT64_C(19) + axis)) <= 0.0))
+    if (driven && ((*cspan_at(&plant, INT64_C(21) + axis)) <= 0.0))
     {
         (*cspan_at(&gains, INT64_C(2))) = scale * velocity + command;
     }
@@ -5123,9 +5159,9 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     (*cspan_at(&fault, INT64_C(3))) = 1.0 + 1e-06;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        driven = (int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1);
-        lagging = driven && ((*cspan_at(&plant, INT64_C(19) + axis)) > 0.0);
-        delay = (*cspan_at(&plant, INT64_C(43) + axis)) / period;
+        driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
+        lagging = driven && ((*cspan_at(&plant, INT64_C(21) + axis)) > 0.0);
+        delay = (*cspan_at(&plant, INT64_C(45) + axis)) / period;
         if (predicted == INT64_C(1))
         {
             delay = 0.0;
@@ -7219,19 +7255,19 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
 static double compression(array_double_1d plant, int64_t axis, double position)
 {
     double result;
-    if (position > (*cspan_at(&plant, INT64_C(50) + axis)))
+    if (position > (*cspan_at(&plant, INT64_C(52) + axis)))
     {
-        result = position - (*cspan_at(&plant, INT64_C(50) + axis));
+        result = position - (*cspan_at(&plant, INT64_C(52) + axis));
         return result;
     }
-    result = span_min(position - (*cspan_at(&plant, INT64_C(47) + axis)), 0.0);
+    result = span_min(position - (*cspan_at(&plant, INT64_C(49) + axis)), 0.0);
     return result;
 }
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity)
 {
     double pressed;
     double force;
-    if ((*cspan_at(&plant, INT64_C(53) + axis)) == 0.0)
+    if ((*cspan_at(&plant, INT64_C(55) + axis)) == 0.0)
     {
         return 0.0;
     }
@@ -7240,7 +7276,7 @@ static double buffer_force(array_double_1d plant, int64_t axis, double position,
     {
         return 0.0;
     }
-    force = (*cspan_at(&plant, INT64_C(53) + axis)) * pressed + (*cspan_at(&plant, INT64_C(56) + axis)) * velocity;
+    force = (*cspan_at(&plant, INT64_C(55) + axis)) * pressed + (*cspan_at(&plant, INT64_C(58) + axis)) * velocity;
     if (force * pressed <= 0.0)
     {
         return 0.0;
@@ -7255,8 +7291,8 @@ static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array
         (*result_1_0001) = 0.0;
         return 0;
     }
-    (*result_0_0001) = (*cspan_at(&plant, INT64_C(53) + axis));
-    (*result_1_0001) = (*cspan_at(&plant, INT64_C(56) + axis));
+    (*result_0_0001) = (*cspan_at(&plant, INT64_C(55) + axis));
+    (*result_1_0001) = (*cspan_at(&plant, INT64_C(58) + axis));
     return 0;
 }
 static double dry_level(array_double_1d resistance, int64_t axis, double velocity)
@@ -7306,7 +7342,7 @@ static double contact_damping(array_double_1d resistance, int64_t axis)
     mass = carriage_mass(resistance, axis);
     if (axis == INT64_C(2))
     {
-        mass = (*cspan_at(&resistance, INT64_C(2)));
+        mass = hanging_mass(resistance);
     }
     static_0001 = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
     result = 2.0 * sqrt(1.5 * static_0001 * mass / (*cspan_at(&resistance, INT64_C(17))));
@@ -7875,7 +7911,7 @@ int64_t segfmu_contact_history(int64_t axis, array_double_2d timing, array_doubl
     double velocity;
     int64_t row;
     int64_t count;
-    for (i = INT64_C(0); i < INT64_C(18); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(20); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(4), i)) = (*cspan_at(&resistance, i));
     }
@@ -7982,13 +8018,13 @@ void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_dou
 static bool may_slacken(array_double_1d plant)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&plant, INT64_C(76)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&plant, INT64_C(78)))) == INT64_C(1);
     return result;
 }
 static bool is_slack(array_double_1d state)
 {
     bool result;
-    result = (*cspan_at(&state, INT64_C(16))) > 0.5;
+    result = (*cspan_at(&state, INT64_C(20))) > 0.5;
     return result;
 }
 static double axis_position(array_double_1d state, int64_t axis)
@@ -7996,7 +8032,7 @@ static double axis_position(array_double_1d state, int64_t axis)
     double result;
     if ((axis == INT64_C(2)) && is_slack(state))
     {
-        result = (*cspan_at(&state, INT64_C(17)));
+        result = (*cspan_at(&state, INT64_C(21)));
         return result;
     }
     result = (*cspan_at(&state, INT64_C(0) + axis));
@@ -8007,7 +8043,7 @@ static double axis_velocity(array_double_1d state, int64_t axis)
     double result;
     if ((axis == INT64_C(2)) && is_slack(state))
     {
-        result = (*cspan_at(&state, INT64_C(18)));
+        result = (*cspan_at(&state, INT64_C(22)));
         return result;
     }
     result = (*cspan_at(&state, INT64_C(5) + axis));
@@ -8019,8 +8055,8 @@ static bool bears_wrongly(array_double_1d plant, array_double_1d state, double r
     bool result;
     if (is_slack(state))
     {
-        over = (*cspan_at(&state, INT64_C(0) + INT64_C(2))) - (*cspan_at(&state, INT64_C(17)));
-        result = over > 1e-10 * (*cspan_at(&state, INT64_C(17)));
+        over = (*cspan_at(&state, INT64_C(0) + INT64_C(2))) - (*cspan_at(&state, INT64_C(21)));
+        result = over > 1e-10 * (*cspan_at(&state, INT64_C(21)));
         return result;
     }
     result = rope_force > 1e-09 * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
@@ -8038,24 +8074,698 @@ static void change_rope(array_double_1d plant, array_double_1d state)
     rope = INT64_C(5) + INT64_C(2);
     if (!is_slack(state))
     {
-        (*cspan_at(&state, INT64_C(16))) = 1.0;
-        (*cspan_at(&state, INT64_C(17))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
-        (*cspan_at(&state, INT64_C(18))) = (*cspan_at(&state, rope));
+        (*cspan_at(&state, INT64_C(20))) = 1.0;
+        (*cspan_at(&state, INT64_C(21))) = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+        (*cspan_at(&state, INT64_C(22))) = (*cspan_at(&state, rope));
         return;
     }
     mass = (*cspan_at(&plant, INT64_C(2)));
-    against = (*cspan_at(&state, rope)) - (*cspan_at(&state, INT64_C(18)));
-    along = (*cspan_at(&state, INT64_C(18))) + sin((*cspan_at(&state, INT64_C(3)))) * (*cspan_at(&state, INT64_C(5)));
+    against = (*cspan_at(&state, rope)) - (*cspan_at(&state, INT64_C(22)));
+    along = (*cspan_at(&state, INT64_C(22))) + sin((*cspan_at(&state, INT64_C(3)))) * (*cspan_at(&state, INT64_C(5)));
     across = cos((*cspan_at(&state, INT64_C(3)))) * sin((*cspan_at(&state, INT64_C(3) + INT64_C(1))));
     along = along - across * (*cspan_at(&state, INT64_C(5) + INT64_C(1)));
     drives = (*cspan_at(&state, INT64_C(13))) - mass * against * along;
     lost = 0.5 * mass * against * against;
     (*cspan_at(&state, INT64_C(13))) = drives;
     (*cspan_at(&state, INT64_C(15))) = (*cspan_at(&state, INT64_C(15))) + lost;
-    (*cspan_at(&state, rope)) = (*cspan_at(&state, INT64_C(18)));
-    (*cspan_at(&state, INT64_C(16))) = 0.0;
-    (*cspan_at(&state, INT64_C(17))) = 0.0;
-    (*cspan_at(&state, INT64_C(18))) = 0.0;
+    (*cspan_at(&state, rope)) = (*cspan_at(&state, INT64_C(22)));
+    (*cspan_at(&state, INT64_C(20))) = 0.0;
+    (*cspan_at(&state, INT64_C(21))) = 0.0;
+    (*cspan_at(&state, INT64_C(22))) = 0.0;
+}
+static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double hook_mass;
+    double sling;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    hook_mass = (*cspan_at(&masses, INT64_C(4)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = INT64_C(1) / l;
+    c4 = c3 * f_phi_x;
+    c5 = c1 * f_l + c2 * c4;
+    c6 = c5 - f_x_t;
+    c7 = sin(phi_y);
+    c8 = c2 * f_l;
+    c9 = c1 * c4;
+    c10 = cos(phi_y);
+    c11 = INT64_C(1) / c2;
+    c12 = c11 * c3;
+    c13 = c12 * f_phi_y;
+    c14 = c10 * c13 + c7 * c8 - c7 * c9;
+    c15 = (c14 + f_y_t) / trolley_mass;
+    c16 = c2 * l_rate;
+    c17 = c1 * phi_x_rate;
+    c18 = c17 * l;
+    c19 = INT64_C(1) / hook_mass;
+    c20 = sin(psi_x);
+    c21 = INT64_C(1) / payload_mass;
+    c22 = c20 * (psi_x_rate * psi_x_rate) * sling;
+    c23 = (-c19) * c5 + c21 * w_x + c22;
+    c24 = cos(psi_x);
+    c25 = sin(psi_y);
+    c26 = c24 * c25;
+    c27 = cos(psi_y);
+    c28 = c20 * c27;
+    c29 = psi_x_rate * sling;
+    c30 = psi_y_rate * sling;
+    c31 = c29 * (c26 * psi_x_rate + c28 * psi_y_rate) + c30 * (c26 * psi_y_rate + c28 * psi_x_rate);
+    c32 = (-c14) * c19 - c21 * w_y + c31;
+    c33 = c10 * c8;
+    c34 = c24 * c27;
+    c35 = c20 * c25;
+    c36 = c29 * (c34 * psi_x_rate - c35 * psi_y_rate) + c30 * (c24 * c27 * psi_y_rate - c35 * psi_x_rate);
+    c37 = c19 * (c10 * c9 + c13 * c7 - c33) - c21 * w_z + c36;
+    c38 = (-c20) * c23 - c26 * c32 - c34 * c37;
+    c39 = -c38;
+    c40 = INT64_C(1) / (c19 + c21);
+    c41 = c20 * c40;
+    c42 = (-c0) * c6 + c16 * phi_x_rate - c19 * (c39 * c41 + c5) + phi_x_rate * ((-c18) + c2 * l_rate);
+    c43 = c2 * phi_y_rate;
+    c44 = c43 * c7;
+    c45 = c1 * l_rate;
+    c46 = c10 * l;
+    c47 = c2 * phi_x_rate;
+    c48 = c7 * l;
+    c49 = c1 * phi_y_rate;
+    c50 = c10 * c43;
+    c51 = c39 * c40;
+    c52 = c34 * c51;
+    c53 = c19 * (c1 * c10 * c3 * f_phi_x + c11 * c3 * c7 * f_phi_y - c33 - c52);
+    c54 = (-c53) + gravity + l_rate * (c10 * c17 + c44) + phi_x_rate * (c10 * c45 + c46 * c47 - c48 * c49) + phi_y_rate * (c16 * c7 - c18 * c7 + c50 * l);
+    c55 = c10 * c54;
+    c56 = c26 * c51;
+    c57 = c19 * ((-c14) - c56);
+    c58 = c15 - c57 + l_rate * (c17 * c7 - c50) + phi_x_rate * (c45 * c7 + c46 * c49 + c47 * c48) + phi_y_rate * ((-c10) * c16 + c10 * c18 + c44 * l);
+    c59 = c58 * c7;
+    c60 = INT64_C(1) / sling;
+    c61 = c38 * c41;
+    c62 = (-c21) * (c56 + w_y) + c31 + c57;
+    c63 = (-c21) * (c52 + w_z) + c36 + c53;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
+    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
+    (*cspan_at(&derivative, INT64_C(7))) = (-c0) * c6;
+    (*cspan_at(&derivative, INT64_C(8))) = c15;
+    (*cspan_at(&derivative, INT64_C(9))) = (-c1) * c42 + c2 * c55 + c2 * c59;
+    (*cspan_at(&derivative, INT64_C(10))) = (-c3) * (c1 * c55 + c1 * c59 + c2 * c42);
+    (*cspan_at(&derivative, INT64_C(11))) = (-c12) * ((-c10) * c58 + c54 * c7);
+    (*cspan_at(&derivative, INT64_C(12))) = (-c60) * ((-c24) * ((-c19) * (c5 - c61) + c21 * (c61 + w_x) + c22) + c28 * c63 + c35 * c62);
+    (*cspan_at(&derivative, INT64_C(13))) = (-c60) * (c25 * c63 - c27 * c62) / c24;
+    (*cspan_at(&tension, INT64_C(0))) = c40 * (c20 * c23 + c26 * c32 + c34 * c37);
+}
+static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double hook_mass;
+    double sling;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    double c68;
+    double c69;
+    double c70;
+    double c71;
+    double c72;
+    double c73;
+    double c74;
+    double c75;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    hook_mass = (*cspan_at(&masses, INT64_C(4)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / l;
+    c1 = cos(phi_x);
+    c2 = sin(phi_x);
+    c3 = c2 * phi_x_rate;
+    c4 = c3 * l;
+    c5 = (-c1) * l_rate + c4;
+    c6 = c1 * l_rate;
+    c7 = a_l * c2 + a_x + c6 * phi_x_rate;
+    c8 = (-c5) * phi_x_rate + c7;
+    c9 = c1 * l;
+    c10 = INT64_C(1) / hook_mass;
+    c11 = sin(phi_y);
+    c12 = a_l * c1;
+    c13 = c11 * c12;
+    c14 = cos(phi_y);
+    c15 = c1 * phi_y_rate;
+    c16 = l_rate * (c11 * c3 - c14 * c15);
+    c17 = c2 * l_rate;
+    c18 = c11 * c9;
+    c19 = c14 * c2;
+    c20 = l * phi_y_rate;
+    c21 = phi_x_rate * (c11 * c17 + c18 * phi_x_rate + c19 * c20);
+    c22 = phi_y_rate * (c14 * c4 - c14 * c6 + c18 * phi_y_rate);
+    c23 = a_y - c13 + c16 + c21 + c22;
+    c24 = c11 * c2;
+    c25 = c14 * c9;
+    c26 = (-c12) * c14 + gravity + l_rate * (c11 * c15 + c14 * c3) + phi_x_rate * (c14 * c17 - c20 * c24 + c25 * phi_x_rate) + phi_y_rate * ((-c11) * c4 + c11 * c6 + c25 * phi_y_rate);
+    c27 = (-c10) * f_phi_x + c19 * c26 * l + c23 * c24 * l;
+    c28 = c27 + c8 * c9;
+    c29 = c0 * c28;
+    c30 = sin(psi_x);
+    c31 = sin(psi_y);
+    c32 = cos(psi_x);
+    c33 = c31 * c32;
+    c34 = cos(psi_y);
+    c35 = c32 * c34;
+    c36 = (-c1) * c30 + c19 * c35 + c24 * c33;
+    c37 = INT64_C(1) / payload_mass;
+    c38 = -c36;
+    c39 = c11 * c34 - c14 * c31;
+    c40 = (-c32) * c39;
+    c41 = c11 * c40 + c14 * c2 * c38;
+    c42 = (-c11) * c2 * c38 + c14 * c40;
+    c43 = -c42;
+    c44 = c1 * c10 * c30 * c38 - c10 * c31 * c32 * c43 - c10 * c32 * c34 * c41 + c37;
+    c45 = -c28;
+    c46 = c0 * c1;
+    c47 = (-c30) * (psi_x_rate * psi_x_rate) * sling + c45 * c46 + c8;
+    c48 = (-c37) * w_x + c47;
+    c49 = c30 * c34;
+    c50 = psi_x_rate * sling;
+    c51 = psi_y_rate * sling;
+    c52 = c0 * c45;
+    c53 = c0 / c1;
+    c54 = c53 * (c10 * f_phi_y - c18 * c26 + c23 * c25);
+    c55 = c14 * c54;
+    c56 = c23 + c24 * c52 + c50 * (c33 * psi_x_rate + c49 * psi_y_rate) + c51 * (c33 * psi_y_rate + c49 * psi_x_rate) - c55;
+    c57 = (-c37) * w_y + c56;
+    c58 = c30 * c31;
+    c59 = c11 * c54 + c26;
+    c60 = c19 * c52 + c50 * (c35 * psi_x_rate - c58 * psi_y_rate) + c51 * (c32 * c34 * psi_y_rate - c58 * psi_x_rate) + c59;
+    c61 = (-c37) * w_z + c60;
+    c62 = c30 * c48 - c33 * c57 - c35 * c61;
+    c63 = (-c62) / c44;
+    c64 = c10 * c63;
+    c65 = c36 * c64;
+    c66 = c32 * c39;
+    c67 = INT64_C(1) / sling;
+    c68 = (-c62) / c44;
+    c69 = c1 * c10;
+    c70 = c10 * c43 * c68 - c37 * (c33 * c68 + w_y) + c56;
+    c71 = c10 * c41 * c68 - c37 * (c35 * c68 + w_z) + c60;
+    c72 = c11 * c66 + c19 * c36;
+    c73 = (c30 * c48 - c33 * c57 - c35 * c61) / (c1 * c10 * c30 * c36 - c10 * c33 * c42 - c10 * c35 * c72 - c37);
+    c74 = (-c5) * phi_x_rate + c7;
+    c75 = (-a_y) + c13 - c16 - c21 - c22 + c24 * c29 + c42 * c64 + c55;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
+    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
+    (*cspan_at(&derivative, INT64_C(7))) = a_x;
+    (*cspan_at(&derivative, INT64_C(8))) = a_y;
+    (*cspan_at(&derivative, INT64_C(9))) = a_l;
+    (*cspan_at(&derivative, INT64_C(10))) = (-c0) * (c29 + c65);
+    (*cspan_at(&derivative, INT64_C(11))) = c53 * (c54 - c64 * c66);
+    (*cspan_at(&derivative, INT64_C(12))) = (-c67) * (c32 * ((-c37) * ((-c30) * c68 + w_x) + c38 * c68 * c69 + c47) + c49 * c71 + c58 * c70);
+    (*cspan_at(&derivative, INT64_C(13))) = (-c67) * (c31 * c71 - c34 * c70) / c32;
+    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) - c30 * c73 + hook_mass * ((-c36) * c69 * c73 - c46 * (c27 + c74 * c9) + c74);
+    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + c33 * c73 - c75 * hook_mass;
+    (*cspan_at(&force, INT64_C(2))) = (-c1) * c11 * (c33 * c63 - c75 * hook_mass) - c1 * c14 * (c35 * c63 + hook_mass * ((-c19) * c29 + c59 - c64 * c72)) + c2 * ((-c30) * c63 + hook_mass * ((-c1) * c29 - c1 * c65 + c74));
+    (*cspan_at(&tension, INT64_C(0))) = c73;
+}
+static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load)
+{
+    double x_t;
+    double y_t;
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double sling;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    x_t = (*cspan_at(&state, INT64_C(0)));
+    y_t = (*cspan_at(&state, INT64_C(1)));
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    c0 = sin(phi_x);
+    c1 = c0 * l;
+    c2 = sling * sin(psi_x);
+    c3 = sin(phi_y);
+    c4 = cos(phi_x);
+    c5 = c4 * l;
+    c6 = c3 * c5;
+    c7 = sin(psi_y);
+    c8 = sling * cos(psi_x);
+    c9 = c7 * c8;
+    c10 = cos(phi_y);
+    c11 = c10 * c5;
+    c12 = cos(psi_y);
+    c13 = c12 * c8;
+    c14 = c4 * l_rate;
+    c15 = c1 * phi_x_rate;
+    c16 = c2 * psi_x_rate;
+    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + c2 + x_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c6) - c9 + y_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = (-c11) - c13;
+    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c5 * phi_x_rate + c8 * psi_x_rate + x_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c11) * phi_y_rate - c13 * psi_y_rate - c14 * c3 + c15 * c3 + c16 * c7 + y_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = (-c10) * c14 + c10 * c15 + c12 * c16 + c6 * phi_y_rate + c9 * psi_y_rate;
+}
+static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double hook_mass;
+    double sling;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    hook_mass = (*cspan_at(&masses, INT64_C(4)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    c0 = x_t_rate * x_t_rate;
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = c2 * l;
+    c4 = c1 * l_rate + c3 * phi_x_rate + x_t_rate;
+    c5 = cos(phi_y);
+    c6 = c2 * l_rate;
+    c7 = c1 * l * phi_x_rate;
+    c8 = sin(phi_y);
+    c9 = c3 * c8 * phi_y_rate - c5 * c6 + c5 * c7;
+    c10 = c3 * c5;
+    c11 = (-c10) * phi_y_rate - c6 * c8 + c7 * c8 + y_t_rate;
+    c12 = sling * cos(psi_x);
+    c13 = cos(psi_y);
+    c14 = psi_x_rate * sling * sin(psi_x);
+    c15 = sin(psi_y);
+    c16 = c12 * c13;
+    c17 = c12 * psi_x_rate + c4;
+    c18 = c11 + c14 * c15 - c16 * psi_y_rate;
+    c19 = c12 * c15 * psi_y_rate + c13 * c14 + c9;
+    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * hook_mass * (c11 * c11 + c4 * c4 + c9 * c9) + 1.0 / 2.0 * payload_mass * (c17 * c17 + c18 * c18 + c19 * c19) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
+    (*cspan_at(&energy, INT64_C(1))) = (-gravity) * (c10 * hook_mass + payload_mass * (c10 + c16));
+}
+static bool has_hook(array_double_1d plant)
+{
+    bool result;
+    result = (*cspan_at(&plant, INT64_C(19))) > 0.0;
+    return result;
+}
+static void gather_hook(array_double_1d plant, array_double_1d state, array_double_2d work)
+{
+    array_double_1d own;
+    array_double_1d masses;
+    int64_t i;
+    own = span_row(&work, INT64_C(22));
+    masses = span_row(&work, INT64_C(24));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&own, i)) = (*cspan_at(&state, i));
+        (*cspan_at(&own, INT64_C(7) + i)) = (*cspan_at(&state, INT64_C(5) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&own, INT64_C(5) + i)) = (*cspan_at(&state, INT64_C(16) + i));
+        (*cspan_at(&own, INT64_C(12) + i)) = (*cspan_at(&state, INT64_C(18) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&masses, i)) = (*cspan_at(&plant, i));
+    }
+    (*cspan_at(&masses, INT64_C(4))) = (*cspan_at(&plant, INT64_C(18)));
+    (*cspan_at(&masses, INT64_C(5))) = (*cspan_at(&plant, INT64_C(19)));
+}
+static void scatter_hook(array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d rate;
+    int64_t i;
+    rate = span_row(&work, INT64_C(23));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&derivative, i)) = (*cspan_at(&rate, i));
+        (*cspan_at(&derivative, INT64_C(5) + i)) = (*cspan_at(&rate, INT64_C(7) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&derivative, INT64_C(16) + i)) = (*cspan_at(&rate, INT64_C(5) + i));
+        (*cspan_at(&derivative, INT64_C(18) + i)) = (*cspan_at(&rate, INT64_C(12) + i));
+    }
+    (*cspan_at(&work, INT64_C(14), INT64_C(7))) = (*cspan_at(&work, INT64_C(25), INT64_C(0)));
+}
+static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    if (has_hook(plant))
+    {
+        gather_hook(plant, state, work);
+        hook_rhs(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), span_row(&work, INT64_C(24)), span_row(&work, INT64_C(23)), span_row(&work, INT64_C(25)));
+        scatter_hook(work, derivative);
+    }
+    else
+    {
+        segfmu_crane_rhs(state, span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative);
+    }
+}
+static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    if (has_hook(plant))
+    {
+        gather_hook(plant, state, work);
+        hook_driven(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), span_row(&work, INT64_C(24)), span_row(&work, INT64_C(23)), span_row(&work, INT64_C(14)), span_row(&work, INT64_C(25)));
+        scatter_hook(work, derivative);
+    }
+    else
+    {
+        segfmu_crane_driven(state, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative, span_row(&work, INT64_C(14)));
+    }
+}
+static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load)
+{
+    if (has_hook(plant))
+    {
+        gather_hook(plant, state, work);
+        hook_load(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(24)), load);
+    }
+    else
+    {
+        segfmu_crane_load(state, load);
+    }
+}
+static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy)
+{
+    if (has_hook(plant))
+    {
+        gather_hook(plant, state, work);
+        hook_energy(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(24)), energy);
+    }
+    else
+    {
+        segfmu_crane_energy(state, plant, energy);
+    }
 }
 static void run_on(array_double_1d plant, array_double_2d work)
 {
@@ -8100,7 +8810,7 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
         (*cspan_at(&force, i)) = drive - (*cspan_at(&work, INT64_C(19), i));
     }
     run_on(plant, work);
-    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(15)), plant, derivative);
+    suspended_rhs(plant, state, work, derivative);
     if (fast)
     {
         hold_velocities(plant, state, derivative, action, span_row(&work, INT64_C(20)));
@@ -8109,7 +8819,7 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
             (*cspan_at(&force, i)) = (*cspan_at(&action, INT64_C(0) + i)) - (*cspan_at(&work, INT64_C(19), i));
         }
         run_on(plant, work);
-        segfmu_crane_rhs(state, force, span_row(&work, INT64_C(15)), plant, derivative);
+        suspended_rhs(plant, state, work, derivative);
     }
     (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&force, INT64_C(0) + INT64_C(2)));
 }
@@ -8141,9 +8851,9 @@ static void slack_derivative(array_double_1d plant, array_double_1d state, array
     {
         (*cspan_at(&force, INT64_C(3) + i)) = 0.0;
     }
-    segfmu_crane_rhs(state, force, span_row(&work, INT64_C(15)), plant, derivative);
-    (*cspan_at(&derivative, INT64_C(17))) = (*cspan_at(&state, INT64_C(18)));
-    (*cspan_at(&derivative, INT64_C(18))) = (*cspan_at(&work, INT64_C(18), INT64_C(2)));
+    suspended_rhs(plant, state, work, derivative);
+    (*cspan_at(&derivative, INT64_C(21))) = (*cspan_at(&state, INT64_C(22)));
+    (*cspan_at(&derivative, INT64_C(22))) = (*cspan_at(&work, INT64_C(18), INT64_C(2)));
     (*cspan_at(&action, INT64_C(6))) = 0.0;
 }
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
@@ -8151,7 +8861,7 @@ static void driven_forces(array_double_1d plant, array_double_1d state, array_do
     array_double_1d action;
     int64_t i;
     action = span_row(&work, INT64_C(14));
-    segfmu_crane_driven(state, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative, action);
+    suspended_driven(plant, state, work, derivative);
     (*cspan_at(&action, INT64_C(6))) = (*cspan_at(&action, INT64_C(0) + INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
@@ -8168,7 +8878,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         demand = (*cspan_at(&work, INT64_C(18), i));
-        if ((*cspan_at(&plant, INT64_C(19) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(21) + i)) > 0.0)
         {
             bound = velocity_bound(plant, i, demand);
             if (exceeds(demand, bound))
@@ -8176,7 +8886,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
                 demand = limited(demand, bound);
                 (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
             }
-            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(19) + i));
+            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(21) + i));
         }
         bound = acceleration_bound(plant, i, demand);
         if (exceeds(demand, bound))
@@ -8207,7 +8917,7 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
 {
     int64_t axis;
     (*cspan_at(&fault, INT64_C(0))) = time;
-    if (status < INT64_C(6))
+    if ((status < INT64_C(6)) || (status == INT64_C(12)))
     {
         return status;
     }
@@ -8216,10 +8926,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(50) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(52) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(47) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(49) + axis));
     return INT64_C(6);
 }
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work)
@@ -8935,7 +9645,7 @@ static void add_sinusoid(array_double_1d component, double sine, double cosine, 
 static double drag_factor(array_double_1d plant)
 {
     double result;
-    result = 0.5 * (*cspan_at(&plant, INT64_C(75))) * (*cspan_at(&plant, INT64_C(74)));
+    result = 0.5 * (*cspan_at(&plant, INT64_C(77))) * (*cspan_at(&plant, INT64_C(76)));
     return result;
 }
 static double relative_speed(array_double_1d air)
@@ -8956,7 +9666,7 @@ static void add_drag(array_double_1d plant, array_double_1d state, array_double_
     double own;
     double factor;
     air = span_row(&work, INT64_C(21));
-    segfmu_crane_load(state, span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2)));
+    suspended_load(plant, state, work, span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2)));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         own = (*cspan_at(&work, INT64_C(16) + INT64_C(1), i));
@@ -8984,10 +9694,10 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     time = start + elapsed;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(63))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(65))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(62)))) / (*cspan_at(&plant, INT64_C(63)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(64))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(64)))) / (*cspan_at(&plant, INT64_C(65)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(66))), share);
     }
     force = span_row(&work, INT64_C(15));
     air = span_row(&work, INT64_C(21));
@@ -8995,9 +9705,9 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         given = (*cspan_at(&work, INT64_C(2), i)) + elapsed * command_slope(i, elapsed, rate);
-        steady = given + (*cspan_at(&plant, INT64_C(59) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(65) + i));
-        (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(68) + i)) + gust * (*cspan_at(&plant, INT64_C(71) + i));
+        steady = given + (*cspan_at(&plant, INT64_C(61) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(67) + i));
+        (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(70) + i)) + gust * (*cspan_at(&plant, INT64_C(73) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -9012,7 +9722,7 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
             add_sinusoid(span_row(&components, k), sine, cosine, force);
         }
     }
-    if ((*cspan_at(&plant, INT64_C(74))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(76))) > 0.0)
     {
         add_drag(plant, state, work);
     }
@@ -9023,7 +9733,7 @@ static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, 
     double slope;
     double result;
     speed = relative_speed(air);
-    if (((*cspan_at(&plant, INT64_C(74))) == 0.0) || (speed == 0.0))
+    if (((*cspan_at(&plant, INT64_C(76))) == 0.0) || (speed == 0.0))
     {
         return 0.0;
     }
@@ -9060,19 +9770,19 @@ static void wind_rates(array_double_1d plant, array_double_2d components, double
     double rate;
     int64_t j;
     gust = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(63)));
+    duration = (*cspan_at(&plant, INT64_C(65)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(62)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(64)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            gust = gust_rate((*cspan_at(&plant, INT64_C(64))), share) / duration;
+            gust = gust_rate((*cspan_at(&plant, INT64_C(66))), share) / duration;
         }
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&air, INT64_C(3) + i)) = gust * (*cspan_at(&plant, INT64_C(71) + i));
-        (*cspan_at(&air, INT64_C(6) + i)) = gust * (*cspan_at(&plant, INT64_C(65) + i));
+        (*cspan_at(&air, INT64_C(3) + i)) = gust * (*cspan_at(&plant, INT64_C(73) + i));
+        (*cspan_at(&air, INT64_C(6) + i)) = gust * (*cspan_at(&plant, INT64_C(67) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -9262,13 +9972,13 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     calm = ((*cspan_at(&wind, INT64_C(0))) == 0.0) && ((*cspan_at(&wind, INT64_C(1))) == 0.0) && ((*cspan_at(&wind, INT64_C(2))) == 0.0);
     if (!calm)
     {
-        segfmu_crane_load(state, span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2)));
+        suspended_load(plant, state, work, span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2)));
     }
     squares = (*cspan_at(&state, INT64_C(8))) * (*cspan_at(&state, INT64_C(8)));
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(13))) = 0.0;
     (*cspan_at(&derivative, INT64_C(14))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(46))) * squares;
+    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(48))) * squares;
     if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(14), INT64_C(6))) >= 0.0))
     {
         (*cspan_at(&derivative, INT64_C(15))) = 0.0;
@@ -9310,15 +10020,20 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
         (*cspan_at(&derivative, INT64_C(10) + i)) = deflection_rate(plant, i, velocity, deflection);
         (*cspan_at(&work, INT64_C(14), INT64_C(3) + i)) = 0.0;
     }
-    (*cspan_at(&derivative, INT64_C(16))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(17))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(18))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(46)))) * (*cspan_at(&state, INT64_C(8) + i));
+        (*cspan_at(&derivative, INT64_C(16) + i)) = 0.0;
+        (*cspan_at(&derivative, INT64_C(18) + i)) = 0.0;
+    }
+    (*cspan_at(&derivative, INT64_C(20))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(21))) = 0.0;
+    (*cspan_at(&derivative, INT64_C(22))) = 0.0;
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        torque = (-(*cspan_at(&plant, INT64_C(48)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = torque;
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
     {
         driven_derivative(plant, state, work, derivative);
     }
@@ -9333,13 +10048,13 @@ static void reuse_last_stage(array_double_2d work)
     array_double_1d action;
     int64_t i;
     action = span_row(&work, INT64_C(14));
-    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(4), i)) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&action, INT64_C(7) + i)) = (*cspan_at(&action, INT64_C(3) + i));
+        (*cspan_at(&action, INT64_C(8) + i)) = (*cspan_at(&action, INT64_C(3) + i));
     }
 }
 static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work)
@@ -9359,9 +10074,9 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         count = INT64_C(13);
-        if ((stage == INT64_C(6)) || may_slacken(plant))
+        if ((stage == INT64_C(6)) || may_slacken(plant) || has_hook(plant))
         {
-            count = INT64_C(19);
+            count = INT64_C(23);
         }
         stage_state(stage, h, count, state, stages, trial);
         if (!all_finite(trial, count))
@@ -9370,16 +10085,17 @@ static double try_step(array_double_1d plant, array_double_2d components, double
         }
         plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(4) + stage));
     }
-    result = step_error(h, INT64_C(19), state, trial, stages);
+    result = step_error(h, INT64_C(23), state, trial, stages);
     return result;
 }
-static int64_t plant_status(array_double_1d plant, array_double_1d state, double rope_force)
+static int64_t plant_status(array_double_1d plant, array_double_1d state, array_double_1d action)
 {
     int64_t i;
     double position;
+    double least;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        if (fabs((*cspan_at(&state, INT64_C(3) + i))) >= 1.57)
+        if ((fabs((*cspan_at(&state, INT64_C(3) + i))) >= 1.57) || (fabs((*cspan_at(&state, INT64_C(16) + i))) >= 1.57))
         {
             return INT64_C(1);
         }
@@ -9390,23 +10106,28 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, double
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if ((*cspan_at(&plant, INT64_C(53) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(55) + i)) > 0.0)
         {
             continue;
         }
         position = axis_position(state, i);
-        if (position < (*cspan_at(&plant, INT64_C(47) + i)) - 1e-09)
+        if (position < (*cspan_at(&plant, INT64_C(49) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if (position > (*cspan_at(&plant, INT64_C(50) + i)) + 1e-09)
+        if (position > (*cspan_at(&plant, INT64_C(52) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
     }
-    if (bears_wrongly(plant, state, rope_force))
+    if (bears_wrongly(plant, state, (*cspan_at(&action, INT64_C(6)))))
     {
         return INT64_C(5);
+    }
+    least = (-1e-09) * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
+    if (has_hook(plant) && ((*cspan_at(&action, INT64_C(7))) < least))
+    {
+        return INT64_C(12);
     }
     return INT64_C(0);
 }
@@ -9416,20 +10137,21 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
     int64_t i;
     double saturated;
     action = span_row(&work, INT64_C(14));
-    for (i = INT64_C(0); i < INT64_C(19); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(11), i));
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        saturated = span_max((*cspan_at(&action, INT64_C(3) + i)), (*cspan_at(&action, INT64_C(7) + i)));
+        saturated = span_max((*cspan_at(&action, INT64_C(3) + i)), (*cspan_at(&action, INT64_C(8) + i)));
         (*cspan_at(&report, INT64_C(0) + i)) = (*cspan_at(&action, INT64_C(0) + i));
         (*cspan_at(&report, INT64_C(3) + i)) = span_max((*cspan_at(&report, INT64_C(3) + i)), saturated);
     }
     (*cspan_at(&report, INT64_C(6))) = (*cspan_at(&action, INT64_C(6)));
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), INT64_C(14)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), INT64_C(15)));
-    (*cspan_at(&report, INT64_C(9))) = elapsed;
+    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&action, INT64_C(7)));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), INT64_C(14)));
+    (*cspan_at(&report, INT64_C(9))) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), INT64_C(15)));
+    (*cspan_at(&report, INT64_C(10))) = elapsed;
 }
 int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report)
 {
@@ -9441,13 +10163,12 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
     int64_t Dummy_0000;
     bool last;
     double error;
-    double rope_force;
     int64_t status;
-    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(11); i += INT64_C(1))
     {
         (*cspan_at(&report, i)) = 0.0;
     }
-    finite = all_finite(state, INT64_C(19)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
+    finite = all_finite(state, INT64_C(23)) && all_finite(span_row(&work, INT64_C(0)), INT64_C(3));
     if ((!finite) || (!all_finite(span_row(&work, INT64_C(2)), INT64_C(3))))
     {
         return INT64_C(4);
@@ -9478,8 +10199,7 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
             }
             continue;
         }
-        rope_force = (*cspan_at(&work, INT64_C(14), INT64_C(6)));
-        status = plant_status(plant, span_row(&work, INT64_C(11)), rope_force);
+        status = plant_status(plant, span_row(&work, INT64_C(11)), span_row(&work, INT64_C(14)));
         if (status != INT64_C(0))
         {
             if (h >= 1e-07)
@@ -9575,583 +10295,6 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
         }
     }
     return status;
-}
-static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double hook_mass;
-    double sling;
-    double f_x_t;
-    double f_y_t;
-    double f_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    hook_mass = (*cspan_at(&masses, INT64_C(4)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
-    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
-    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = INT64_C(1) / l;
-    c4 = c3 * f_phi_x;
-    c5 = c1 * f_l + c2 * c4;
-    c6 = c5 - f_x_t;
-    c7 = sin(phi_y);
-    c8 = c2 * f_l;
-    c9 = c1 * c4;
-    c10 = cos(phi_y);
-    c11 = INT64_C(1) / c2;
-    c12 = c11 * c3;
-    c13 = c12 * f_phi_y;
-    c14 = c10 * c13 + c7 * c8 - c7 * c9;
-    c15 = (c14 + f_y_t) / trolley_mass;
-    c16 = c2 * l_rate;
-    c17 = c1 * phi_x_rate;
-    c18 = c17 * l;
-    c19 = INT64_C(1) / hook_mass;
-    c20 = sin(psi_x);
-    c21 = INT64_C(1) / payload_mass;
-    c22 = c20 * (psi_x_rate * psi_x_rate) * sling;
-    c23 = (-c19) * c5 + c21 * w_x + c22;
-    c24 = cos(psi_x);
-    c25 = sin(psi_y);
-    c26 = c24 * c25;
-    c27 = cos(psi_y);
-    c28 = c20 * c27;
-    c29 = psi_x_rate * sling;
-    c30 = psi_y_rate * sling;
-    c31 = c29 * (c26 * psi_x_rate + c28 * psi_y_rate) + c30 * (c26 * psi_y_rate + c28 * psi_x_rate);
-    c32 = (-c14) * c19 - c21 * w_y + c31;
-    c33 = c10 * c8;
-    c34 = c24 * c27;
-    c35 = c20 * c25;
-    c36 = c29 * (c34 * psi_x_rate - c35 * psi_y_rate) + c30 * (c24 * c27 * psi_y_rate - c35 * psi_x_rate);
-    c37 = c19 * (c10 * c9 + c13 * c7 - c33) - c21 * w_z + c36;
-    c38 = (-c20) * c23 - c26 * c32 - c34 * c37;
-    c39 = -c38;
-    c40 = INT64_C(1) / (c19 + c21);
-    c41 = c20 * c40;
-    c42 = (-c0) * c6 + c16 * phi_x_rate - c19 * (c39 * c41 + c5) + phi_x_rate * ((-c18) + c2 * l_rate);
-    c43 = c2 * phi_y_rate;
-    c44 = c43 * c7;
-    c45 = c1 * l_rate;
-    c46 = c10 * l;
-    c47 = c2 * phi_x_rate;
-    c48 = c7 * l;
-    c49 = c1 * phi_y_rate;
-    c50 = c10 * c43;
-    c51 = c39 * c40;
-    c52 = c34 * c51;
-    c53 = c19 * (c1 * c10 * c3 * f_phi_x + c11 * c3 * c7 * f_phi_y - c33 - c52);
-    c54 = (-c53) + gravity + l_rate * (c10 * c17 + c44) + phi_x_rate * (c10 * c45 + c46 * c47 - c48 * c49) + phi_y_rate * (c16 * c7 - c18 * c7 + c50 * l);
-    c55 = c10 * c54;
-    c56 = c26 * c51;
-    c57 = c19 * ((-c14) - c56);
-    c58 = c15 - c57 + l_rate * (c17 * c7 - c50) + phi_x_rate * (c45 * c7 + c46 * c49 + c47 * c48) + phi_y_rate * ((-c10) * c16 + c10 * c18 + c44 * l);
-    c59 = c58 * c7;
-    c60 = INT64_C(1) / sling;
-    c61 = c38 * c41;
-    c62 = (-c21) * (c56 + w_y) + c31 + c57;
-    c63 = (-c21) * (c52 + w_z) + c36 + c53;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
-    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
-    (*cspan_at(&derivative, INT64_C(7))) = (-c0) * c6;
-    (*cspan_at(&derivative, INT64_C(8))) = c15;
-    (*cspan_at(&derivative, INT64_C(9))) = (-c1) * c42 + c2 * c55 + c2 * c59;
-    (*cspan_at(&derivative, INT64_C(10))) = (-c3) * (c1 * c55 + c1 * c59 + c2 * c42);
-    (*cspan_at(&derivative, INT64_C(11))) = (-c12) * ((-c10) * c58 + c54 * c7);
-    (*cspan_at(&derivative, INT64_C(12))) = (-c60) * ((-c24) * ((-c19) * (c5 - c61) + c21 * (c61 + w_x) + c22) + c28 * c63 + c35 * c62);
-    (*cspan_at(&derivative, INT64_C(13))) = (-c60) * (c25 * c63 - c27 * c62) / c24;
-    (*cspan_at(&tension, INT64_C(0))) = c40 * (c20 * c23 + c26 * c32 + c34 * c37);
-}
-static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double hook_mass;
-    double sling;
-    double a_x;
-    double a_y;
-    double a_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    double c64;
-    double c65;
-    double c66;
-    double c67;
-    double c68;
-    double c69;
-    double c70;
-    double c71;
-    double c72;
-    double c73;
-    double c74;
-    double c75;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    hook_mass = (*cspan_at(&masses, INT64_C(4)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    a_x = (*cspan_at(&carriage, INT64_C(0)));
-    a_y = (*cspan_at(&carriage, INT64_C(1)));
-    a_l = (*cspan_at(&carriage, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / l;
-    c1 = cos(phi_x);
-    c2 = sin(phi_x);
-    c3 = c2 * phi_x_rate;
-    c4 = c3 * l;
-    c5 = (-c1) * l_rate + c4;
-    c6 = c1 * l_rate;
-    c7 = a_l * c2 + a_x + c6 * phi_x_rate;
-    c8 = (-c5) * phi_x_rate + c7;
-    c9 = c1 * l;
-    c10 = INT64_C(1) / hook_mass;
-    c11 = sin(phi_y);
-    c12 = a_l * c1;
-    c13 = c11 * c12;
-    c14 = cos(phi_y);
-    c15 = c1 * phi_y_rate;
-    c16 = l_rate * (c11 * c3 - c14 * c15);
-    c17 = c2 * l_rate;
-    c18 = c11 * c9;
-    c19 = c14 * c2;
-    c20 = l * phi_y_rate;
-    c21 = phi_x_rate * (c11 * c17 + c18 * phi_x_rate + c19 * c20);
-    c22 = phi_y_rate * (c14 * c4 - c14 * c6 + c18 * phi_y_rate);
-    c23 = a_y - c13 + c16 + c21 + c22;
-    c24 = c11 * c2;
-    c25 = c14 * c9;
-    c26 = (-c12) * c14 + gravity + l_rate * (c11 * c15 + c14 * c3) + phi_x_rate * (c14 * c17 - c20 * c24 + c25 * phi_x_rate) + phi_y_rate * ((-c11) * c4 + c11 * c6 + c25 * phi_y_rate);
-    c27 = (-c10) * f_phi_x + c19 * c26 * l + c23 * c24 * l;
-    c28 = c27 + c8 * c9;
-    c29 = c0 * c28;
-    c30 = sin(psi_x);
-    c31 = sin(psi_y);
-    c32 = cos(psi_x);
-    c33 = c31 * c32;
-    c34 = cos(psi_y);
-    c35 = c32 * c34;
-    c36 = (-c1) * c30 + c19 * c35 + c24 * c33;
-    c37 = INT64_C(1) / payload_mass;
-    c38 = -c36;
-    c39 = c11 * c34 - c14 * c31;
-    c40 = (-c32) * c39;
-    c41 = c11 * c40 + c14 * c2 * c38;
-    c42 = (-c11) * c2 * c38 + c14 * c40;
-    c43 = -c42;
-    c44 = c1 * c10 * c30 * c38 - c10 * c31 * c32 * c43 - c10 * c32 * c34 * c41 + c37;
-    c45 = -c28;
-    c46 = c0 * c1;
-    c47 = (-c30) * (psi_x_rate * psi_x_rate) * sling + c45 * c46 + c8;
-    c48 = (-c37) * w_x + c47;
-    c49 = c30 * c34;
-    c50 = psi_x_rate * sling;
-    c51 = psi_y_rate * sling;
-    c52 = c0 * c45;
-    c53 = c0 / c1;
-    c54 = c53 * (c10 * f_phi_y - c18 * c26 + c23 * c25);
-    c55 = c14 * c54;
-    c56 = c23 + c24 * c52 + c50 * (c33 * psi_x_rate + c49 * psi_y_rate) + c51 * (c33 * psi_y_rate + c49 * psi_x_rate) - c55;
-    c57 = (-c37) * w_y + c56;
-    c58 = c30 * c31;
-    c59 = c11 * c54 + c26;
-    c60 = c19 * c52 + c50 * (c35 * psi_x_rate - c58 * psi_y_rate) + c51 * (c32 * c34 * psi_y_rate - c58 * psi_x_rate) + c59;
-    c61 = (-c37) * w_z + c60;
-    c62 = c30 * c48 - c33 * c57 - c35 * c61;
-    c63 = (-c62) / c44;
-    c64 = c10 * c63;
-    c65 = c36 * c64;
-    c66 = c32 * c39;
-    c67 = INT64_C(1) / sling;
-    c68 = (-c62) / c44;
-    c69 = c1 * c10;
-    c70 = c10 * c43 * c68 - c37 * (c33 * c68 + w_y) + c56;
-    c71 = c10 * c41 * c68 - c37 * (c35 * c68 + w_z) + c60;
-    c72 = c11 * c66 + c19 * c36;
-    c73 = (c30 * c48 - c33 * c57 - c35 * c61) / (c1 * c10 * c30 * c36 - c10 * c33 * c42 - c10 * c35 * c72 - c37);
-    c74 = (-c5) * phi_x_rate + c7;
-    c75 = (-a_y) + c13 - c16 - c21 - c22 + c24 * c29 + c42 * c64 + c55;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
-    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
-    (*cspan_at(&derivative, INT64_C(7))) = a_x;
-    (*cspan_at(&derivative, INT64_C(8))) = a_y;
-    (*cspan_at(&derivative, INT64_C(9))) = a_l;
-    (*cspan_at(&derivative, INT64_C(10))) = (-c0) * (c29 + c65);
-    (*cspan_at(&derivative, INT64_C(11))) = c53 * (c54 - c64 * c66);
-    (*cspan_at(&derivative, INT64_C(12))) = (-c67) * (c32 * ((-c37) * ((-c30) * c68 + w_x) + c38 * c68 * c69 + c47) + c49 * c71 + c58 * c70);
-    (*cspan_at(&derivative, INT64_C(13))) = (-c67) * (c31 * c71 - c34 * c70) / c32;
-    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) - c30 * c73 + hook_mass * ((-c36) * c69 * c73 - c46 * (c27 + c74 * c9) + c74);
-    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + c33 * c73 - c75 * hook_mass;
-    (*cspan_at(&force, INT64_C(2))) = (-c1) * c11 * (c33 * c63 - c75 * hook_mass) - c1 * c14 * (c35 * c63 + hook_mass * ((-c19) * c29 + c59 - c64 * c72)) + c2 * ((-c30) * c63 + hook_mass * ((-c1) * c29 - c1 * c65 + c74));
-    (*cspan_at(&tension, INT64_C(0))) = c73;
-}
-static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load)
-{
-    double x_t;
-    double y_t;
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double sling;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    x_t = (*cspan_at(&state, INT64_C(0)));
-    y_t = (*cspan_at(&state, INT64_C(1)));
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    c0 = sin(phi_x);
-    c1 = c0 * l;
-    c2 = sling * sin(psi_x);
-    c3 = sin(phi_y);
-    c4 = cos(phi_x);
-    c5 = c4 * l;
-    c6 = c3 * c5;
-    c7 = sin(psi_y);
-    c8 = sling * cos(psi_x);
-    c9 = c7 * c8;
-    c10 = cos(phi_y);
-    c11 = c10 * c5;
-    c12 = cos(psi_y);
-    c13 = c12 * c8;
-    c14 = c4 * l_rate;
-    c15 = c1 * phi_x_rate;
-    c16 = c2 * psi_x_rate;
-    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + c2 + x_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c6) - c9 + y_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = (-c11) - c13;
-    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c5 * phi_x_rate + c8 * psi_x_rate + x_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c11) * phi_y_rate - c13 * psi_y_rate - c14 * c3 + c15 * c3 + c16 * c7 + y_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = (-c10) * c14 + c10 * c15 + c12 * c16 + c6 * phi_y_rate + c9 * psi_y_rate;
-}
-static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double hook_mass;
-    double sling;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    hook_mass = (*cspan_at(&masses, INT64_C(4)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    c0 = x_t_rate * x_t_rate;
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = c2 * l;
-    c4 = c1 * l_rate + c3 * phi_x_rate + x_t_rate;
-    c5 = cos(phi_y);
-    c6 = c2 * l_rate;
-    c7 = c1 * l * phi_x_rate;
-    c8 = sin(phi_y);
-    c9 = c3 * c8 * phi_y_rate - c5 * c6 + c5 * c7;
-    c10 = c3 * c5;
-    c11 = (-c10) * phi_y_rate - c6 * c8 + c7 * c8 + y_t_rate;
-    c12 = sling * cos(psi_x);
-    c13 = cos(psi_y);
-    c14 = psi_x_rate * sling * sin(psi_x);
-    c15 = sin(psi_y);
-    c16 = c12 * c13;
-    c17 = c12 * psi_x_rate + c4;
-    c18 = c11 + c14 * c15 - c16 * psi_y_rate;
-    c19 = c12 * c15 * psi_y_rate + c13 * c14 + c9;
-    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * hook_mass * (c11 * c11 + c4 * c4 + c9 * c9) + 1.0 / 2.0 * payload_mass * (c17 * c17 + c18 * c18 + c19 * c19) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
-    (*cspan_at(&energy, INT64_C(1))) = (-gravity) * (c10 * hook_mass + payload_mass * (c10 + c16));
 }
 void segfmu_begin_pace(double most, double full, array_double_1d pace)
 {
@@ -27472,7 +27615,7 @@ static int64_t sensing_end(array_double_2d settings)
     array_double_1d sensors;
     int64_t result;
     sensors = span_row(&settings, INT64_C(1));
-    result = INT64_C(36) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
+    result = INT64_C(40) + sensing_rows((*cspan_at(&sensors, INT64_C(0))), (*cspan_at(&sensors, INT64_C(1))));
     return result;
 }
 void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured)
@@ -27622,7 +27765,7 @@ static double next_tick(array_double_2d settings, array_double_2d memory)
 static double next_reading(array_double_2d settings, array_double_2d memory)
 {
     double result;
-    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(36), sensing_end(settings)));
+    result = next_sample(span_row(&settings, INT64_C(1)), span_rows(&memory, INT64_C(40), sensing_end(settings)));
     return result;
 }
 double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory)
@@ -27652,8 +27795,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(62)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(63)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(64)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(65)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -27683,7 +27826,7 @@ static double mechanical_energy(array_double_2d memory)
     array_double_1d energy;
     double result;
     energy = span_row(&memory, INT64_C(13));
-    segfmu_crane_energy(span_row(&memory, INT64_C(4)), span_row(&memory, INT64_C(5)), energy);
+    suspended_energy(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(26)), energy);
     result = (*cspan_at(&energy, INT64_C(0))) + (*cspan_at(&energy, INT64_C(1)));
     return result;
 }
@@ -27723,7 +27866,7 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
     latest = time + time_tolerance(settings);
     while(next_reading(settings, memory) <= latest)
     {
-        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(36), sensing_end(settings)));
+        take_sample(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(40), sensing_end(settings)));
     }
     while((*cspan_at(&clock, INT64_C(4))) <= latest)
     {
@@ -27736,12 +27879,12 @@ static void handle_events(array_double_2d settings, array_double_2d changes, arr
 }
 static void update_signals(array_double_2d settings, double time, array_double_2d memory)
 {
-    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(36), sensing_end(settings)), span_row(&memory, INT64_C(0)));
+    sense_signals(span_row(&settings, INT64_C(1)), time, span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(40), sensing_end(settings)), span_row(&memory, INT64_C(0)));
 }
 static bool is_driven(array_double_2d memory)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(18)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(20)))) == INT64_C(1);
     return result;
 }
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
@@ -27776,7 +27919,7 @@ static double bounded_velocity(int64_t axis, double velocity, array_double_2d me
     bound = velocity_bound(span_row(&memory, INT64_C(5)), axis, velocity);
     if (exceeds(velocity, bound))
     {
-        (*cspan_at(&memory, INT64_C(8), INT64_C(10) + axis)) = 1.0;
+        (*cspan_at(&memory, INT64_C(8), INT64_C(11) + axis)) = 1.0;
         return limited(velocity, bound);
     }
     return velocity;
@@ -27813,7 +27956,7 @@ static double longest_delay(array_double_1d plant)
     longest = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        longest = span_max(longest, (*cspan_at(&plant, INT64_C(43) + i)));
+        longest = span_max(longest, (*cspan_at(&plant, INT64_C(45) + i)));
     }
     return longest;
 }
@@ -28036,7 +28179,7 @@ static double next_command(array_double_2d settings, double until, array_double_
     newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(43) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(45) + i));
         latest = present_time(memory) - late + time_tolerance(settings);
         number = command_number(latest, delayed);
         if ((late > 0.0) && (number < newest))
@@ -28066,7 +28209,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
     double end;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(43) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(45) + i));
         if (late > 0.0)
         {
             time = present_time(memory) - late;
@@ -28074,7 +28217,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
             command_place(&row, &column, number, delayed);
             after = time - (*cspan_at(&delayed, row, column + INT64_C(0)));
             shifted_command(&value, &slope, &square, &cube, i, after, column, span_row(&delayed, row));
-            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(19) + i)) == 0.0))
+            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(21) + i)) == 0.0))
             {
                 end = value + length * (slope + length * (square + length * cube));
                 end = bounded_velocity(i, end, memory);
@@ -28098,7 +28241,7 @@ static void start_planned(array_double_1d setpoints, array_double_2d memory)
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         value = (*cspan_at(&setpoints, INT64_C(3) + i));
-        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(19) + i));
+        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(21) + i));
         (*cspan_at(&planned, INT64_C(0) + i)) = value;
         if (lag > 0.0)
         {
@@ -28120,7 +28263,7 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
     double gained;
     double most;
     planned = span_row(&memory, INT64_C(10));
-    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(19) + axis));
+    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(21) + axis));
     if (lag <= 0.0)
     {
         (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
@@ -28326,7 +28469,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         setpoint_rates(&slope, &square, &cube, setpoints, velocity, done / duration, duration, memory);
         (*cspan_at(&memory, INT64_C(9), i)) = added + correction * length;
         set_command(i, command, slope + correction, square, cube, memory);
-        if ((*cspan_at(&memory, INT64_C(5), INT64_C(19) + i)) == 0.0)
+        if ((*cspan_at(&memory, INT64_C(5), INT64_C(21) + i)) == 0.0)
         {
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             end = end + (*cspan_at(&memory, INT64_C(9), i));
@@ -28383,7 +28526,7 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     int64_t status;
     clock = span_row(&memory, INT64_C(6));
     report = span_row(&memory, INT64_C(8));
-    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(22));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(26));
     time = (*cspan_at(&clock, INT64_C(0))) + (*cspan_at(&clock, INT64_C(1))) + (*cspan_at(&clock, INT64_C(2)));
     if (is_driven(memory))
     {
@@ -28401,12 +28544,12 @@ static int64_t advance_plant(array_double_2d settings, array_double_2d component
     status = segfmu_plant_advance(span_row(&memory, INT64_C(5)), components, time, span_row(&memory, INT64_C(4)), until - (*cspan_at(&clock, INT64_C(2))), (*cspan_at(&settings, INT64_C(0), INT64_C(3))), work, report);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        before = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&report, INT64_C(10) + i)) = span_max(before, (*cspan_at(&report, INT64_C(3) + i)));
+        before = (*cspan_at(&report, INT64_C(11) + i));
+        (*cspan_at(&report, INT64_C(11) + i)) = span_max(before, (*cspan_at(&report, INT64_C(3) + i)));
     }
     if (status != INT64_C(0))
     {
-        (*cspan_at(&clock, INT64_C(5))) = time + (*cspan_at(&report, INT64_C(9)));
+        (*cspan_at(&clock, INT64_C(5))) = time + (*cspan_at(&report, INT64_C(10)));
     }
     return status;
 }
@@ -28454,20 +28597,20 @@ static int64_t commanded_rates(array_double_2d components, array_double_1d setpo
     array_double_1d report;
     int64_t i;
     int64_t result;
-    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(22));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(26));
     report = span_row(&memory, INT64_C(8));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         set_load_force(i, (*cspan_at(&setpoints, INT64_C(16) + i)), 0.0, 0.0, 0.0, memory);
     }
     plant_derivative(span_row(&memory, INT64_C(5)), components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, 0.0, span_row(&memory, INT64_C(4)), work, derivative);
-    for (i = INT64_C(0); i < INT64_C(7); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
         (*cspan_at(&report, i)) = (*cspan_at(&work, INT64_C(14), i));
     }
-    (*cspan_at(&report, INT64_C(7))) = (*cspan_at(&derivative, INT64_C(14)));
-    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(15)));
-    result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), (*cspan_at(&work, INT64_C(14), INT64_C(6))));
+    (*cspan_at(&report, INT64_C(8))) = (*cspan_at(&derivative, INT64_C(14)));
+    (*cspan_at(&report, INT64_C(9))) = (*cspan_at(&derivative, INT64_C(15)));
+    result = plant_status(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), span_row(&work, INT64_C(14)));
     return result;
 }
 int64_t segfmu_rig_rates(array_double_2d components, array_double_1d setpoints, double time, array_double_2d memory, array_double_1d derivative)
@@ -28506,7 +28649,7 @@ static double first_command(int64_t axis, array_double_1d setpoints, array_doubl
         return velocity;
     }
     velocity = (*cspan_at(&setpoints, INT64_C(3) + axis));
-    if ((*cspan_at(&plant, INT64_C(19) + axis)) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(21) + axis)) > 0.0)
     {
         return velocity;
     }
@@ -28544,14 +28687,14 @@ static void act_first(array_double_2d components, array_double_1d setpoints, arr
     {
         change_rope(plant, state);
         commanded_rates(components, setpoints, 0.0, memory, derivative);
-        (*cspan_at(&state, INT64_C(16))) = 0.0;
-        (*cspan_at(&state, INT64_C(17))) = 0.0;
-        (*cspan_at(&state, INT64_C(18))) = 0.0;
+        (*cspan_at(&state, INT64_C(20))) = 0.0;
+        (*cspan_at(&state, INT64_C(21))) = 0.0;
+        (*cspan_at(&state, INT64_C(22))) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        before = (*cspan_at(&report, INT64_C(10) + i));
-        (*cspan_at(&report, INT64_C(10) + i)) = span_max(before, (*cspan_at(&report, INT64_C(3) + i)));
+        before = (*cspan_at(&report, INT64_C(11) + i));
+        (*cspan_at(&report, INT64_C(11) + i)) = span_max(before, (*cspan_at(&report, INT64_C(3) + i)));
     }
 }
 int64_t segfmu_rig_rows(array_double_2d settings)
@@ -28579,11 +28722,15 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d components, arra
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(77); i += INT64_C(1))
+    for (i = INT64_C(16); i < INT64_C(20); i += INT64_C(1))
+    {
+        (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
+    }
+    for (i = INT64_C(0); i < INT64_C(79); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
-    (*cspan_at(&memory, INT64_C(5), INT64_C(62))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(62))), start);
+    (*cspan_at(&memory, INT64_C(5), INT64_C(64))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(64))), start);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = first_deflection(span_row(&memory, INT64_C(5)), i, (*cspan_at(&state, INT64_C(5) + i)));
@@ -28597,7 +28744,7 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d components, arra
     (*cspan_at(&memory, INT64_C(6), INT64_C(4))) = next_change(changes, 0.0, memory);
     change_payload(settings, changes, start, memory);
     (*cspan_at(&memory, INT64_C(13), INT64_C(2))) = mechanical_energy(memory);
-    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(36), sensing_end(settings)));
+    start_sensing(span_row(&settings, INT64_C(1)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(40), sensing_end(settings)));
     update_signals(settings, 0.0, memory);
     if (is_late(memory))
     {
@@ -28623,7 +28770,7 @@ int64_t segfmu_rig_step(array_double_2d settings, array_double_2d components, ar
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&memory, INT64_C(8), INT64_C(10) + i)) = 0.0;
+            (*cspan_at(&memory, INT64_C(8), INT64_C(11) + i)) = 0.0;
         }
     }
     while((status == INT64_C(0)) && ((*cspan_at(&clock, INT64_C(2))) < duration))
@@ -28671,7 +28818,7 @@ void segfmu_rig_balance(array_double_2d memory, array_double_1d balance)
     array_double_1d energy;
     state = span_row(&memory, INT64_C(4));
     energy = span_row(&memory, INT64_C(13));
-    segfmu_crane_energy(state, span_row(&memory, INT64_C(5)), energy);
+    mechanical_energy(memory);
     (*cspan_at(&balance, INT64_C(0))) = (*cspan_at(&energy, INT64_C(0)));
     (*cspan_at(&balance, INT64_C(1))) = (*cspan_at(&energy, INT64_C(1)));
     (*cspan_at(&balance, INT64_C(2))) = (*cspan_at(&energy, INT64_C(2)));
@@ -28697,7 +28844,7 @@ static void load_outputs(array_double_1d target, array_double_2d memory, array_d
     int64_t i;
     double error;
     load = span_rows(&memory, INT64_C(14) + INT64_C(16), INT64_C(14) + INT64_C(16) + INT64_C(2));
-    segfmu_crane_load(span_row(&memory, INT64_C(4)), load);
+    suspended_load(span_row(&memory, INT64_C(5)), span_row(&memory, INT64_C(4)), span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(26)), load);
     square = 0.0;
     speed = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -28726,12 +28873,12 @@ static void drive_outputs(array_double_2d memory, array_double_1d outputs)
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&outputs, INT64_C(30) + i)) = (*cspan_at(&report, INT64_C(0) + i));
-        (*cspan_at(&outputs, INT64_C(33) + i)) = (*cspan_at(&report, INT64_C(10) + i));
+        (*cspan_at(&outputs, INT64_C(33) + i)) = (*cspan_at(&report, INT64_C(11) + i));
         (*cspan_at(&outputs, INT64_C(36) + i)) = (*cspan_at(&report, INT64_C(0) + i)) * axis_velocity(span_row(&memory, INT64_C(4)), i);
     }
     (*cspan_at(&outputs, INT64_C(39))) = (*cspan_at(&report, INT64_C(6)));
-    (*cspan_at(&outputs, INT64_C(49))) = (*cspan_at(&report, INT64_C(7)));
-    (*cspan_at(&outputs, INT64_C(50))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(49))) = (*cspan_at(&report, INT64_C(8)));
+    (*cspan_at(&outputs, INT64_C(50))) = (*cspan_at(&report, INT64_C(9)));
     (*cspan_at(&outputs, INT64_C(40))) = (*cspan_at(&memory, INT64_C(5), INT64_C(2)));
 }
 void segfmu_rig_outputs(array_double_1d target, array_double_2d memory, array_double_1d balance, array_double_1d outputs)
@@ -28813,7 +28960,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(46))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(48))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -28890,7 +29037,7 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     action = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        lag = (*cspan_at(&plant, INT64_C(19) + i));
+        lag = (*cspan_at(&plant, INT64_C(21) + i));
         largest = force_bound(plant, i, (*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&state, INT64_C(5) + i)));
         demand = (*cspan_at(&command, i));
         fastest = velocity_bound(plant, i, demand);
@@ -29025,7 +29172,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(46))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(48))) * (*cspan_at(&state, i));
     }
 }
 static void drag_partials(array_double_1d plant, array_double_1d air, array_double_2d work, array_double_2d partials)
@@ -29069,7 +29216,7 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     double correction;
     plant = span_row(&memory, INT64_C(5));
     state = span_row(&memory, INT64_C(4));
-    rig = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(22));
+    rig = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(26));
     if (may_slacken(plant) && ((*cspan_at(&rig, INT64_C(14), INT64_C(6))) >= 0.0))
     {
         return 0;
@@ -29109,7 +29256,7 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     power_partials(plant, state, rig, work, partials);
     wind_rates(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, span_row(&rig, INT64_C(21)));
-    if ((*cspan_at(&plant, INT64_C(74))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(76))) > 0.0)
     {
         drag_partials(plant, span_row(&rig, INT64_C(21)), work, partials);
     }
@@ -29150,11 +29297,11 @@ int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, array_double_
     int64_t axis;
     double lag;
     (*cspan_at(&fault, INT64_C(3))) = 1e-05;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            lag = (*cspan_at(&plant, INT64_C(19) + axis));
+            lag = (*cspan_at(&plant, INT64_C(21) + axis));
             (*cspan_at(&fault, INT64_C(1))) = axis;
             (*cspan_at(&fault, INT64_C(2))) = lag;
             if ((lag == 0.0) && (exchange == INT64_C(1)))
@@ -29210,7 +29357,11 @@ int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation
 }
 int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault)
 {
-    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(76)));
+    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(78)));
+    if (has_hook(plant) && may_slacken(plant))
+    {
+        return INT64_C(18);
+    }
     if ((exchange == INT64_C(1)) && may_slacken(plant))
     {
         return INT64_C(14);
@@ -29223,7 +29374,7 @@ int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchan
     double late;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        late = (*cspan_at(&plant, INT64_C(43) + axis));
+        late = (*cspan_at(&plant, INT64_C(45) + axis));
         (*cspan_at(&fault, INT64_C(1))) = axis;
         (*cspan_at(&fault, INT64_C(2))) = late;
         (*cspan_at(&fault, INT64_C(3))) = period;

@@ -424,6 +424,12 @@ bool segfmu_plant_message(
             "friction",
             report[PLANT_FAULT_TIME]);
         return true;
+    case 12:
+        snprintf(text, size,
+            "at %.3f s: the sling went slack; check the setpoints, the masses and the "
+            "friction",
+            report[PLANT_FAULT_TIME]);
+        return true;
     case 6:
         snprintf(text, size,
             "at %.3f s: %s at %.6g m is at its end stop, least position %.6g m; shorten "
@@ -517,6 +523,11 @@ bool segfmu_setup_message(
         snprintf(text, size,
             "in model exchange rope.slack must be error, got free_fall (the slack rope "
             "has no state there); use co-simulation");
+        return true;
+    case 18:
+        snprintf(text, size,
+            "with a hook rope.slack must be error, got free_fall (hook and sling have no "
+            "slack rope); drop slack");
         return true;
     case 10:
         snprintf(text, size,

@@ -759,7 +759,7 @@ static PyObject *call_feedback_gains(
         && take_float(&call, 4, &in_hoist_bandwidth)
         && take_float(&call, 5, &in_damping)
         && (in_gains = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 22)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 24)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
         && has_at_least(&call, "gains", 1, in_gains->shape[1], 11)) {
         segfmu_feedback_gains(
@@ -871,7 +871,7 @@ static PyObject *call_observer_design(
         && (in_expected = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 22)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 24)
         && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
         && has_at_least(&call, "work", 0, in_work->shape[0], 72)
         && has_at_least(&call, "work", 1, in_work->shape[1], 16)
@@ -960,7 +960,7 @@ static PyObject *call_flat_table(
         && take_int(&call, 2, &in_rows)
         && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "design", 0, in_design->shape[0], 5)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
@@ -1026,7 +1026,7 @@ static PyObject *call_observer_table(
         && (in_expected = take_array(&call, 5, 1, 'd', true)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_table = take_array(&call, 7, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 22)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 24)
         && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
         && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
         && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
@@ -1103,7 +1103,7 @@ static PyObject *call_drive_bound(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
         && take_float(&call, 2, &in_sign)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)) {
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)) {
         answer = PyFloat_FromDouble(segfmu_drive_bound(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             in_axis,
@@ -1124,7 +1124,7 @@ static PyObject *call_set_walks(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_uncertainty = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
         segfmu_set_walks(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1146,7 +1146,7 @@ static PyObject *call_set_drives(
     if (take_count(&call, count, 2)
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && (in_tracking = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
         segfmu_set_drives(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -1172,7 +1172,7 @@ static PyObject *call_set_tracking(
         && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
         && take_float(&call, 2, &in_longest)
         && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "design", 0, in_design->shape[0], 10)
         && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
         segfmu_set_tracking(
@@ -1226,7 +1226,7 @@ static PyObject *call_check_gains(
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && (in_fault = take_array(&call, 6, 1, 'd', true)) != NULL
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 4)
         && has_at_least(&call, "table", 2, in_table->shape[2], 11)
@@ -1629,7 +1629,7 @@ static PyObject *call_resists(
     if (take_count(&call, count, 2)
         && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)) {
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)) {
         answer = PyBool_FromLong(segfmu_resists(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
             in_axis));
@@ -1658,7 +1658,7 @@ static PyObject *call_planned_friction(
         && take_float(&call, 4, &in_velocity)
         && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)) {
         answer = PyFloat_FromDouble(segfmu_planned_friction(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
@@ -1702,9 +1702,9 @@ static PyObject *call_contact_history(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "work", 0, in_work->shape[0], 10)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 18)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 20)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_contact_history(
@@ -1770,7 +1770,7 @@ static PyObject *call_drive_demands(
         && has_extent(&call, "demands", 0, in_demands->shape[0], in_flat->shape[0])
         && has_at_least(&call, "flat", 1, in_flat->shape[1], 5)
         && has_at_least(&call, "flat", 2, in_flat->shape[2], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 3)
@@ -1807,7 +1807,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -1842,7 +1842,7 @@ static PyObject *call_friction_derivative(
         && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "motion", 0, in_motion->shape[0], (in_order + 2))
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 9)
@@ -1892,7 +1892,7 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 75)
@@ -1950,7 +1950,7 @@ static PyObject *call_demand_samples(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 75)
@@ -2101,12 +2101,12 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 19)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 22)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 19)
-        && has_at_least(&call, "report", 0, in_report->shape[0], 13)) {
+        && has_at_least(&call, "state", 0, in_state->shape[0], 23)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 26)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 23)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 14)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -2232,7 +2232,7 @@ static PyObject *call_write_axes(
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
         && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
         && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
         segfmu_write_axes(
@@ -2376,7 +2376,7 @@ static PyObject *call_write_starts(
         && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
@@ -3639,7 +3639,7 @@ static PyObject *call_check_ready(
         && take_int(&call, 2, &in_pieces)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "compensation", 0, in_compensation->shape[0], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 18)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 2)) {
         answer = PyLong_FromLongLong(segfmu_check_ready(
             (array_double_1d){in_compensation->buf, {in_compensation->shape[0]}},
@@ -3818,9 +3818,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -3841,9 +3841,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -3879,7 +3879,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -3888,7 +3888,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -3919,8 +3919,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -3951,9 +3951,9 @@ static PyObject *call_rig_rates(
         && (in_derivative = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
-        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 19)) {
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 23)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
             (array_double_1d){in_setpoints->buf, {in_setpoints->shape[0]}},
@@ -3975,7 +3975,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -4005,12 +4005,12 @@ static PyObject *call_rig_start(
         && take_float(&call, 5, &in_start)
         && (in_memory = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 23)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -4054,7 +4054,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 77)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -4064,7 +4064,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -4092,8 +4092,8 @@ static PyObject *call_rig_balance(
     if (take_count(&call, count, 2)
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -4137,8 +4137,8 @@ static PyObject *call_rig_outputs(
         && (in_balance = take_array(&call, 2, 1, 'd', true)) != NULL
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
         segfmu_rig_outputs(
@@ -4197,8 +4197,8 @@ static PyObject *call_rig_partials(
         && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 40)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 77)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 15)
@@ -4252,7 +4252,7 @@ static PyObject *call_check_lags(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_exchange)
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -4343,7 +4343,7 @@ static PyObject *call_check_slack(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_exchange)
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_slack(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -4369,7 +4369,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 77)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},

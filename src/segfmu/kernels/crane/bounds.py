@@ -1,13 +1,22 @@
 """Drives at their bounds: largest forces and velocities.
 
 Forces of the drives depend on their accelerations by (M + m e e'), with the carriages' masses M,
-the load's mass m and the rope's direction e: the load resists only along the rope. `plant` is a
-`Plant`, `limit` a `ForceLimit`, see crane/records.py.
+the load's mass m and the rope's direction e: the load resists only along the rope. A hook resists
+along the rope with what it has of the load's mass by the sling. `plant` is a `Plant`, `limit` a
+`ForceLimit`, see crane/records.py.
 """
 
 from math import cos, sin
 
-from segfmu.kernels.crane.records import Action, Axes, ForceLimit, Plant, State
+from segfmu.kernels.crane.records import (
+    Action,
+    Axes,
+    ForceLimit,
+    Plant,
+    PlantState,
+    Resistance,
+    State,
+)
 
 
 def side_bound(sign: float, greatest: float, least: float) -> float:
@@ -62,8 +71,26 @@ def force_bound(plant: 'float[:]', axis: int, sign: float, velocity: float) -> f
     return bound
 
 
-def rope_direction(state: 'float[:]', limit: 'float[:]') -> None:
-    """Write the direction of the rope in the coordinates of the drives."""
+def resisting_mass(plant: 'float[:]', state: 'float[:]') -> float:
+    """Mass [kg] at the end of the rope against an acceleration along it.
+
+    A hook on a sling at an angle a to the rope: 1 / m = (1 - M cos(a)^2 / (M + h)) / h, with the
+    masses M of the load and h of the hook.
+    """
+    payload = plant[Plant.PAYLOAD_MASS]
+    if plant[Plant.SLING] <= 0.0:
+        return payload
+    hook = plant[Plant.HOOK_MASS]
+    phi_x = state[State.ANGLE]
+    psi_x = state[PlantState.SLING_ANGLE]
+    turned = cos(state[State.ANGLE + 1] - state[PlantState.SLING_ANGLE + 1])
+    cosine = sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(psi_x) * turned
+    return hook * (hook + payload) / (hook + payload * (1.0 - cosine * cosine))
+
+
+def rope_direction(plant: 'float[:]', state: 'float[:]', limit: 'float[:]') -> None:
+    """Write the direction of the rope in the coordinates of the drives, and what resists there."""
+    limit[ForceLimit.MASS] = resisting_mass(plant, state)
     phi_x = state[State.ANGLE]
     phi_y = state[State.ANGLE + 1]
     limit[ForceLimit.ROPE] = sin(phi_x)
@@ -85,7 +112,7 @@ def limit_accelerations(
     pivoting (Linear Algebra and its Applications 7, 1974). action: an `Action` with the demanded
     forces; its flags are set for drives at their bound. limit: a `ForceLimit`.
     """
-    rope_direction(state, limit)
+    rope_direction(plant, state, limit)
     for i in range(3):
         limit[ForceLimit.SIDE + i] = 0.0
         limit[ForceLimit.CHANGE + i] = 0.0
@@ -117,6 +144,11 @@ def carriage_mass(masses: 'float[:]', axis: int) -> float:
     return 0.0
 
 
+def hanging_mass(resistance: 'float[:]') -> float:
+    """Mass [kg] that hangs on the rope."""
+    return resistance[Resistance.PAYLOAD_MASS] + resistance[Resistance.HOOK_MASS]
+
+
 def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:
     """The bound at which a drive must be for the present changes: -1, 1, or 0 for none."""
     side = limit[ForceLimit.SIDE + axis]
@@ -130,7 +162,7 @@ def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:
     for i in range(3):
         along = along + limit[ForceLimit.ROPE + i] * limit[ForceLimit.CHANGE + i]
     needed = action[Action.FORCE + axis] + carriage_mass(plant, axis) * change
-    needed = needed + plant[Plant.PAYLOAD_MASS] * limit[ForceLimit.ROPE + axis] * along
+    needed = needed + limit[ForceLimit.MASS] * limit[ForceLimit.ROPE + axis] * along
     if needed > 0.0:
         side = 1.0
     else:
@@ -160,7 +192,7 @@ def change_accelerations(plant: 'float[:]', action: 'float[:]', limit: 'float[:]
     Forces change by (M + m e e') times the changes, with the carriages' masses M, the load's mass m
     and the rope's direction e: the load resists only along the rope.
     """
-    payload = plant[Plant.PAYLOAD_MASS]
+    payload = limit[ForceLimit.MASS]
     total = 0.0
     weight = 1.0
     for i in range(2):
@@ -205,7 +237,7 @@ def hold_velocities(
     beyond its bound is not available, and the drive becomes faster. action: an `Action` with the
     demanded forces, which change; derivative: that of the state under them.
     """
-    rope_direction(state, limit)
+    rope_direction(plant, state, limit)
     for i in range(3):
         limit[ForceLimit.SIDE + i] = 0.0
         limit[ForceLimit.CHANGE + i] = 0.0
@@ -247,7 +279,7 @@ def held_side(axis: int, state: 'float[:]', derivative: 'float[:]', limit: 'floa
 
 def hold_accelerations(plant: 'float[:]', derivative: 'float[:]', limit: 'float[:]') -> None:
     """Changes that bring the accelerations of the held drives to 0, and the forces for them."""
-    payload = plant[Plant.PAYLOAD_MASS]
+    payload = limit[ForceLimit.MASS]
     along = 0.0
     weight = 1.0
     for i in range(3):

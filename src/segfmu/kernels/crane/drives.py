@@ -3,7 +3,6 @@
 `plant` is a `Plant`, `work` a `Work`, see crane/records.py.
 """
 
-from segfmu.kernels.crane._crane import crane_driven, crane_rhs
 from segfmu.kernels.crane.bounds import (
     acceleration_bound,
     at_velocity_bound,
@@ -25,6 +24,7 @@ from segfmu.kernels.crane.records import (
     Work,
 )
 from segfmu.kernels.crane.slack import axis_velocity, is_slack, may_slacken
+from segfmu.kernels.crane.suspension import suspended_driven, suspended_rhs
 
 
 def forced_derivative(
@@ -44,13 +44,13 @@ def forced_derivative(
         action[Action.FORCE + i] = drive
         force[i] = drive - work[Work.FRICTION, i]
     run_on(plant, work)
-    crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
+    suspended_rhs(plant, state, work, derivative)
     if fast:
         hold_velocities(plant, state, derivative, action, work[Work.LIMIT, :])
         for i in range(3):
             force[i] = action[Action.FORCE + i] - work[Work.FRICTION, i]
         run_on(plant, work)
-        crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
+        suspended_rhs(plant, state, work, derivative)
     action[Action.ROPE_FORCE] = force[GeneralisedForce.FORCE + Axes.ROPE]
 
 
@@ -107,10 +107,7 @@ def driven_forces(
 ) -> None:
     """Derivative and drive forces under the accelerations demanded."""
     action = work[Work.ACTION, :]
-    crane_driven(
-        state, work[Work.DEMAND, :], work[Work.GENERALISED, :], work[Work.WIND, :], plant,
-        derivative, action,
-    )
+    suspended_driven(plant, state, work, derivative)
     action[Action.ROPE_FORCE] = action[Action.FORCE + Axes.ROPE]
     for i in range(3):
         action[Action.FORCE + i] = action[Action.FORCE + i] + work[Work.FRICTION, i]
@@ -137,7 +134,7 @@ def slack_derivative(
     force[GeneralisedForce.FORCE + Axes.ROPE] = 0.0
     for i in range(2):
         force[GeneralisedForce.TORQUE + i] = 0.0
-    crane_rhs(state, force, work[Work.WIND, :], plant, derivative)
+    suspended_rhs(plant, state, work, derivative)
     derivative[PlantState.PAID_OUT] = state[PlantState.PAYING_OUT]
     derivative[PlantState.PAYING_OUT] = work[Work.DEMAND, Axes.ROPE]
     action[Action.ROPE_FORCE] = 0.0

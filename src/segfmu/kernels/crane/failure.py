@@ -11,7 +11,7 @@ def plant_failure(
     Returns the status without the axis: BELOW_TRAVEL or ABOVE_TRAVEL for any axis.
     """
     fault[PlantFault.TIME] = time
-    if status < PlantStatus.BELOW_TRAVEL:
+    if status < PlantStatus.BELOW_TRAVEL or status == PlantStatus.SLACK_SLING:
         return status
     axis = (status - PlantStatus.BELOW_TRAVEL) % 3
     fault[PlantFault.AXIS] = axis

@@ -10,7 +10,7 @@ the deflection rests at its bound, so that fast motion is not stiff. `resistance
 
 from math import exp, sqrt
 
-from segfmu.kernels.crane.bounds import carriage_mass
+from segfmu.kernels.crane.bounds import carriage_mass, hanging_mass
 from segfmu.kernels.crane.records import Axes, Resistance
 
 
@@ -46,7 +46,7 @@ def contact_damping(resistance: 'float[:]', axis: int) -> float:
     """Damping [N s/m] that lets a mass come to rest in its contact without a swing."""
     mass = carriage_mass(resistance, axis)
     if axis == Axes.ROPE:
-        mass = resistance[Resistance.PAYLOAD_MASS]
+        mass = hanging_mass(resistance)
     static = max(resistance[Resistance.STATIC + axis], resistance[Resistance.COULOMB + axis])
     return 2.0 * sqrt(1.5 * static * mass / resistance[Resistance.PRESLIDING])
 

@@ -4,7 +4,6 @@
 crane/records.py; components (count, 8): a `Sinusoid` a row, the wind's noise.
 """
 
-from segfmu.kernels.crane._crane import crane_load
 from segfmu.kernels.crane.buffers import buffer_force
 from segfmu.kernels.crane.drives import (
     driven_derivative,
@@ -32,6 +31,7 @@ from segfmu.kernels.crane.slack import (
     change_rope,
     may_slacken,
 )
+from segfmu.kernels.crane.suspension import has_hook, suspended_load
 from segfmu.kernels.crane.wind import command_slope, wind_force
 from segfmu.kernels.numerics.integrate import (
     all_finite,
@@ -65,6 +65,9 @@ def plant_derivative(
         work[Work.FRICTION, i] = resistance
         derivative[PlantState.DEFLECTION + i] = deflection_rate(plant, i, velocity, deflection)
         work[Work.ACTION, Action.SATURATED + i] = 0.0
+    for i in range(2):
+        derivative[PlantState.SLING_ANGLE + i] = 0.0
+        derivative[PlantState.SLING_RATE + i] = 0.0
     derivative[PlantState.SLACK] = 0.0
     derivative[PlantState.PAID_OUT] = 0.0
     derivative[PlantState.PAYING_OUT] = 0.0
@@ -86,7 +89,7 @@ def plant_powers(
     # no wind, no work: skips the load's velocity
     calm = wind[0] == 0.0 and wind[1] == 0.0 and wind[2] == 0.0
     if not calm:
-        crane_load(state, work[Work.LOAD:Work.LOAD + Load.SIZE, :])
+        suspended_load(plant, state, work, work[Work.LOAD:Work.LOAD + Load.SIZE, :])
     squares = state[State.RATE] * state[State.RATE]
     squares = squares + state[State.RATE + 1] * state[State.RATE + 1]
     derivative[PlantState.DRIVE_WORK] = 0.0
@@ -148,7 +151,7 @@ def try_step(
     for stage in range(1, Stages.SIZE):
         # the derivatives do not depend on the work
         count = PlantState.DRIVE_WORK
-        if stage == Stages.K7 or may_slacken(plant):
+        if stage == Stages.K7 or may_slacken(plant) or has_hook(plant):
             count = PlantState.SIZE
         stage_state(stage, h, count, state, stages, trial)
         # values beyond all bounds: the step was much too long
@@ -203,8 +206,7 @@ def plant_advance(
             if h < 1e-12 * duration:
                 return PlantStatus.STEP_TOO_SMALL
             continue
-        rope_force = work[Work.ACTION, Action.ROPE_FORCE]
-        status = plant_status(plant, work[Work.TRIAL, :], rope_force)
+        status = plant_status(plant, work[Work.TRIAL, :], work[Work.ACTION, :])
         if status != PlantStatus.DONE:
             if h >= 1e-7:
                 h = 0.5 * h
@@ -238,15 +240,16 @@ def accept_step(
         report[Report.FORCE + i] = action[Action.FORCE + i]
         report[Report.SATURATED + i] = max(report[Report.SATURATED + i], saturated)
     report[Report.ROPE_FORCE] = action[Action.ROPE_FORCE]
+    report[Report.SLING_TENSION] = action[Action.SLING_TENSION]
     report[Report.WIND_POWER] = work[Work.STAGES + Stages.K7, PlantState.WIND_WORK]
     report[Report.FRICTION_POWER] = work[Work.STAGES + Stages.K7, PlantState.DISSIPATED]
     report[Report.ELAPSED] = elapsed
 
 
-def plant_status(plant: 'float[:]', state: 'float[:]', rope_force: float) -> int:
-    """Whether the crane is within the range of its equations: a `PlantStatus`."""
+def plant_status(plant: 'float[:]', state: 'float[:]', action: 'float[:]') -> int:
+    """Whether the crane is within the range of its equations: a `PlantStatus`; action: `Action`."""
     for i in range(2):
-        if abs(state[State.ANGLE + i]) >= 1.57:
+        if abs(state[State.ANGLE + i]) >= 1.57 or abs(state[PlantState.SLING_ANGLE + i]) >= 1.57:
             return PlantStatus.SWAY_ANGLE
     if state[State.POSITION + Axes.ROPE] <= 0.0:
         return PlantStatus.ROPE_LENGTH
@@ -259,6 +262,9 @@ def plant_status(plant: 'float[:]', state: 'float[:]', rope_force: float) -> int
             return PlantStatus.BELOW_TRAVEL + i
         if position > plant[Plant.TRAVEL_MAX + i] + 1e-9:
             return PlantStatus.ABOVE_TRAVEL + i
-    if bears_wrongly(plant, state, rope_force):
+    if bears_wrongly(plant, state, action[Action.ROPE_FORCE]):
         return PlantStatus.SLACK_ROPE
+    least = -1e-9 * plant[Plant.PAYLOAD_MASS] * plant[Plant.GRAVITY]
+    if has_hook(plant) and action[Action.SLING_TENSION] < least:
+        return PlantStatus.SLACK_SLING
     return PlantStatus.DONE

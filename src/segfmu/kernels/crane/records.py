@@ -52,6 +52,7 @@ class PlantStatus(Codes):
     # and the two behind it: trolley and rope
     BELOW_TRAVEL = 6
     ABOVE_TRAVEL = 9
+    SLACK_SLING = 12
 
 
 class RopeFault(Record):
@@ -112,7 +113,7 @@ class State(Coordinates):
 
 
 class PlantState(State):
-    """State of the crane, contacts that rub, slack rope, and works since the start."""
+    """State of the crane, contacts that rub, works since the start, sling and slack rope."""
 
     DEFLECTION = _of_drives(
         "deflections of the contacts, see `friction_force`", "m", "friction.{}.deflection"
@@ -120,6 +121,8 @@ class PlantState(State):
     DRIVE_WORK = field("work of the drives", "J")
     WIND_WORK = field("work of the wind", "J")
     DISSIPATED = field("energy dissipated by friction", "J")
+    SLING_ANGLE = field("angles of the sling; 0 without a hook", "rad", size=2)
+    SLING_RATE = field("their rates", "rad/s", size=2)
     SLACK = field("1: the rope is slack, and the next two are not 0")
     PAID_OUT = field("length of the slack rope", "m")
     PAYING_OUT = field("its rate", "m/s")
@@ -150,6 +153,8 @@ class Resistance(Masses):
     PRESLIDING = field(
         "displacement at which a contact slides", "m", variables=("friction.presliding",)
     )
+    HOOK_MASS = field("mass of a hook between rope and load", "kg")
+    SLING = field("length of the sling from hook to load; 0: there is no hook", "m")
 
 
 class Plant(Resistance):
@@ -441,6 +446,7 @@ class Action(Record):
     FORCE = field("forces of the drives, friction included", "N", size=3)
     SATURATED = field("1: the drive is at a bound", size=3)
     ROPE_FORCE = field("force on the rope, negative under tension", "N")
+    SLING_TENSION = field("tension of the sling; 0 without a hook", "N")
 
 
 class StageAction(Action):
@@ -467,6 +473,7 @@ class ForceLimit(Record):
     BOUND = field("largest force at the present velocity, 0: no bound", "N", size=3)
     LOWER = field("the same of forces below 0, as a magnitude", "N", size=3)
     ADDED = field("force that holds a drive at its largest velocity", "N", size=3)
+    MASS = field("mass that resists along the rope", "kg")
 
 
 class Air(Record):
@@ -495,6 +502,10 @@ class Work(Record):
     FRICTION = field("resistance: friction, and buffers at the end stops", "N", of=Axes)
     LIMIT = field("drives at their largest force", of=ForceLimit)
     AIR = field("air around the load", of=Air)
+    HOOK_STATE = field("state of crane, hook and load, see HookState", of=PlantState)
+    HOOK_RATE = field("its derivative", of=PlantState)
+    HOOK_MASSES = field("masses and lengths, see HookMasses", of=Resistance)
+    HOOK_TENSION = field("tension of the sling", "N")
 
 
 class CranePartials(State):

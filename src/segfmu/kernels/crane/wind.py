@@ -6,8 +6,8 @@ the air's speed.
 
 from math import cos, sin, sqrt
 
-from segfmu.kernels.crane._crane import crane_load
 from segfmu.kernels.crane.records import Air, CommandRates, GustShape, Load, Plant, Vector, Work
+from segfmu.kernels.crane.suspension import suspended_load
 from segfmu.kernels.numerics.noise import full_circle
 from segfmu.kernels.numerics.records import Sinusoid
 
@@ -93,7 +93,7 @@ def relative_speed(air: 'float[:]') -> float:
 def add_drag(plant: 'float[:]', state: 'float[:]', work: 'float[:,:]') -> None:
     """Add the drag of the air, rho c A |v| v / 2, to the force; v is relative to the load."""
     air = work[Work.AIR, :]
-    crane_load(state, work[Work.LOAD:Work.LOAD + Load.SIZE, :])
+    suspended_load(plant, state, work, work[Work.LOAD:Work.LOAD + Load.SIZE, :])
     for i in range(Vector.SIZE):
         own = work[Work.LOAD + Load.VELOCITY, i]
         air[Air.RELATIVE + i] = air[Air.RELATIVE + i] - own

@@ -3,8 +3,8 @@
 `settings`, `changes` and `memory` are described in kernels/rig/rig.py.
 """
 
-from segfmu.kernels.crane._crane import crane_energy
-from segfmu.kernels.crane.records import Plant
+from segfmu.kernels.crane.records import Plant, Work
+from segfmu.kernels.crane.suspension import suspended_energy
 from segfmu.kernels.rig.records import (
     Clock,
     Energies,
@@ -116,7 +116,10 @@ def change_payload(
 def mechanical_energy(memory: 'float[:,:]') -> float:
     """Kinetic and potential energy of the crane [J]."""
     energy = memory[Memory.ENERGY, :]
-    crane_energy(memory[Memory.STATE, :], memory[Memory.PLANT, :], energy)
+    suspended_energy(
+        memory[Memory.PLANT, :], memory[Memory.STATE, :],
+        memory[Memory.WORK:Memory.WORK + Work.SIZE, :], energy,
+    )
     return energy[Energies.KINETIC] + energy[Energies.POTENTIAL]
 
 

@@ -100,5 +100,5 @@ def commanded_rates(
     report[Report.WIND_POWER] = derivative[PlantState.WIND_WORK]
     report[Report.FRICTION_POWER] = derivative[PlantState.DISSIPATED]
     return plant_status(
-        memory[Memory.PLANT, :], memory[Memory.STATE, :], work[Work.ACTION, Action.ROPE_FORCE]
+        memory[Memory.PLANT, :], memory[Memory.STATE, :], work[Work.ACTION, :]
     )

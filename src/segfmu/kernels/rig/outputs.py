@@ -11,7 +11,6 @@ from segfmu.kernels.control.records import (
     Tracker,
     Tracking,
 )
-from segfmu.kernels.crane._crane import crane_load
 from segfmu.kernels.crane.records import (
     Axes,
     Coordinates,
@@ -24,6 +23,7 @@ from segfmu.kernels.crane.records import (
     Work,
 )
 from segfmu.kernels.crane.slack import axis_velocity
+from segfmu.kernels.crane.suspension import suspended_load
 from segfmu.kernels.rig.records import Balance, Memory, Outputs
 from segfmu.kernels.rig.rig import rig_balance, rig_imbalance
 
@@ -62,7 +62,10 @@ def total_sway(angle_x: float, angle_y: float) -> float:
 def load_outputs(target: 'float[:]', memory: 'float[:,:]', outputs: 'float[:]') -> None:
     """The load's motion and speed, and its distance from where it shall be."""
     load = memory[Memory.WORK + Work.LOAD : Memory.WORK + Work.LOAD + Load.SIZE, :]
-    crane_load(memory[Memory.STATE, :], load)
+    suspended_load(
+        memory[Memory.PLANT, :], memory[Memory.STATE, :],
+        memory[Memory.WORK:Memory.WORK + Work.SIZE, :], load,
+    )
     square = 0.0
     speed = 0.0
     for i in range(Vector.SIZE):

@@ -19,7 +19,6 @@ setpoints (19)       `Setpoints`
 memory               `Memory`, of `rig_rows` rows; a copy of it is the state of the rig
 """
 
-from segfmu.kernels.crane._crane import crane_energy
 from segfmu.kernels.crane.friction import first_deflection
 from segfmu.kernels.crane.records import Axes, Plant, PlantState, PlantStatus, Report, State
 from segfmu.kernels.numerics.integrate import all_finite
@@ -73,11 +72,16 @@ def rig_start(
     start: float,
     memory: 'float[:,:]',
 ) -> None:
-    """Reset the memory to a state (10) and the setpoints at the start [s]."""
+    """Reset the memory to a state and the setpoints at the start [s].
+
+    state: a `PlantState`, of which only the crane and the sling count.
+    """
     for row in range(memory.shape[0]):
         for i in range(memory.shape[1]):
             memory[row, i] = 0.0
     for i in range(State.SIZE):
+        memory[Memory.STATE, i] = state[i]
+    for i in range(PlantState.SLING_ANGLE, PlantState.SLACK):
         memory[Memory.STATE, i] = state[i]
     for i in range(Plant.SIZE):
         memory[Memory.PLANT, i] = settings[Settings.PLANT, i]
@@ -162,7 +166,7 @@ def rig_balance(memory: 'float[:,:]', balance: 'float[:]') -> None:
     """Energies [J], a `Balance` (7)."""
     state = memory[Memory.STATE, :]
     energy = memory[Memory.ENERGY, :]
-    crane_energy(state, memory[Memory.PLANT, :], energy)
+    mechanical_energy(memory)
     balance[Balance.KINETIC] = energy[EnergyMemory.KINETIC]
     balance[Balance.POTENTIAL] = energy[EnergyMemory.POTENTIAL]
     balance[Balance.INITIAL] = energy[EnergyMemory.INITIAL]

@@ -178,7 +178,7 @@ static void take_rates(crane *m)
 bool model_initialise(model *base, char message[MESSAGE])
 {
     crane *m = (crane *)base;
-    double state[STATE_SIZE];
+    double state[PLANT_STATE_SIZE] = {0.0};
     m->rows = 0;
     crane_read_inputs(m);
     if (!crane_place(m, state, message) || !crane_set_up(m, message)) {
@@ -186,7 +186,7 @@ bool model_initialise(model *base, char message[MESSAGE])
     }
     m->rows = segfmu_rig_rows(settings_of(m));
     segfmu_rig_start(
-        settings_of(m), components_of(m), changes_of(m), vector(state, STATE_SIZE),
+        settings_of(m), components_of(m), changes_of(m), vector(state, PLANT_STATE_SIZE),
         vector(m->setpoints, SETPOINTS_SIZE), base->real[V_TIME], memory_of(m));
     take_rates(m);
     memcpy(m->input, base->real, sizeof m->input);
