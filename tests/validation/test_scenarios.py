@@ -242,9 +242,9 @@ kind = "drives"
     done = command("validate", on, off, "-o", "out", "--junit", "out/j.xml", cwd=place)
     assert done.returncode in (0, 1), done.stderr
     results = json.loads((place / "out" / "results.json").read_text())
-    entry = results[0]
+    entry = results["scenarios"][0]
     found = {c["name"]: c for c in entry["criteria"]}
-    arrival, end = entry["times"]["arrival"], entry["times"]["end"]
+    arrival, end = entry["times_s"]["arrival"], entry["times_s"]["end"]
     own, other = (columns(place / "out" / f"{n}.csv") for n in ("s", "off"))
     assert own["time"][-1] == end
     horizontal = np.sqrt(own["error.load.x"] ** 2 + own["error.load.y"] ** 2)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import suppress
 from importlib.metadata import version
 from io import TextIOWrapper
 from typing import Annotated, Any
@@ -10,7 +11,7 @@ from typing import Annotated, Any
 import typer
 
 from segfmu.cli import campaigns, files, identification, missions, verdicts
-from segfmu.cli.console import console
+from segfmu.cli.console import console, print_document
 from segfmu.errors import BuildError, InputError, SegfmuError
 
 app = typer.Typer(
@@ -67,17 +68,25 @@ def run() -> int:
         # without standalone mode, wrong options are raised
         return app(sys.argv[1:] or ["--help"], standalone_mode=False) or 0
     except SegfmuError as error:
-        return _fail(str(error), 2 if isinstance(error, InputError | BuildError) else 1)
+        return _fail(error, str(error), 2 if isinstance(error, InputError | BuildError) else 1)
     except USAGE_ERROR as error:
         where = getattr(error.ctx, "command_path", "segfmu")
-        return _fail(f"{error.format_message().rstrip('.')}; see {where} --help", 2)
+        return _fail(error, f"{error.format_message().rstrip('.')}; see {where} --help", 2)
     except OSError as error:
         name = f"{error.filename}: " if error.filename else ""
-        return _fail(f"{name}{error.strerror or error}", 2)
+        return _fail(error, f"{name}{error.strerror or error}", 2)
 
 
-def _fail(text: str, code: int) -> int:
-    print(f"segfmu: {' '.join(text.split())}", file=sys.stderr)
+def _fail(error: Exception, text: str, code: int) -> int:
+    line = " ".join(text.split())
+    print(f"segfmu: {line}", file=sys.stderr)
+    # wrong options too, which no command gets to see
+    if "--json" in sys.argv:
+        from segfmu.validation.documents.document import refusal
+
+        # where nothing can be printed, the line above has told why
+        with suppress(OSError):
+            print_document(refusal(error, line))
     return code
 
 

@@ -3,14 +3,31 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
 
+if TYPE_CHECKING:
+    from segfmu.validation.documents.document import Document
+
 console = Console()
 
 MissionFile = Annotated[Path, typer.Argument(help="Mission file (TOML); see models/ for examples.")]
+
+AsJson = Annotated[
+    bool,
+    typer.Option(
+        "--json", help="Print one JSON document and nothing else; `segfmu schema` describes it."
+    ),
+]
+
+
+def print_document(document: Document) -> None:
+    """One JSON document on standard output."""
+    from segfmu.validation.documents.document import text
+
+    print(text(document), end="", flush=True)
 
 
 def tell(line: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from shlex import quote
 from typing import Annotated
 
@@ -26,12 +27,18 @@ def init(
 
 def schema(
     kind: Annotated[
-        str, typer.Argument(metavar="[mission|crane|scenario|campaign]", help="Kind of file.")
+        str,
+        typer.Argument(
+            metavar="[mission|crane|scenario|campaign|plan|simulate|validate]",
+            help="Kind of file, or command whose --json it describes.",
+        ),
     ] = "mission",
 ) -> None:
-    """Print the JSON schema of a kind of file, with which editors complete and check."""
-    from segfmu.validation.files.schema import KINDS, text
+    """Print a JSON schema: of a kind of file, for editors, or of what a command prints as JSON."""
+    from segfmu.validation.documents.schema import DOCUMENTS, document_schema
+    from segfmu.validation.files.schema import KINDS, file_schema
 
-    if kind not in KINDS:
-        raise InputError(f"schema of {kind!r}: give {' or '.join(KINDS)}")
-    print(text(kind), end="")
+    if kind not in (*KINDS, *DOCUMENTS):
+        raise InputError(f"schema of {kind!r}: give {' or '.join((*KINDS, *DOCUMENTS))}")
+    found = file_schema(kind) if kind in KINDS else document_schema(kind)
+    print(json.dumps(found, indent=2, ensure_ascii=False))

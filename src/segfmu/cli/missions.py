@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from segfmu.cli.console import MissionFile, console, tell
+from segfmu.cli.console import AsJson, MissionFile, console, print_document, tell
 from segfmu.cli.work import warn, watched
-from segfmu.crane import ActuatorBounds, bound_uses
+from segfmu.crane import ActuatorBounds, BoundUse, bound_uses
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
 from segfmu.planning import Trajectory, excursions
-from segfmu.planning.verify import verify
+from segfmu.planning.verify import Verification, verify
 from segfmu.validation.files.mission import Mission, load_mission
-from segfmu.validation.output import about, folder, note, plan_samples, require_folder, stride
+from segfmu.validation.output import about, folder, plan_samples, require_folder, stride
+from segfmu.validation.output import note as thinning
 from segfmu.validation.planned import beyond_drives, planned, sticking
+
+if TYPE_CHECKING:
+    from segfmu.validation.runs import Run
 
 NO_BOUNDS = (
     "no bounds of the drives are known (velocity_max, acceleration_max, force_max, power_max of "
@@ -32,6 +36,7 @@ def plan(
         str | None,
         typer.Option("--output", "-o", metavar="FOLDER", help="Folder for plan.csv and plots."),
     ] = None,
+    as_json: AsJson = False,
 ) -> None:
     """Plan a mission and show every peak against its limit."""
     task = load_mission(mission)
@@ -41,18 +46,27 @@ def plan(
         trajectory = planned(task, progress)
         every = stride(task, trajectory.duration)
     target = None if output is None else folder(output)
-    from segfmu.validation.tables import plan_table
+    found, uses = verify(trajectory), _uses(task, trajectory)
+    notes = [str(one) for one in excursions(trajectory)]
+    notes += filter(None, (beyond_drives(task, trajectory), sticking(task, trajectory)))
+    if as_json:
+        from segfmu.validation.documents.plan import plan_document
 
-    console.print(plan_table(
-        task.name, trajectory, verify(trajectory), task.limits is not None
-    ))
-    _show_bounds(task, trajectory)
-    for found in excursions(trajectory):
-        tell(str(found))
-    tell(beyond_drives(task, trajectory))
-    tell(sticking(task, trajectory))
+        if target is not None:
+            _write_plan(task, trajectory, target, every)
+        files = [] if target is None else [str(target / name) for name in PLAN_FILES]
+        print_document(plan_document(
+            task.name, trajectory, found, uses or (), limits_found=task.limits is None,
+            notes=notes, files=files,
+        ))
+        return
+    _show_plan(task, trajectory, found, uses)
+    for note in notes:
+        tell(note)
     if target is not None:
         _write_plan(task, trajectory, target, every)
+        tell(thinning("plan.csv", every, task.simulation.step))
+        tell(f"plan.csv, plan.png, path.png and drives.png are in {output}")
 
 
 def build(
@@ -121,27 +135,28 @@ def simulate(
     step: Annotated[
         float | None, typer.Option(help="Communication step [s]; default: the mission's.")
     ] = None,
+    as_json: AsJson = False,
 ) -> None:
     """Build the FMUs, co-simulate a mission, write and judge the results."""
     from segfmu.cosim.messages import on_stderr
     from segfmu.validation import runs
     from segfmu.validation.plots import save
-    from segfmu.validation.tables import run_table
 
     require_folder(output, *RUN_FILES)
     with on_stderr(), watched() as progress:
         run = runs.simulate(mission, step=step, output=output, progress=progress)
-    warn(run.note)
     target = Path(output)
     left_out = run.to_csv(target / "run.csv")
     save(run.plot(), target / "run.png")
-    console.print(run_table(run.mission.name, run.criteria))
-    tell(left_out)
-    tell(f"FMUs, run.csv and run.png are in {target}")
-    tell(f"report: {run.report(target / 'report.html')}")
-    for row in run.criteria.rows:
-        if not row.passed:
-            tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")
+    if as_json:
+        from segfmu.validation.documents.run import run_document
+
+        run.report(target / "report.html")
+        files = [str(target / name) for name in RUN_FILES]
+        print_document(run_document(run, files))
+    else:
+        warn(run.note)
+        _show_run(run, target, left_out)
     if not run.passed:
         raise typer.Exit(1)
 
@@ -181,17 +196,25 @@ def paper(
         tell(f"{path}  {what}")
 
 
-def _show_bounds(task: Mission, trajectory: Trajectory) -> None:
-    """The use of every bound of the drives, or that none is known."""
+def _uses(task: Mission, trajectory: Trajectory) -> tuple[BoundUse, ...] | None:
+    """The use of every bound of the drives; None if none is known."""
     bounds = task.build_bounds()
     if bounds is None:
-        tell(NO_BOUNDS)
-        return
-    from segfmu.validation.drive_use import bound_table
+        return None
+    return bound_uses(task.build_crane(), trajectory, bounds, task.build_friction())
 
-    console.print(bound_table(
-        bound_uses(task.build_crane(), trajectory, bounds, task.build_friction())
-    ))
+
+def _show_plan(
+    task: Mission, trajectory: Trajectory, found: Verification, uses: tuple[BoundUse, ...] | None
+) -> None:
+    from segfmu.validation.drive_use import bound_table
+    from segfmu.validation.tables import plan_table
+
+    console.print(plan_table(task.name, trajectory, found, task.limits is not None))
+    if uses is None:
+        tell(NO_BOUNDS)
+    else:
+        console.print(bound_table(uses))
 
 
 def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
@@ -207,5 +230,15 @@ def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int)
         task.build_crane(), trajectory, bounds, task.name, task.build_friction()
     )
     save(drives, output / "drives.png")
-    tell(note("plan.csv", every, task.simulation.step))
-    tell(f"plan.csv, plan.png, path.png and drives.png are in {output}")
+
+
+def _show_run(run: Run, target: Path, left_out: str) -> None:
+    from segfmu.validation.tables import run_table
+
+    console.print(run_table(run.mission.name, run.criteria))
+    tell(left_out)
+    tell(f"FMUs, run.csv and run.png are in {target}")
+    tell(f"report: {run.report(target / 'report.html')}")
+    for row in run.criteria.rows:
+        if not row.passed:
+            tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")

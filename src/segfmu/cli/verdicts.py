@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from segfmu.cli.console import console, tell
+from segfmu.cli.console import AsJson, console, print_document, tell
 from segfmu.cli.work import watched
 from segfmu.validation.output import folder, require_file, require_folder
 
@@ -30,12 +30,14 @@ def validate(
     junit: Annotated[
         Path | None, typer.Option("--junit", metavar="FILE", help="JUnit XML of all criteria.")
     ] = None,
+    as_json: AsJson = False,
 ) -> None:
     """Run scenarios as co-simulations of both FMUs; show every criterion, margin and verdict.
 
     The exit code is 0 if every scenario passes or fails as its file expects.
     """
     from segfmu.validation import suites
+    from segfmu.validation.documents.suite import suite_document
     from segfmu.validation.suite_files import suite_table, write_junit, write_results
 
     if output is not None:
@@ -45,15 +47,21 @@ def validate(
     with watched() as progress:
         suite = suites.validate(paths, progress=progress)
     # first what cannot fail for a full disk
-    console.print(suite_table(suite.results))
-    right = sum(result.right for result in suite)
-    console.print(f"{right} of {len(suite)} scenarios as expected")
+    if not as_json:
+        console.print(suite_table(suite.results))
+        right = sum(result.right for result in suite)
+        console.print(f"{right} of {len(suite)} scenarios as expected")
+    document = suite_document(suite.results)
     if output is not None:
         target = folder(output)
-        write_results(target, suite.results)
-        tell(f"report: {suite.report(target / 'report.html')}")
+        document = write_results(target, suite.results)
+        report = suite.report(target / "report.html")
+        if not as_json:
+            tell(f"report: {report}")
     if junit is not None:
         write_junit(junit, suite.results)
+    if as_json:
+        print_document(document)
     if not suite.passed:
         raise typer.Exit(1)
 

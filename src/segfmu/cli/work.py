@@ -6,15 +6,16 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
-from segfmu.cli.console import console
 from segfmu.validation.progress import Progress as Progressed
 
 
 @contextmanager
 def watched() -> Iterator[Progressed]:
-    """A bar that shows what is being done, for the `progress` of long calls."""
+    """A bar on standard error that shows what is being done, for the `progress` of long calls."""
+    console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
     with Progress(
         *columns, console=console, transient=True, disable=not console.is_terminal

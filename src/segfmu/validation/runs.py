@@ -56,15 +56,20 @@ class Run:
         "time" and the variables of both FMUs, a row for every communication step; read-only.
     criteria : Criteria
         Measures of the run and what is allowed.
-    note : str
-        What the user must know of the FMUs that were used and of the plan; empty if nothing.
+    notes : tuple of str
+        What the user must know of the FMUs that were used and of the plan.
     """
 
     mission: Mission
     trajectory: Trajectory
     rows: NDArray[np.void]
     criteria: Criteria
-    note: str = ""
+    notes: tuple[str, ...] = ()
+
+    @property
+    def note(self) -> str:
+        """All notes in one line; empty if there are none."""
+        return "; ".join(self.notes)
 
     @property
     def passed(self) -> bool:
@@ -235,4 +240,4 @@ def simulate(
         archives.note, beyond_drives(task, trajectory), sticking(task, trajectory),
         unknown_wind(task),
     )
-    return Run(task, trajectory, rows, found, "; ".join(filter(None, notes)))
+    return Run(task, trajectory, rows, found, tuple(filter(None, notes)))

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict
-from math import isfinite
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 from xml.etree import ElementTree as xml
 
 from rich.markup import escape
@@ -15,14 +11,16 @@ from rich.table import Table
 
 from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
+from segfmu.validation.documents.document import text
+from segfmu.validation.documents.suite import SuiteDocument, suite_document
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.requirements import of_results
 from segfmu.validation.suite import Result
 from segfmu.validation.units import signal_units
 
 
-def write_results(folder: Path, results: Sequence[Result]) -> None:
-    """Write a table of every run, and `results.json`.
+def write_results(folder: Path, results: Sequence[Result]) -> SuiteDocument:
+    """Write a table of every run, and `results.json`, which is returned.
 
     Raises
     ------
@@ -30,12 +28,14 @@ def write_results(folder: Path, results: Sequence[Result]) -> None:
         When a file cannot be written.
     """
     units = signal_units()
-    for name, result in zip(_names(results), results, strict=True):
-        if result.rows is not None:
-            write_csv(folder / f"{name}.csv", result.rows, units)
-    entries = [_entry(n, r) for n, r in zip(_names(results), results, strict=True)]
+    tables = _tables(results)
+    for name, result in zip(tables, results, strict=True):
+        if name is not None and result.rows is not None:
+            write_csv(folder / name, result.rows, units)
+    document = suite_document(results, tables)
     with replacing(folder / "results.json") as path:
-        path.write_text(json.dumps(entries, indent=2, allow_nan=False) + "\n", encoding="utf-8")
+        path.write_text(text(document), encoding="utf-8")
+    return document
 
 
 def write_junit(path: Path, results: Sequence[Result]) -> None:
@@ -80,30 +80,13 @@ def _verdict(passed: bool, result: Result) -> str:
     return "[yellow]failed, as expected[/]" if result.right else "[red]failed[/]"
 
 
-def _names(results: Sequence[Result]) -> list[str]:
-    """Names of files, one for each result."""
+def _tables(results: Sequence[Result]) -> list[str | None]:
+    """Names of tables, one for each result with a run."""
     stems = [r.scenario.path.stem for r in results]
-    return [s if stems.count(s) == 1 else f"{s}_{i}" for i, s in enumerate(stems, 1)]
-
-
-def _entry(name: str, result: Result) -> dict[str, Any]:
-    file = result.scenario.file
-    return {
-        "scenario": file.name, "file": str(result.scenario.path), "expect": file.expect,
-        "passed": result.passed, "right": result.right, "error": result.error,
-        "times": _finite(result.known), "table": "" if result.rows is None else f"{name}.csv",
-        "criteria": [
-            _finite({**asdict(f), "normalised": f.normalised, "passed": f.passed})
-            for f in result.findings
-        ],
-    }
-
-
-def _finite(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """JSON has neither NaN nor infinity: null."""
-    return {
-        k: None if isinstance(v, float) and not isfinite(v) else v for k, v in entry.items()
-    }
+    names = [s if stems.count(s) == 1 else f"{s}_{i}" for i, s in enumerate(stems, 1)]
+    return [
+        None if r.rows is None else f"{n}.csv" for n, r in zip(names, results, strict=True)
+    ]
 
 
 def _suite(root: xml.Element, result: Result) -> None:

@@ -15,7 +15,7 @@ from segfmu.validation.files import reference, template
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import entries
 from segfmu.validation.files.mission import Mission, load_mission
-from segfmu.validation.files.schema import schema
+from segfmu.validation.files.schema import file_schema
 from tests.validation.files.test_crane_file import EVERYTHING
 
 ROOT = Path(__file__).parents[3]
@@ -50,12 +50,12 @@ def test_schemas_are_schemas(kind: str, tmp_path: Path) -> None:
     printed = segfmu("schema", kind, cwd=tmp_path)
     assert printed.returncode == 0
     found = json.loads(printed.stdout)
-    assert found == schema(kind)
+    assert found == file_schema(kind)
     jsonschema.Draft202012Validator.check_schema(found)
 
 
 def accepted(kind: str, data: dict) -> bool:
-    return jsonschema.Draft202012Validator(schema(kind)).is_valid(data)
+    return jsonschema.Draft202012Validator(file_schema(kind)).is_valid(data)
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: p.stem)
@@ -98,7 +98,7 @@ def test_schemas_of_scenarios_and_campaigns() -> None:
 
 
 def test_descriptions_name_units() -> None:
-    drive = schema("crane")["$defs"]["DriveTable"]["properties"]
+    drive = file_schema("crane")["$defs"]["DriveTable"]["properties"]
     assert drive["acceleration_max"]["description"].endswith("[m/s2]")
 
 

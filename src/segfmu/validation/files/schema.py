@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from segfmu.validation.files.campaign_tables import CampaignFile
@@ -17,7 +16,7 @@ KINDS: dict[str, type[Table]] = {
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
-def schema(kind: str) -> dict[str, Any]:
+def file_schema(kind: str) -> dict[str, Any]:
     """The schema of a kind of file."""
     found = KINDS[kind].model_json_schema()
     parts = found.get("$defs", {})
@@ -48,11 +47,6 @@ def schema(kind: str) -> dict[str, Any]:
     return {"$schema": DIALECT, "title": f"segfmu {kind} file", **{
         k: v for k, v in found.items() if k != "title"
     }}
-
-
-def text(kind: str) -> str:
-    """The same as JSON."""
-    return json.dumps(schema(kind), indent=2, ensure_ascii=False) + "\n"
 
 
 def _table(key: dict[str, Any], name: str) -> dict[str, Any]:
