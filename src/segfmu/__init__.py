@@ -14,6 +14,7 @@ if TYPE_CHECKING:
         BoundUse,
         Crane,
         FlatInverse,
+        HookCrane,
         Operator,
         plan_actuated,
     )
@@ -62,6 +63,7 @@ __all__ = [
     "Crane",
     "Excursion",
     "FlatInverse",
+    "HookCrane",
     "Identification",
     "InfeasibleError",
     "InputError",
@@ -97,8 +99,8 @@ __all__ = [
 
 _HOMES = {
     "segfmu.crane": (
-        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "Operator",
-        "plan_actuated",
+        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "HookCrane",
+        "Operator", "plan_actuated",
     ),
     "segfmu.errors": (
         "BuildError", "InfeasibleError", "InputError", "SegfmuError", "SimulationError",

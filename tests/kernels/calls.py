@@ -62,8 +62,17 @@ from segfmu.kernels.crane.records import (
     RopeBounds,
     RopeFault,
     RopeWork,
+    SlingSeries,
     State,
     Work,
+)
+from segfmu.kernels.hook.records import (
+    HookFrequencies,
+    HookInverse,
+    HookLinks,
+    HookMotion,
+    HookPath,
+    HookState,
 )
 from segfmu.kernels.limits.records import (
     AxisTask,
@@ -317,6 +326,11 @@ def trajectory_calls() -> dict[str, Call]:
             zeros(len(bounds), Brake.SIZE), 1e-9, 5e-10, zeros(Check.SIZE, Check.COLUMNS),
         ),
         "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),
+        "check_hook": (
+            *pieces, np.array([2.0, 2.0, 2.0]), np.array(LAB.masses), 0.2, 0.3,
+            np.array([9.81, 0.2, 2.0]), rope.copy(), zeros(HookPath.SIZE, HookPath.COLUMNS),
+            zeros(RopeFault.SIZE),
+        ),
         "clearance_spans": (*pieces, 9.81, rope.copy(), spans.copy()),
         "contact_times": (
             Part.ROPE, 1e300, count, boxes[1].copy(), spans, stack, zeros(8, 2), zeros(3),
@@ -395,6 +409,7 @@ def crane_calls() -> dict[str, Call]:
     rows[:, Contact.SETTLED] = 0.2, 0.9
     masses, state = np.array(LAB.masses), np.append(HANGING, zeros(PlantState.SIZE - State.SIZE))
     state[State.ANGLE] = 0.1
+    hook = np.append(masses, [0.2, 0.3])
     flat = zeros(8, 3)
     flat[0], flat[2] = (0.1, 0.2, -1.0), (0.3, 0.2, 0.1)
     work = zeros(Work.SIZE, Work.COLUMNS)
@@ -438,6 +453,14 @@ def crane_calls() -> dict[str, Call]:
         ),
         "flat_derivatives": (
             flat, 2, masses, zeros(FlatSeries.SIZE, 5), zeros(FlatInverse.SIZE),
+        ),
+        "hook_derivatives": (
+            flat, 1, masses, 0.2, 0.3, zeros(SlingSeries.SIZE, 6), zeros(HookInverse.SIZE),
+        ),
+        "hook_frequencies": (0.5, hook, zeros(HookFrequencies.SIZE)),
+        "hook_load_motion": (
+            np.linspace(0.1, 1.4, HookState.SIZE), np.array([-15.0, 2.0]), hook,
+            zeros(HookLinks.SIZE, HookLinks.COLUMNS), zeros(HookMotion.SIZE, HookMotion.COLUMNS),
         ),
         "crane_load": (state, zeros(2, 3)),
         "crane_energy": (state, masses, zeros(Energies.SIZE)),

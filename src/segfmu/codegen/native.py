@@ -84,6 +84,8 @@ def _spans(text: str) -> str:
          r"span_rows(\1, \2, \3)"),
         (r"cspan_slice\(array_int64_t_1d, (&\w+), \{([^{},]+), ([^{},]+)\}\)",
          r"span_part(\1, \2, \3)"),
+        (r"cspan_slice\(array_double_1d, (&\w+), \{([^{},]+), ([^{},]+)\}\)",
+         r"span_piece(\1, \2, \3)"),
         (r"\bdouble_(min|max)\(2, ", r"span_\1("),
         (r"\bint64_t_(min|max)\(2, ", r"span_\1_int("),
         (r"\bpy_floor_div_int64_t\(", "span_floor_div("),

@@ -19,7 +19,7 @@ from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_below, require_start
 from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import Friction
-from segfmu.crane.inverse import require_flat
+from segfmu.crane.flat_models import require_gantry
 from segfmu.crane.limit_search import KEPT, Found, LimitSearch
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
@@ -130,7 +130,7 @@ def plan_actuated(
     request = checked_request(
         waypoints, ANY_LIMITS if limits is None else limits, **options, **timing
     )
-    require_flat(crane, len(request.axis_names), smoothness)
+    require_gantry(crane, len(request.axis_names), smoothness)
     resistance(crane, friction)
     options |= {"position_min": position_min, "position_max": position_max}
     refusal: InfeasibleError | None = None

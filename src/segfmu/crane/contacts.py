@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.crane.equipment import FRICTION, Friction
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory, joined_pieces
 from segfmu.crane.variables import filled, values
@@ -25,7 +26,7 @@ NONE = Friction()
 ROWS, MOST_ROWS = 64, 65536
 
 
-def resistance(crane: Crane, friction: Friction) -> FloatArray:
+def resistance(crane: Crane | HookCrane, friction: Friction) -> FloatArray:
     """The kernels' `Resistance`.
 
     Raises
@@ -35,7 +36,9 @@ def resistance(crane: Crane, friction: Friction) -> FloatArray:
     """
     if not isinstance(friction, Friction):
         raise InputError(f"friction must be a segfmu.crane.Friction, got {type(friction).__name__}")
-    return filled(Resistance, (crane.values() | values(friction, FRICTION)).__getitem__)
+    found = filled(Resistance, (crane.values() | values(friction, FRICTION)).__getitem__)
+    found[Resistance.HOOK_MASS :] = crane.hook
+    return found
 
 
 class Contacts:
@@ -43,7 +46,7 @@ class Contacts:
 
     Parameters
     ----------
-    crane : Crane
+    crane : Crane or HookCrane
     friction : Friction
     trajectory : LoadTrajectory
 
@@ -53,7 +56,9 @@ class Contacts:
         For anything but a Friction.
     """
 
-    def __init__(self, crane: Crane, friction: Friction, trajectory: LoadTrajectory) -> None:
+    def __init__(
+        self, crane: Crane | HookCrane, friction: Friction, trajectory: LoadTrajectory
+    ) -> None:
         self.resistance = resistance(crane, friction)
         self._trajectory = trajectory
         self._rubs = any(friction.coulomb) or any(friction.static)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_not_negative, sized
-from segfmu.crane.inverse import DRIVE_ACCELERATION, FORCE, VELOCITY, FlatInverse
+from segfmu.crane.inverse import FlatInverse
 from segfmu.planning.arrays import FloatArray
 
 AXES = ("bridge", "trolley", "hoist")
@@ -80,7 +80,7 @@ class Feedforward:
         return self._setpoints(t)[1]
 
     def state(self, t: ArrayLike) -> FloatArray:
-        """Reference state at times t, shape (..., 10)."""
+        """Reference state at times t, shape (..., 10), with a hook (..., 14)."""
         return self.inverse.state(np.asarray(t) - self.compensation.delay)
 
     def load(self, t: ArrayLike) -> FloatArray:
@@ -103,5 +103,6 @@ class Feedforward:
         """Setpoints for drives without dead time."""
         values = self.inverse.evaluate(t)
         lag = np.array(self.compensation.lag)
-        velocity = values[..., VELOCITY] + lag * values[..., DRIVE_ACCELERATION]
-        return values[..., FORCE], velocity
+        columns = self.inverse.model.columns
+        velocity = values[..., columns.velocity] + lag * values[..., columns.drive_acceleration]
+        return values[..., columns.force], velocity

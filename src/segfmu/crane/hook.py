@@ -4,11 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from segfmu.crane.checks import require_quantity
+import numpy as np
+from numpy.typing import ArrayLike
+
+from segfmu.crane.checks import require_positive, require_quantity, sized
 from segfmu.crane.parameters import CRANE, Crane
 from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError
-from segfmu.kernels.hook.records import HookMasses
+from segfmu.kernels import backend
+from segfmu.kernels.hook.records import (
+    HookFrequencies,
+    HookLinks,
+    HookMasses,
+    HookMotion,
+    HookState,
+    HookTension,
+)
+from segfmu.planning.arrays import FloatArray
 
 
 @dataclass(frozen=True)
@@ -48,6 +60,56 @@ class HookCrane:
     def masses(self) -> tuple[float, ...]:
         """The kernels' `HookMasses`: masses [kg], gravity [m/s2], the sling's length [m]."""
         return *self.crane.masses, self.hook_mass, self.sling
+
+    @property
+    def hook(self) -> tuple[float, float]:
+        """Mass of the hook [kg] and length of its sling [m]."""
+        return self.hook_mass, self.sling
+
+    def frequencies(self, rope: float) -> FloatArray:
+        """Both natural frequencies [rad/s] of small swings, the slower one first, shape (2,).
+
+        The carriages rest, and `rope` [m] leads from trolley to hook.
+
+        Raises
+        ------
+        InputError
+            For a length that is not positive.
+        """
+        require_positive("rope", rope)
+        found = np.zeros(HookFrequencies.SIZE)
+        backend.hook_frequencies(float(rope), np.array(self.masses), found)
+        return found
+
+    def load_motion(self, state: ArrayLike, tension: ArrayLike) -> FloatArray:
+        """Position of the load and three derivatives in a state, shape (4, 3).
+
+        The inverse of `FlatInverse`, as far as a state determines the load's path: higher
+        derivatives depend on what the drives do next.
+
+        Parameters
+        ----------
+        state : array_like, shape (14,)
+            x_t, y_t, l, both angles of the rope and of the sling, then their rates.
+        tension : array_like, shape (2,)
+            Force F_l of the hoist [N], below 0, and its derivative by time [N/s].
+
+        Raises
+        ------
+        InputError
+            For other numbers of values, and for a rope without length.
+        """
+        start = sized("state", state, HookState.SIZE)
+        if start[HookState.POSITION + 2] <= 0.0:
+            raise InputError(
+                f"state: rope length must be > 0 m, got {start[HookState.POSITION + 2]} m"
+            )
+        load = np.zeros((HookMotion.SIZE, HookMotion.COLUMNS))
+        backend.hook_load_motion(
+            start, sized("tension", tension, HookTension.SIZE), np.array(self.masses),
+            np.zeros((HookLinks.SIZE, HookLinks.COLUMNS)), load,
+        )
+        return load
 
     def values(self) -> dict[str, float]:
         """As FMU variables; a rope bound of 0 means none."""

@@ -13,7 +13,8 @@ from segfmu.crane.bounds import uses as bound_uses
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import Friction
-from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE, require_flat
+from segfmu.crane.flat_models import require_gantry
+from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE
 from segfmu.crane.limit_search import KEPT
 from segfmu.crane.operation import OperatedMotion
 from segfmu.crane.parameters import Crane
@@ -122,7 +123,7 @@ class Operator:
         if isinstance(start, Trajectory):
             smoothness = start.smoothness
         smoothness = checked_smoothness(smoothness)
-        require_flat(crane, 3, smoothness)
+        require_gantry(crane, 3, smoothness)
         if not isinstance(limits, Limits):
             raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
         require_bounds("bounds", bounds)

@@ -65,6 +65,11 @@ class Crane:
         """Bridge, trolley and payload mass [kg] and gravity [m/s2], as the kernels take them."""
         return self.bridge_mass, self.trolley_mass, self.payload_mass, self.gravity
 
+    @property
+    def hook(self) -> tuple[float, float]:
+        """Mass of the hook [kg] and length of its sling [m]: there is none."""
+        return 0.0, 0.0
+
     def plant(self, driven: bool, lag: ArrayLike = 0.0) -> FloatArray:
         """The kernels' `Plant` with ideal drives but for lags [s], scalar or (3,).
 

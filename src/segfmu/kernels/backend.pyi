@@ -406,6 +406,17 @@ def flat_derivatives(
     /,
 ) -> None: ...
 
+def hook_derivatives(
+    flat: Floats,
+    order: int,
+    masses: Floats,
+    hook_mass: float,
+    sling: float,
+    work: Floats,
+    found: Floats,
+    /,
+) -> None: ...
+
 def same_break(
     time: float,
     /,
@@ -570,6 +581,37 @@ def bound_uses(
     fault: Floats,
     /,
 ) -> int: ...
+
+def check_hook(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    masses: Floats,
+    hook_mass: float,
+    sling: float,
+    bounds: Floats,
+    polynomials: Floats,
+    work: Floats,
+    report: Floats,
+    /,
+) -> int: ...
+
+def hook_frequencies(
+    rope: float,
+    masses: Floats,
+    found: Floats,
+    /,
+) -> None: ...
+
+def hook_load_motion(
+    state: Floats,
+    tension: Floats,
+    masses: Floats,
+    work: Floats,
+    load: Floats,
+    /,
+) -> None: ...
 
 def begin_pace(
     most: float,

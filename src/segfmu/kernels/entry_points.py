@@ -70,9 +70,20 @@ from segfmu.kernels.crane.records import (
     RopeBounds,
     RopeFault,
     RopeWork,
+    SlingSeries,
     State,
     Vector,
     Work,
+)
+from segfmu.kernels.hook.records import (
+    HookFrequencies,
+    HookInverse,
+    HookLinks,
+    HookMasses,
+    HookMotion,
+    HookPath,
+    HookState,
+    HookTension,
 )
 from segfmu.kernels.limits.records import (
     AxisTask,
@@ -557,6 +568,24 @@ ENTRY_POINTS = (
     entry(
         "crane._series", "flat_derivatives", flat=("order + 5", 3), masses=Masses.SIZE,
         work=(FlatSeries.SIZE, "order + 3"), found=FlatInverse.SIZE,
+    ),
+    entry(
+        "hook.inverse", "hook_derivatives", flat=("order + 7", 3), masses=Masses.SIZE,
+        work=(SlingSeries.SIZE, "order + 5"), found=HookInverse.SIZE,
+    ),
+    entry(
+        "hook.rope", "check_hook", timing=("pieces", 2), coefficients=("pieces", "width"),
+        offsets=4, ends=Vector.SIZE, masses=Masses.SIZE, bounds=RopeBounds.SIZE,
+        polynomials=(RopeWork.SIZE, "4 * width - 5"), work=(HookPath.SIZE, HookPath.COLUMNS),
+        report=RopeFault.SIZE,
+    ),
+    entry(
+        "hook.swing", "hook_frequencies", masses=HookMasses.SIZE, found=HookFrequencies.SIZE
+    ),
+    entry(
+        "hook.swing", "hook_load_motion", state=HookState.SIZE, tension=HookTension.SIZE,
+        masses=HookMasses.SIZE, work=(HookLinks.SIZE, HookLinks.COLUMNS),
+        load=(HookMotion.SIZE, HookMotion.COLUMNS),
     ),
     entry("crane._crane", "crane_load", state=State.SIZE, load=(Load.SIZE, Load.COLUMNS)),
     entry(

@@ -141,6 +141,8 @@ ROPE_LIMITS = {
     RopeDemand.TAUT: "gravity, where the rope goes slack",
     RopeDemand.NOT_TOO_LONG: "rope_max",
     RopeDemand.NOT_TOO_SHORT: "rope_min",
+    RopeDemand.HOOK_TAUT: "gravity, where the rope goes slack",
+    RopeDemand.HOOK_BELOW_TROLLEY: "the trolley's height",
 }
 ROPE = Messages(
     "rope", RopeFault,
@@ -152,6 +154,9 @@ ROPE = Messages(
              "lower limits.z.acceleration"),
             (RopeDemand.NOT_TOO_LONG, "rope length", "m", "raise the waypoints or rope_max"),
             (RopeDemand.NOT_TOO_SHORT, "rope length", "m", "lower the waypoints or rope_min"),
+            (RopeDemand.HOOK_TAUT, "downward acceleration of hook and load", "m/s2",
+             "lower limits.z.acceleration"),
+            (RopeDemand.HOOK_BELOW_TROLLEY, "hook height z", "m", "lower the waypoints"),
         )
     },
 )

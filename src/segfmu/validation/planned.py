@@ -124,7 +124,7 @@ def sticking(task: Mission, trajectory: Trajectory) -> str:
     if (task.simulation.drive or task.simulated.drive) == "velocity" or not any(friction.static):
         return ""
     inverse = FlatInverse(task.build_crane(), trajectory, friction)
-    crane = inverse.crane
+    crane = task.build_crane()
     moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, crane.payload_mass)
     found = []
     for axis, rows in enumerate(inverse.contacts.rows):

@@ -175,6 +175,7 @@ static void series_quotient(array_double_1d a, array_double_1d b, int64_t count,
 static void series_root(array_double_1d a, int64_t count, array_double_1d found);
 static void series_exponential(array_double_1d a, int64_t count, array_double_1d found);
 static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
+static void suspension_derivatives(int64_t order, array_double_1d masses, array_double_2d work, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 static double compression(array_double_1d plant, int64_t axis, double position);
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity);
 static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array_double_1d plant, int64_t axis, double position, double velocity);
@@ -189,6 +190,11 @@ static double friction_force(array_double_1d resistance, int64_t axis, double ve
 static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d resistance, int64_t axis, double velocity, double deflection);
 static double deflection_rate(array_double_1d resistance, int64_t axis, double velocity, double deflection);
 static double first_deflection(array_double_1d resistance, int64_t axis, double velocity);
+static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work);
+static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work);
+static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work);
+static int64_t flat_orders(array_double_1d resistance);
+static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static double release_time(array_double_1d resistance, int64_t axis);
 static int64_t axis_motion(double* result_0, double* result_1, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
@@ -273,6 +279,11 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
+static void write_margins(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
+static bool is_dip(array_double_2d work);
+static void look_around(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
+static int64_t judge_margins(array_double_1d bounds, array_double_2d work, array_double_1d report);
+static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work);
 static double pace_between(double use, array_double_1d pace);
 static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
 static bool differs(int64_t i, array_double_1d bounds);
@@ -7167,12 +7178,11 @@ static void series_angle(array_double_1d y, array_double_1d x, array_double_1d s
         (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
     }
 }
-void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found)
+static void suspension_derivatives(int64_t order, array_double_1d masses, array_double_2d work, array_double_1d force, array_double_1d state, array_double_1d acceleration)
 {
     double bridge_mass;
     double trolley_mass;
     double payload_mass;
-    double gravity;
     array_double_1d x;
     array_double_1d y;
     array_double_1d z;
@@ -7197,7 +7207,6 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
     bridge_mass = (*cspan_at(&masses, INT64_C(0)));
     trolley_mass = (*cspan_at(&masses, INT64_C(1)));
     payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
     x = span_row(&work, INT64_C(0));
     y = span_row(&work, INT64_C(0) + INT64_C(1));
     z = span_row(&work, INT64_C(0) + INT64_C(2));
@@ -7217,13 +7226,6 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
     phi_x = span_row(&work, INT64_C(13) + INT64_C(3));
     phi_y = span_row(&work, INT64_C(13) + INT64_C(4));
     count = order + INT64_C(3);
-    series_of_derivatives(flat, INT64_C(0), INT64_C(0), count, x);
-    series_of_derivatives(flat, INT64_C(0), INT64_C(1), count, y);
-    series_of_derivatives(flat, INT64_C(0), INT64_C(2), count, z);
-    series_of_derivatives(flat, INT64_C(2), INT64_C(0), count, w_x);
-    series_of_derivatives(flat, INT64_C(2), INT64_C(1), count, w_y);
-    series_of_derivatives(flat, INT64_C(2), INT64_C(2), count, w_z);
-    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
     series_quotient(z, w_z, count, s0);
     series_product(w_y, w_y, count, s2);
     series_product(w_z, w_z, count, s3);
@@ -7243,14 +7245,41 @@ void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1
     series_angle(w_y, w_z, s1, count, s4, phi_y);
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&found, INT64_C(3) + INT64_C(0) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order);
-        (*cspan_at(&found, INT64_C(3) + INT64_C(5) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(1));
-        (*cspan_at(&found, INT64_C(13) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(2));
+        (*cspan_at(&state, INT64_C(0) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order);
+        (*cspan_at(&state, INT64_C(5) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(1));
+        (*cspan_at(&acceleration, i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(2));
     }
     scale = series_factorial(order);
-    (*cspan_at(&found, INT64_C(0))) = payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(0))) + (bridge_mass + trolley_mass) * (*cspan_at(&found, INT64_C(13)));
-    (*cspan_at(&found, INT64_C(0) + INT64_C(1))) = payload_mass * (*cspan_at(&flat, order + INT64_C(2), INT64_C(1))) + trolley_mass * (*cspan_at(&found, INT64_C(13) + INT64_C(1)));
-    (*cspan_at(&found, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
+    (*cspan_at(&force, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&acceleration, INT64_C(0))) + payload_mass * scale * (*cspan_at(&w_x, order));
+    (*cspan_at(&force, INT64_C(0) + INT64_C(1))) = trolley_mass * (*cspan_at(&acceleration, INT64_C(0) + INT64_C(1))) + payload_mass * scale * (*cspan_at(&w_y, order));
+    (*cspan_at(&force, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
+}
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found)
+{
+    double gravity;
+    array_double_1d x;
+    array_double_1d y;
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    int64_t count;
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    x = span_row(&work, INT64_C(0));
+    y = span_row(&work, INT64_C(0) + INT64_C(1));
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    count = order + INT64_C(3);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(0), count, x);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(1), count, y);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(2), count, z);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(0), count, w_x);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(1), count, w_y);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(2), count, w_z);
+    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
+    suspension_derivatives(order, masses, work, span_piece(&found, INT64_C(0), INT64_C(3)), span_piece(&found, INT64_C(3), INT64_C(13)), span_piece(&found, INT64_C(13), INT64_C(18)));
 }
 static double compression(array_double_1d plant, int64_t axis, double position)
 {
@@ -7455,6 +7484,127 @@ static double first_deflection(array_double_1d resistance, int64_t axis, double 
     result = (*cspan_at(&resistance, INT64_C(17))) * span_min(span_max(share, -1.0), 1.0);
     return result;
 }
+static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work)
+{
+    int64_t i;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d across;
+    array_double_1d size;
+    array_double_1d square;
+    array_double_1d part;
+    array_double_1d scratch;
+    int64_t k;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        series_of_derivatives(flat, INT64_C(0), i, count, span_row(&work, INT64_C(0) + i));
+        series_of_derivatives(flat, INT64_C(2), i, count, span_row(&work, INT64_C(3) + i));
+    }
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
+    across = span_row(&work, INT64_C(6));
+    size = span_row(&work, INT64_C(6) + INT64_C(1));
+    square = span_row(&work, INT64_C(6) + INT64_C(2));
+    part = span_row(&work, INT64_C(13));
+    scratch = span_row(&work, INT64_C(13) + INT64_C(1));
+    series_product(w_y, w_y, count, part);
+    series_product(w_z, w_z, count, scratch);
+    series_sum(part, scratch, count, across);
+    series_product(w_x, w_x, count, part);
+    series_sum(across, part, count, square);
+    series_angle(w_y, w_z, across, count, scratch, span_row(&work, INT64_C(21) + INT64_C(1)));
+    series_root(across, count, part);
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        (*cspan_at(&size, k)) = -(*cspan_at(&w_x, k));
+    }
+    series_angle(size, part, square, count, scratch, span_row(&work, INT64_C(21)));
+    series_root(square, count, size);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        series_quotient(span_row(&work, INT64_C(3) + i), size, count, span_row(&work, INT64_C(18) + i));
+    }
+}
+static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work)
+{
+    int64_t i;
+    array_double_1d path;
+    array_double_1d direction;
+    array_double_1d pull;
+    int64_t k;
+    array_double_1d upwards;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        path = span_row(&work, INT64_C(0) + i);
+        direction = span_row(&work, INT64_C(18) + i);
+        pull = span_row(&work, INT64_C(3) + i);
+        for (k = INT64_C(0); k < count; k += INT64_C(1))
+        {
+            (*cspan_at(&path, k)) = (*cspan_at(&path, k)) + sling * (*cspan_at(&direction, k));
+        }
+        for (k = INT64_C(0); k < count - INT64_C(2); k += INT64_C(1))
+        {
+            (*cspan_at(&pull, k)) = (*cspan_at(&pull, k)) + share * (k + 1.0) * (k + 2.0) * (*cspan_at(&path, k + INT64_C(2)));
+        }
+    }
+    upwards = span_row(&work, INT64_C(3) + INT64_C(2));
+    (*cspan_at(&upwards, INT64_C(0))) = (*cspan_at(&upwards, INT64_C(0))) + share * gravity;
+}
+static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work)
+{
+    double gravity;
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    write_links(flat, count, gravity, work);
+    climb_sling(count, hook_mass / (*cspan_at(&masses, INT64_C(2))), sling, gravity, work);
+}
+void segfmu_hook_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, double hook_mass, double sling, array_double_2d work, array_double_1d found)
+{
+    int64_t i;
+    int64_t k;
+    array_double_1d angle;
+    write_sling(flat, order + INT64_C(5), masses, hook_mass, sling, work);
+    suspension_derivatives(order, masses, work, span_piece(&found, INT64_C(0), INT64_C(3)), span_piece(&found, INT64_C(3), INT64_C(13)), span_piece(&found, INT64_C(13), INT64_C(18)));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        k = INT64_C(5) - INT64_C(1) - i;
+        (*cspan_at(&found, INT64_C(17) + k)) = (*cspan_at(&found, INT64_C(13) + k));
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        k = INT64_C(5) - INT64_C(1) - i;
+        (*cspan_at(&found, INT64_C(3) + INT64_C(7) + k)) = (*cspan_at(&found, INT64_C(3) + INT64_C(5) + k));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        angle = span_row(&work, INT64_C(21) + i);
+        (*cspan_at(&found, INT64_C(3) + INT64_C(5) + i)) = series_derivative(angle, order);
+        (*cspan_at(&found, INT64_C(3) + INT64_C(12) + i)) = series_derivative(angle, order + INT64_C(1));
+        (*cspan_at(&found, INT64_C(17) + INT64_C(5) + i)) = series_derivative(angle, order + INT64_C(2));
+    }
+}
+static int64_t flat_orders(array_double_1d resistance)
+{
+    if ((*cspan_at(&resistance, INT64_C(19))) > 0.0)
+    {
+        return INT64_C(7);
+    }
+    return INT64_C(5);
+}
+static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    if ((*cspan_at(&resistance, INT64_C(19))) > 0.0)
+    {
+        write_sling(flat, INT64_C(5), resistance, (*cspan_at(&resistance, INT64_C(18))), (*cspan_at(&resistance, INT64_C(19))), series);
+        suspension_derivatives(INT64_C(0), resistance, series, force, state, acceleration);
+    }
+    else
+    {
+        segfmu_crane_flat_inverse(flat, resistance, force, state, acceleration);
+    }
+}
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
     int64_t axis;
@@ -7556,7 +7706,7 @@ static double release_time(array_double_1d resistance, int64_t axis)
     mass = carriage_mass(resistance, axis);
     if (axis == INT64_C(2))
     {
-        mass = (*cspan_at(&resistance, INT64_C(2)));
+        mass = hanging_mass(resistance);
     }
     static_0001 = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
     result = 20.0 * sqrt((*cspan_at(&resistance, INT64_C(17))) * mass / (1.5 * static_0001));
@@ -7564,14 +7714,18 @@ static double release_time(array_double_1d resistance, int64_t axis)
 }
 static int64_t axis_motion(double* result_0, double* result_1, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work)
 {
+    array_double_1d crane;
     array_double_2d load;
+    array_double_2d series;
     int64_t axis;
     double position;
     double velocity;
-    load = span_rows(&work, INT64_C(5), INT64_C(10));
-    axis = (int64_t)((*cspan_at(&work, INT64_C(3), INT64_C(0))));
+    crane = span_row(&work, INT64_C(27));
+    load = span_rows(&work, INT64_C(28), INT64_C(28) + flat_orders(crane));
+    series = span_rows(&work, INT64_C(3), INT64_C(3) + INT64_C(23));
+    axis = (int64_t)((*cspan_at(&work, INT64_C(26), INT64_C(0))));
     segfmu_evaluate_orders(time, timing, coefficients, offsets, ends, load);
-    segfmu_crane_flat_inverse(load, span_row(&work, INT64_C(4)), span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
+    crane_inverse(load, crane, series, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
     position = (*cspan_at(&work, INT64_C(1), INT64_C(0) + axis));
     velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + axis));
     (*result_0) = position;
@@ -7671,7 +7825,7 @@ double segfmu_planned_friction(array_double_1d resistance, int64_t axis, double 
 static double stillness(array_double_2d work)
 {
     double result;
-    result = 1e-06 * (*cspan_at(&work, INT64_C(4), INT64_C(16)));
+    result = 1e-06 * (*cspan_at(&work, INT64_C(27), INT64_C(16)));
     return result;
 }
 static bool at_rest(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work)
@@ -7699,8 +7853,8 @@ static void add_contact(double time, bool rests, array_double_2d timing, array_d
     int64_t before;
     double position;
     double velocity;
-    history = span_row(&work, INT64_C(3));
-    resistance = span_row(&work, INT64_C(4));
+    history = span_row(&work, INT64_C(26));
+    resistance = span_row(&work, INT64_C(27));
     count = (int64_t)((*cspan_at(&history, INT64_C(1))));
     if ((count == INT64_C(0)) || (count >= contacts.shape[INT64_C(0)]))
     {
@@ -7736,7 +7890,7 @@ static double turning_point(double begin, double end, array_double_2d timing, ar
     {
         middle = 0.5 * (lower + upper);
         axis_motion(&position, &velocity, middle, timing, coefficients, offsets, ends, work);
-        if (velocity * (*cspan_at(&work, INT64_C(3), INT64_C(2))) > 0.0)
+        if (velocity * (*cspan_at(&work, INT64_C(26), INT64_C(2))) > 0.0)
         {
             lower = middle;
         }
@@ -7756,7 +7910,7 @@ static void add_turns(double begin, double end, array_double_2d timing, array_do
     double position;
     double velocity;
     double turn;
-    history = span_row(&work, INT64_C(3));
+    history = span_row(&work, INT64_C(26));
     before = begin;
     for (k = INT64_C(1); k < INT64_C(13); k += INT64_C(1))
     {
@@ -7781,7 +7935,7 @@ static void follow_contact(array_double_2d timing, array_double_2d coefficients,
     double time;
     double following;
     bool rests;
-    history = span_row(&work, INT64_C(3));
+    history = span_row(&work, INT64_C(26));
     rested = 0;
     time = 0.0;
     following = next_break(time, timing, offsets, ends);
@@ -7817,7 +7971,7 @@ static double sliding_time(int64_t row, double end, array_double_2d timing, arra
     double velocity;
     double deflection;
     double upper;
-    resistance = span_row(&work, INT64_C(4));
+    resistance = span_row(&work, INT64_C(27));
     lower = (*cspan_at(&contacts, row, INT64_C(0)));
     if ((*cspan_at(&contacts, row, INT64_C(3))) > 0.0)
     {
@@ -7850,7 +8004,7 @@ static double fading_time(double time, double end, array_double_2d timing, array
     int64_t Dummy_0000;
     double position;
     double velocity;
-    faded = 3.0 * (*cspan_at(&work, INT64_C(4), INT64_C(16)));
+    faded = 3.0 * (*cspan_at(&work, INT64_C(27), INT64_C(16)));
     share = 0.5;
     fast = 1;
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(40); Dummy_0000 += INT64_C(1))
@@ -7876,11 +8030,11 @@ static void settle_contact(int64_t row, array_double_2d timing, array_double_2d 
     double slides;
     double begun;
     double settled;
-    resistance = span_row(&work, INT64_C(4));
-    axis = (int64_t)((*cspan_at(&work, INT64_C(3), INT64_C(0))));
+    resistance = span_row(&work, INT64_C(27));
+    axis = (int64_t)((*cspan_at(&work, INT64_C(26), INT64_C(0))));
     time = (*cspan_at(&contacts, row, INT64_C(0)));
     end = time;
-    if (row + INT64_C(1) < (int64_t)((*cspan_at(&work, INT64_C(3), INT64_C(1)))))
+    if (row + INT64_C(1) < (int64_t)((*cspan_at(&work, INT64_C(26), INT64_C(1)))))
     {
         end = (*cspan_at(&contacts, row + INT64_C(1), INT64_C(0)));
     }
@@ -7913,9 +8067,9 @@ int64_t segfmu_contact_history(int64_t axis, array_double_2d timing, array_doubl
     int64_t count;
     for (i = INT64_C(0); i < INT64_C(20); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(4), i)) = (*cspan_at(&resistance, i));
+        (*cspan_at(&work, INT64_C(27), i)) = (*cspan_at(&resistance, i));
     }
-    history = span_row(&work, INT64_C(3));
+    history = span_row(&work, INT64_C(26));
     (*cspan_at(&history, INT64_C(0))) = axis;
     (*cspan_at(&history, INT64_C(1))) = 1.0;
     (*cspan_at(&history, INT64_C(2))) = 0.0;
@@ -7989,10 +8143,12 @@ double segfmu_next_contact_event(double time, double start, array_double_2d cont
 }
 static void motion_demand(array_double_2d flat, double time, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_1d demand)
 {
+    array_double_2d series;
     int64_t k;
     double velocity;
     double force;
-    segfmu_crane_flat_inverse(flat, resistance, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
+    series = span_rows(&work, INT64_C(3), INT64_C(3) + INT64_C(23));
+    crane_inverse(flat, resistance, series, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
     for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
     {
         velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + k));
@@ -9138,7 +9294,7 @@ static void write_transform(array_double_2d work)
                 weight = 0.5 * weight;
             }
             angle = 3.141592653589793 * k * (last - j) / last;
-            (*cspan_at(&work, INT64_C(58) + k, j)) = weight * cos(angle);
+            (*cspan_at(&work, INT64_C(83) + k, j)) = weight * cos(angle);
         }
     }
 }
@@ -9146,8 +9302,8 @@ static void demand_at(double time, int64_t row, array_double_2d timing, array_do
 {
     array_double_2d load;
     array_double_1d near;
-    load = span_rows(&work, INT64_C(3), INT64_C(8));
-    near = span_row(&work, INT64_C(57));
+    load = span_rows(&work, INT64_C(26), INT64_C(26) + flat_orders(resistance));
+    near = span_row(&work, INT64_C(82));
     evaluate_near(time, near, timing, coefficients, offsets, ends, load);
     motion_demand(load, time, resistance, contacts, work, span_row(&work, row));
 }
@@ -9156,12 +9312,12 @@ static void note_value(double time, array_double_2d timing, array_double_2d coef
     int64_t i;
     int64_t side;
     double value;
-    demand_at(time, INT64_C(56), timing, coefficients, offsets, ends, resistance, contacts, work);
+    demand_at(time, INT64_C(81), timing, coefficients, offsets, ends, resistance, contacts, work);
     for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
     {
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
-            value = (1.0 - 2.0 * side) * (*cspan_at(&work, INT64_C(56), i));
+            value = (1.0 - 2.0 * side) * (*cspan_at(&work, INT64_C(81), i));
             if (value > (*cspan_at(&peaks, side, i)))
             {
                 (*cspan_at(&peaks, side, i)) = value;
@@ -9214,7 +9370,7 @@ static void sample_demands(double begin, double end, array_double_2d timing, arr
     for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
     {
         time = begin + 0.5 * (end - begin) * (1.0 + cos(3.141592653589793 * (last - j) / last));
-        demand_at(time, INT64_C(8) + j, timing, coefficients, offsets, ends, resistance, contacts, work);
+        demand_at(time, INT64_C(33) + j, timing, coefficients, offsets, ends, resistance, contacts, work);
     }
 }
 static void enlarge_scale(array_double_2d work)
@@ -9225,7 +9381,7 @@ static void enlarge_scale(array_double_2d work)
     {
         for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(55), i)) = span_max((*cspan_at(&work, INT64_C(55), i)), fabs((*cspan_at(&work, INT64_C(8) + j, i))));
+            (*cspan_at(&work, INT64_C(80), i)) = span_max((*cspan_at(&work, INT64_C(80), i)), fabs((*cspan_at(&work, INT64_C(33) + j, i))));
         }
     }
 }
@@ -9236,7 +9392,7 @@ static void share_scale(array_double_2d work)
     int64_t last;
     double most;
     int64_t i;
-    scale = span_row(&work, INT64_C(55));
+    scale = span_row(&work, INT64_C(80));
     for (group = INT64_C(0); group < INT64_C(14); group += INT64_C(3))
     {
         last = span_min_int(group + INT64_C(3), INT64_C(14));
@@ -9275,24 +9431,24 @@ static bool is_resolved(int64_t depth, array_double_2d work)
             total = 0.0;
             for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
             {
-                total = total + (*cspan_at(&work, INT64_C(58) + k, j)) * (*cspan_at(&work, INT64_C(8) + j, i));
+                total = total + (*cspan_at(&work, INT64_C(83) + k, j)) * (*cspan_at(&work, INT64_C(33) + j, i));
             }
-            (*cspan_at(&work, INT64_C(25) + k, i)) = total;
+            (*cspan_at(&work, INT64_C(50) + k, i)) = total;
         }
-        last = INT64_C(25) + INT64_C(17) - INT64_C(1);
+        last = INT64_C(50) + INT64_C(17) - INT64_C(1);
         tail = span_max(fabs((*cspan_at(&work, last, i))), fabs((*cspan_at(&work, last - INT64_C(1), i))));
-        scale = (*cspan_at(&work, INT64_C(55), i));
+        scale = (*cspan_at(&work, INT64_C(80), i));
         rounding = 0;
         if (depth > INT64_C(0))
         {
-            before = (*cspan_at(&work, INT64_C(42) + depth - INT64_C(1), i));
+            before = (*cspan_at(&work, INT64_C(67) + depth - INT64_C(1), i));
             rounding = (tail <= 1e-05 * scale) && (tail > 0.1 * before);
         }
         if ((tail > 1e-11 * scale) && (!rounding))
         {
             resolved = 0;
         }
-        (*cspan_at(&work, INT64_C(42) + depth, i)) = tail;
+        (*cspan_at(&work, INT64_C(67) + depth, i)) = tail;
     }
     return resolved || (depth == INT64_C(12));
 }
@@ -9308,12 +9464,12 @@ static double series_value(int64_t i, double place, array_double_2d work)
     first = 0.0;
     for (j = INT64_C(0); j < INT64_C(17) - INT64_C(1); j += INT64_C(1))
     {
-        coefficient = (*cspan_at(&work, INT64_C(25) + INT64_C(17) - INT64_C(1) - j, i));
+        coefficient = (*cspan_at(&work, INT64_C(50) + INT64_C(17) - INT64_C(1) - j, i));
         value = coefficient + 2.0 * place * first - second;
         second = first;
         first = value;
     }
-    result = (*cspan_at(&work, INT64_C(25), i)) + place * first - second;
+    result = (*cspan_at(&work, INT64_C(50), i)) + place * first - second;
     return result;
 }
 static double peak_place(int64_t i, double sign, array_double_2d work)
@@ -9380,14 +9536,14 @@ static void note_peaks(double start, double length, array_double_2d timing, arra
         room = 0.0;
         for (k = INT64_C(1); k < INT64_C(17); k += INT64_C(1))
         {
-            room = room + fabs((*cspan_at(&work, INT64_C(25) + k, i)));
+            room = room + fabs((*cspan_at(&work, INT64_C(50) + k, i)));
         }
-        rounding = 1e-13 * (fabs((*cspan_at(&work, INT64_C(25), i))) + room);
+        rounding = 1e-13 * (fabs((*cspan_at(&work, INT64_C(50), i))) + room);
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             sign = 1.0 - 2.0 * side;
             known = (*cspan_at(&peaks, side, i)) - rounding;
-            if (sign * (*cspan_at(&work, INT64_C(25), i)) + room > known)
+            if (sign * (*cspan_at(&work, INT64_C(50), i)) + room > known)
             {
                 place = peak_place(i, sign, work);
                 if (sign * series_value(i, place, work) > known)
@@ -9443,7 +9599,7 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
     }
     for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(55), i)) = 0.0;
+        (*cspan_at(&work, INT64_C(80), i)) = 0.0;
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             (*cspan_at(&peaks, side, i)) = 0.0;
@@ -10296,6 +10452,263 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
     }
     return status;
 }
+static void write_margins(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work)
+{
+    double tolerance;
+    array_double_2d motion;
+    array_double_1d margins;
+    double share;
+    double w_x;
+    double w_y;
+    double w_z;
+    double depth;
+    double length;
+    int64_t i;
+    tolerance = 1e-09;
+    motion = span_rows(&work, INT64_C(23), INT64_C(28));
+    margins = span_row(&work, INT64_C(29) + INT64_C(2));
+    segfmu_evaluate_orders(time, timing, coefficients, offsets, ends, motion);
+    share = hook_mass / (*cspan_at(&masses, INT64_C(2)));
+    write_sling(motion, INT64_C(3), masses, hook_mass, sling, work);
+    w_x = (*cspan_at(&work, INT64_C(3), INT64_C(0)));
+    w_y = (*cspan_at(&work, INT64_C(3) + INT64_C(1), INT64_C(0)));
+    w_z = (*cspan_at(&work, INT64_C(3) + INT64_C(2), INT64_C(0)));
+    depth = -(*cspan_at(&work, INT64_C(0) + INT64_C(2), INT64_C(0)));
+    (*cspan_at(&margins, INT64_C(0))) = w_z / (1.0 + share) - tolerance * (*cspan_at(&masses, INT64_C(3)));
+    (*cspan_at(&margins, INT64_C(1))) = depth - tolerance;
+    (*cspan_at(&margins, INT64_C(2))) = 1e+300;
+    (*cspan_at(&margins, INT64_C(3))) = 1e+300;
+    if ((w_z > 0.0) && (depth > 0.0))
+    {
+        length = depth * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
+        if ((*cspan_at(&bounds, INT64_C(2))) > 0.0)
+        {
+            (*cspan_at(&margins, INT64_C(2))) = (*cspan_at(&bounds, INT64_C(2))) * (1.0 + tolerance) - length;
+        }
+        if ((*cspan_at(&bounds, INT64_C(1))) > 0.0)
+        {
+            (*cspan_at(&margins, INT64_C(3))) = length - (*cspan_at(&bounds, INT64_C(1))) * (1.0 - tolerance);
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(33), i)) = span_min((*cspan_at(&work, INT64_C(33), i)), (*cspan_at(&margins, i)));
+        if ((*cspan_at(&margins, i)) < 0.0)
+        {
+            (*cspan_at(&work, INT64_C(32), i)) = span_min((*cspan_at(&work, INT64_C(32), i)), time);
+        }
+    }
+}
+static bool is_dip(array_double_2d work)
+{
+    int64_t i;
+    double before;
+    double middle;
+    double after;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        before = (*cspan_at(&work, INT64_C(29), i));
+        middle = (*cspan_at(&work, INT64_C(29) + INT64_C(1), i));
+        after = (*cspan_at(&work, INT64_C(29) + INT64_C(2), i));
+        if ((middle <= span_min(before, after)) && (2.0 * middle < span_max(before, after)))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static void look_around(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work)
+{
+    int64_t count;
+    int64_t j;
+    int64_t i;
+    double time;
+    double lower;
+    int64_t k;
+    count = INT64_C(32);
+    for (j = INT64_C(0); j < count + INT64_C(1); j += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(29), i)) = (*cspan_at(&work, INT64_C(29) + INT64_C(1), i));
+            (*cspan_at(&work, INT64_C(29) + INT64_C(1), i)) = (*cspan_at(&work, INT64_C(29) + INT64_C(2), i));
+        }
+        time = begin + (end - begin) * j / count;
+        write_margins(time, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work);
+        if ((j > INT64_C(1)) && is_dip(work))
+        {
+            lower = begin + (end - begin) * (j - INT64_C(2)) / count;
+            for (k = INT64_C(1); k < count; k += INT64_C(1))
+            {
+                write_margins(lower + (time - lower) * k / count, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work);
+            }
+            write_margins(time, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work);
+        }
+    }
+}
+static int64_t judge_margins(array_double_1d bounds, array_double_2d work, array_double_1d report)
+{
+    array_double_1d first;
+    array_double_1d least;
+    first = span_row(&work, INT64_C(32));
+    least = span_row(&work, INT64_C(33));
+    if ((*cspan_at(&first, INT64_C(0))) < 1e+300)
+    {
+        (*cspan_at(&report, INT64_C(0))) = (*cspan_at(&first, INT64_C(0)));
+        (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&bounds, INT64_C(0)));
+        (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&bounds, INT64_C(0))) - (*cspan_at(&least, INT64_C(0)));
+        return INT64_C(5);
+    }
+    if ((*cspan_at(&first, INT64_C(1))) < 1e+300)
+    {
+        (*cspan_at(&report, INT64_C(0))) = (*cspan_at(&first, INT64_C(1)));
+        (*cspan_at(&report, INT64_C(2))) = 0.0;
+        (*cspan_at(&report, INT64_C(1))) = -(*cspan_at(&least, INT64_C(1)));
+        return INT64_C(6);
+    }
+    if ((*cspan_at(&first, INT64_C(2))) < 1e+300)
+    {
+        (*cspan_at(&report, INT64_C(0))) = (*cspan_at(&first, INT64_C(2)));
+        (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&bounds, INT64_C(2)));
+        (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&bounds, INT64_C(2))) - (*cspan_at(&least, INT64_C(2)));
+        return INT64_C(3);
+    }
+    if ((*cspan_at(&first, INT64_C(3))) < 1e+300)
+    {
+        (*cspan_at(&report, INT64_C(0))) = (*cspan_at(&first, INT64_C(3)));
+        (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&bounds, INT64_C(1)));
+        (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&bounds, INT64_C(1))) + (*cspan_at(&least, INT64_C(3)));
+        return INT64_C(4);
+    }
+    return INT64_C(0);
+}
+int64_t segfmu_check_hook(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d polynomials, array_double_2d work, array_double_1d report)
+{
+    array_double_1d free;
+    int64_t i;
+    double begin;
+    double end;
+    int64_t status;
+    free = span_row(&work, INT64_C(28));
+    (*cspan_at(&free, INT64_C(0))) = (*cspan_at(&bounds, INT64_C(0)));
+    (*cspan_at(&free, INT64_C(1))) = 0.0;
+    (*cspan_at(&free, INT64_C(2))) = 0.0;
+    status = segfmu_check_rope(timing, coefficients, offsets, free, polynomials, report);
+    if (status != INT64_C(0))
+    {
+        return status;
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(32), i)) = 1e+300;
+        (*cspan_at(&work, INT64_C(33), i)) = 1e+300;
+    }
+    begin = 0.0;
+    end = next_break(begin, timing, offsets, ends);
+    write_margins(begin, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work);
+    while(end < 1e+300)
+    {
+        look_around(begin, end, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work);
+        begin = end;
+        end = next_break(begin, timing, offsets, ends);
+    }
+    status = judge_margins(bounds, work, report);
+    return status;
+}
+void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found)
+{
+    double gravity;
+    double sling;
+    double hook;
+    double total;
+    double length;
+    double middle;
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    hook = (*cspan_at(&masses, INT64_C(4)));
+    total = hook + (*cspan_at(&masses, INT64_C(2)));
+    length = rope + sling;
+    middle = 0.5 * (length + sqrt(length * length - 4.0 * hook * rope * sling / total));
+    (*cspan_at(&found, INT64_C(0))) = sqrt(gravity / middle);
+    (*cspan_at(&found, INT64_C(1))) = sqrt(gravity * total * middle / (hook * rope * sling));
+}
+static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work)
+{
+    double sine;
+    double cosine;
+    double across;
+    double upright;
+    double first;
+    double second;
+    array_double_1d direction;
+    array_double_1d turn;
+    sine = sin((*cspan_at(&state, angle)));
+    cosine = cos((*cspan_at(&state, angle)));
+    across = sin((*cspan_at(&state, angle + INT64_C(1))));
+    upright = cos((*cspan_at(&state, angle + INT64_C(1))));
+    first = (*cspan_at(&state, rate));
+    second = (*cspan_at(&state, rate + INT64_C(1)));
+    direction = span_row(&work, row);
+    turn = span_row(&work, row + INT64_C(1));
+    (*cspan_at(&direction, INT64_C(0))) = -sine;
+    (*cspan_at(&direction, INT64_C(1))) = cosine * across;
+    (*cspan_at(&direction, INT64_C(2))) = cosine * upright;
+    (*cspan_at(&turn, INT64_C(0))) = (-cosine) * first;
+    (*cspan_at(&turn, INT64_C(1))) = (-sine) * across * first + cosine * upright * second;
+    (*cspan_at(&turn, INT64_C(2))) = (-sine) * upright * first - cosine * across * second;
+}
+void segfmu_hook_load_motion(array_double_1d state, array_double_1d tension, array_double_1d masses, array_double_2d work, array_double_2d load)
+{
+    double hook;
+    double payload;
+    double sling;
+    double length;
+    double pull;
+    double change;
+    double along;
+    double turning;
+    int64_t i;
+    double share;
+    double sling_pull;
+    double gain;
+    hook = (*cspan_at(&masses, INT64_C(4)));
+    payload = (*cspan_at(&masses, INT64_C(2)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    write_direction(state, INT64_C(3), INT64_C(10), INT64_C(0), work);
+    write_direction(state, INT64_C(5), INT64_C(12), INT64_C(2), work);
+    pull = -(*cspan_at(&tension, INT64_C(0)));
+    change = -(*cspan_at(&tension, INT64_C(1)));
+    along = 0.0;
+    turning = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        along = along + (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(2), i));
+        turning = turning + (*cspan_at(&work, INT64_C(3), i)) * (*cspan_at(&work, INT64_C(3), i));
+    }
+    share = payload / (hook + payload);
+    sling_pull = share * (pull * along + hook * sling * turning);
+    gain = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(4), i)) = ((pull * (*cspan_at(&work, INT64_C(0), i)) - sling_pull * (*cspan_at(&work, INT64_C(2), i))) / hook - sling_pull * (*cspan_at(&work, INT64_C(2), i)) / payload) / sling;
+        gain = gain + (change * (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(2), i)) + pull * (*cspan_at(&work, INT64_C(1), i)) * (*cspan_at(&work, INT64_C(2), i)) + pull * (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(3), i)) + 2.0 * hook * sling * (*cspan_at(&work, INT64_C(3), i)) * (*cspan_at(&work, INT64_C(4), i)));
+    }
+    gain = share * gain;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&load, INT64_C(0), i)) = (-length) * (*cspan_at(&work, INT64_C(0), i)) - sling * (*cspan_at(&work, INT64_C(2), i));
+        (*cspan_at(&load, INT64_C(1), i)) = (-(*cspan_at(&state, INT64_C(7) + INT64_C(2)))) * (*cspan_at(&work, INT64_C(0), i)) - length * (*cspan_at(&work, INT64_C(1), i)) - sling * (*cspan_at(&work, INT64_C(3), i));
+        (*cspan_at(&load, INT64_C(2), i)) = sling_pull * (*cspan_at(&work, INT64_C(2), i)) / payload;
+        (*cspan_at(&load, INT64_C(3), i)) = (gain * (*cspan_at(&work, INT64_C(2), i)) + sling_pull * (*cspan_at(&work, INT64_C(3), i))) / payload;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&load, INT64_C(0), i)) = (*cspan_at(&load, INT64_C(0), i)) + (*cspan_at(&state, i));
+        (*cspan_at(&load, INT64_C(1), i)) = (*cspan_at(&load, INT64_C(1), i)) + (*cspan_at(&state, INT64_C(7) + i));
+    }
+    (*cspan_at(&load, INT64_C(2), INT64_C(2))) = (*cspan_at(&load, INT64_C(2), INT64_C(2))) - (*cspan_at(&masses, INT64_C(3)));
+}
 void segfmu_begin_pace(double most, double full, array_double_1d pace)
 {
     (*cspan_at(&pace, INT64_C(0))) = 1.0;
@@ -10536,7 +10949,7 @@ void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d v
         write_floors(axis, velocities, accelerations, row);
         if (axis == INT64_C(2))
         {
-            (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = (*cspan_at(&resistance, INT64_C(2))) * (*cspan_at(&resistance, INT64_C(3)));
+            (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = hanging_mass(resistance) * (*cspan_at(&resistance, INT64_C(3)));
         }
     }
 }
@@ -10704,7 +11117,7 @@ static double least_of(double limit, double bound)
 static double rigid_mass(int64_t axis, array_double_1d resistance)
 {
     double mass;
-    mass = (*cspan_at(&resistance, INT64_C(2)));
+    mass = hanging_mass(resistance);
     if (axis < INT64_C(2))
     {
         mass = mass + (*cspan_at(&resistance, INT64_C(1)));

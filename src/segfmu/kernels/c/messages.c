@@ -169,6 +169,23 @@ bool segfmu_rope_message(
             report[ROPE_FAULT_BOUND],
             report[ROPE_FAULT_WORST]);
         return true;
+    case 5:
+        snprintf(text, size,
+            "at %.3f s: downward acceleration of hook and load passes gravity, where the "
+            "rope goes slack, %.6g m/s2, and reaches %.6g m/s2; lower "
+            "limits.z.acceleration",
+            report[ROPE_FAULT_TIME],
+            report[ROPE_FAULT_BOUND],
+            report[ROPE_FAULT_WORST]);
+        return true;
+    case 6:
+        snprintf(text, size,
+            "at %.3f s: hook height z passes the trolley's height, %.6g m, and reaches "
+            "%.6g m; lower the waypoints",
+            report[ROPE_FAULT_TIME],
+            report[ROPE_FAULT_BOUND],
+            report[ROPE_FAULT_WORST]);
+        return true;
     default:
         return false;
     }

@@ -1531,6 +1531,47 @@ static PyObject *call_flat_derivatives(
     return answer;
 }
 
+static PyObject *call_hook_derivatives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "hook_derivatives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_flat;
+    int64_t in_order;
+    Py_buffer *in_masses;
+    double in_hook_mass;
+    double in_sling;
+    Py_buffer *in_work;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_flat = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_order)
+        && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
+        && take_float(&call, 3, &in_hook_mass)
+        && take_float(&call, 4, &in_sling)
+        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_found = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "flat", 0, in_flat->shape[0], (in_order + 7))
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 23)
+        && has_at_least(&call, "work", 1, in_work->shape[1], (in_order + 5))
+        && has_at_least(&call, "found", 0, in_found->shape[0], 24)) {
+        segfmu_hook_derivatives(
+            (array_double_2d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1]}},
+            in_order,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            in_hook_mass,
+            in_sling,
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_same_break(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1703,7 +1744,7 @@ static PyObject *call_contact_history(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 10)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 35)
         && has_at_least(&call, "work", 1, in_work->shape[1], 20)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
@@ -1773,7 +1814,7 @@ static PyObject *call_drive_demands(
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 3)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 26)
         && has_at_least(&call, "work", 1, in_work->shape[1], 10)
         && has_at_least(&call, "demands", 1, in_demands->shape[1], 14)) {
         segfmu_drive_demands(
@@ -1895,7 +1936,7 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 75)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 100)
         && has_at_least(&call, "work", 1, in_work->shape[1], 17)
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
         && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
@@ -1953,7 +1994,7 @@ static PyObject *call_demand_samples(
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 75)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 100)
         && has_at_least(&call, "work", 1, in_work->shape[1], 17)
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
         && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
@@ -2151,6 +2192,127 @@ static PyObject *call_bound_uses(
             (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
             (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_hook(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_hook", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_masses;
+    double in_hook_mass;
+    double in_sling;
+    Py_buffer *in_bounds;
+    Py_buffer *in_polynomials;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_float(&call, 5, &in_hook_mass)
+        && take_float(&call, 6, &in_sling)
+        && (in_bounds = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_polynomials = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 10, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
+        && has_at_least(&call, "polynomials", 0, in_polynomials->shape[0], 52)
+        && has_at_least(&call, "polynomials", 1, in_polynomials->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 34)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 4)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_check_hook(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            in_hook_mass,
+            in_sling,
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_polynomials->buf, {in_polynomials->shape[0], in_polynomials->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_hook_frequencies(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "hook_frequencies", .values = values};
+    PyObject *answer = NULL;
+    double in_rope;
+    Py_buffer *in_masses;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_rope)
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_found = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 6)
+        && has_at_least(&call, "found", 0, in_found->shape[0], 2)) {
+        segfmu_hook_frequencies(
+            in_rope,
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_hook_load_motion(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "hook_load_motion", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_tension;
+    Py_buffer *in_masses;
+    Py_buffer *in_work;
+    Py_buffer *in_load;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_tension = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_load = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 14)
+        && has_at_least(&call, "tension", 0, in_tension->shape[0], 2)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 6)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 5)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 3)
+        && has_at_least(&call, "load", 0, in_load->shape[0], 4)
+        && has_at_least(&call, "load", 1, in_load->shape[1], 3)) {
+        segfmu_hook_load_motion(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_tension->buf, {in_tension->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_load->buf, {in_load->shape[0], in_load->shape[1]}});
+        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -4762,6 +4924,7 @@ static PyMethodDef methods[] = {
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
+    {"hook_derivatives", (PyCFunction)(void (*)(void))call_hook_derivatives, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
@@ -4780,6 +4943,9 @@ static PyMethodDef methods[] = {
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
+    {"check_hook", (PyCFunction)(void (*)(void))call_check_hook, METH_FASTCALL, NULL},
+    {"hook_frequencies", (PyCFunction)(void (*)(void))call_hook_frequencies, METH_FASTCALL, NULL},
+    {"hook_load_motion", (PyCFunction)(void (*)(void))call_hook_load_motion, METH_FASTCALL, NULL},
     {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
     {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
     {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},

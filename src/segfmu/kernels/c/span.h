@@ -45,6 +45,12 @@ static inline array_double_2d span_rows(const array_double_2d *a, int64_t first,
 }
 
 /* a[first:last] */
+static inline array_double_1d span_piece(const array_double_1d *a, int64_t first, int64_t last)
+{
+    array_double_1d piece = {a->data + first, {last - first}};
+    return piece;
+}
+
 static inline array_int64_t_1d span_part(const array_int64_t_1d *a, int64_t first, int64_t last)
 {
     array_int64_t_1d part = {a->data + first, {last - first}};

@@ -3,7 +3,7 @@
 Source: crane/flatness.py, in arithmetic with Taylor series.
 """
 
-from segfmu.kernels.crane.records import Coordinates, FlatInverse, FlatSeries, Masses, State
+from segfmu.kernels.crane.records import Axes, Coordinates, FlatInverse, FlatSeries, Masses, State
 from segfmu.kernels.numerics.series import (
     series_angle,
     series_derivative,
@@ -26,10 +26,40 @@ def flat_derivatives(
     flat (order + 5, 3) holds the derivatives 0 .. order + 4 of the load's position; masses
     (Masses.SIZE), work (FlatSeries.SIZE, order + 3 or more), found (FlatInverse.SIZE).
     """
+    gravity = masses[Masses.GRAVITY]
+    x = work[FlatSeries.LOAD, :]
+    y = work[FlatSeries.LOAD + 1, :]
+    z = work[FlatSeries.LOAD + 2, :]
+    w_x = work[FlatSeries.PULL, :]
+    w_y = work[FlatSeries.PULL + 1, :]
+    w_z = work[FlatSeries.PULL + 2, :]
+    count = order + 3
+    series_of_derivatives(flat, 0, 0, count, x)
+    series_of_derivatives(flat, 0, 1, count, y)
+    series_of_derivatives(flat, 0, 2, count, z)
+    series_of_derivatives(flat, 2, 0, count, w_x)
+    series_of_derivatives(flat, 2, 1, count, w_y)
+    series_of_derivatives(flat, 2, 2, count, w_z)
+    w_z[0] = w_z[0] + gravity
+    suspension_derivatives(
+        order, masses, work, found[FlatInverse.FORCE:FlatInverse.STATE],
+        found[FlatInverse.STATE:FlatInverse.ACCELERATION],
+        found[FlatInverse.ACCELERATION:FlatInverse.SIZE],
+    )
+
+
+def suspension_derivatives(
+    order: int, masses: 'float[:]', work: 'float[:,:]',
+    force: 'float[:]', state: 'float[:]', acceleration: 'float[:]',
+) -> None:
+    """The same for what hangs on the rope, by the series LOAD of its path and PULL of the rope.
+
+    Both have order + 3 terms or more; PULL is the rope's force per mass of the load. The results
+    are those of `crane_flat_inverse`.
+    """
     bridge_mass = masses[Masses.BRIDGE_MASS]
     trolley_mass = masses[Masses.TROLLEY_MASS]
     payload_mass = masses[Masses.PAYLOAD_MASS]
-    gravity = masses[Masses.GRAVITY]
     x = work[FlatSeries.LOAD, :]
     y = work[FlatSeries.LOAD + 1, :]
     z = work[FlatSeries.LOAD + 2, :]
@@ -49,13 +79,6 @@ def flat_derivatives(
     phi_x = work[FlatSeries.COORDINATES + 3, :]
     phi_y = work[FlatSeries.COORDINATES + 4, :]
     count = order + 3
-    series_of_derivatives(flat, 0, 0, count, x)
-    series_of_derivatives(flat, 0, 1, count, y)
-    series_of_derivatives(flat, 0, 2, count, z)
-    series_of_derivatives(flat, 2, 0, count, w_x)
-    series_of_derivatives(flat, 2, 1, count, w_y)
-    series_of_derivatives(flat, 2, 2, count, w_z)
-    w_z[0] = w_z[0] + gravity
     # s0 = z/w_z
     series_quotient(z, w_z, count, s0)
     # s1 = w_y**2 + w_z**2
@@ -83,13 +106,11 @@ def flat_derivatives(
     # phi_y = atan2(w_y, w_z)
     series_angle(w_y, w_z, s1, count, s4, phi_y)
     for i in range(Coordinates.SIZE):
-        found[FlatInverse.STATE + State.POSITION + i] = series_derivative(
-            work[FlatSeries.COORDINATES + i, :], order)
-        found[FlatInverse.STATE + State.VELOCITY + i] = series_derivative(
+        state[State.POSITION + i] = series_derivative(work[FlatSeries.COORDINATES + i, :], order)
+        state[State.VELOCITY + i] = series_derivative(
             work[FlatSeries.COORDINATES + i, :], order + 1)
-        found[FlatInverse.ACCELERATION + i] = series_derivative(
-            work[FlatSeries.COORDINATES + i, :], order + 2)
+        acceleration[i] = series_derivative(work[FlatSeries.COORDINATES + i, :], order + 2)
     scale = series_factorial(order)
-    found[FlatInverse.FORCE] = payload_mass*flat[order + 2, 0] + (bridge_mass + trolley_mass)*found[FlatInverse.ACCELERATION]
-    found[FlatInverse.FORCE + 1] = payload_mass*flat[order + 2, 1] + trolley_mass*found[FlatInverse.ACCELERATION + 1]
-    found[FlatInverse.FORCE + 2] = -payload_mass*scale*s3[order]
+    force[Axes.BRIDGE] = (bridge_mass + trolley_mass)*acceleration[Coordinates.POSITION] + payload_mass*scale*w_x[order]
+    force[Axes.BRIDGE + 1] = trolley_mass*acceleration[Coordinates.POSITION + 1] + payload_mass*scale*w_y[order]
+    force[Axes.BRIDGE + 2] = -payload_mass*scale*s3[order]

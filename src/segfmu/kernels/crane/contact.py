@@ -15,8 +15,7 @@ trajectory/evaluate.py.
 
 from math import sqrt
 
-from segfmu.kernels.crane._crane import crane_flat_inverse
-from segfmu.kernels.crane.bounds import carriage_mass
+from segfmu.kernels.crane.bounds import carriage_mass, hanging_mass
 from segfmu.kernels.crane.friction import (
     dry_friction,
     dry_level,
@@ -24,12 +23,14 @@ from segfmu.kernels.crane.friction import (
     rubs,
     smooth_friction,
 )
+from segfmu.kernels.crane.inverse import crane_inverse, flat_orders
 from segfmu.kernels.crane.records import (
     Axes,
     Contact,
     ContactWork,
     History,
     Resistance,
+    SlingSeries,
     State,
 )
 from segfmu.kernels.trajectory.breaks import next_break, same_break
@@ -46,7 +47,7 @@ def release_time(resistance: 'float[:]', axis: int) -> float:
     """Time [s] in which a contact is released: slow for the mass that swings on it."""
     mass = carriage_mass(resistance, axis)
     if axis == Axes.ROPE:
-        mass = resistance[Resistance.PAYLOAD_MASS]
+        mass = hanging_mass(resistance)
     static = max(resistance[Resistance.STATIC + axis], resistance[Resistance.COULOMB + axis])
     return 20.0 * sqrt(resistance[Resistance.PRESLIDING] * mass / (1.5 * static))
 
@@ -56,12 +57,14 @@ def axis_motion(
     ends: 'float[:]', work: 'float[:,:]',
 ) -> 'tuple[float, float]':
     """Planned position [m] and velocity [m/s] of the axis."""
-    load = work[ContactWork.LOAD:ContactWork.SIZE, :]
+    crane = work[ContactWork.RESISTANCE, :]
+    load = work[ContactWork.LOAD:ContactWork.LOAD + flat_orders(crane), :]
+    series = work[ContactWork.SERIES:ContactWork.SERIES + SlingSeries.SIZE, :]
     axis = int(work[ContactWork.HISTORY, History.AXIS])
     evaluate_orders(time, timing, coefficients, offsets, ends, load)
-    crane_flat_inverse(
-        load, work[ContactWork.RESISTANCE, :], work[ContactWork.FORCE, :],
-        work[ContactWork.STATE, :], work[ContactWork.ACCELERATION, :],
+    crane_inverse(
+        load, crane, series, work[ContactWork.FORCE, :], work[ContactWork.STATE, :],
+        work[ContactWork.ACCELERATION, :],
     )
     position = work[ContactWork.STATE, State.POSITION + axis]
     velocity = work[ContactWork.STATE, State.VELOCITY + axis]

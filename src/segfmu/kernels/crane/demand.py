@@ -1,8 +1,8 @@
 """What a motion of the load asks of the drives."""
 
-from segfmu.kernels.crane._crane import crane_flat_inverse
 from segfmu.kernels.crane.contact import planned_friction
-from segfmu.kernels.crane.records import Demand, DemandWork, State
+from segfmu.kernels.crane.inverse import crane_inverse
+from segfmu.kernels.crane.records import Demand, DemandWork, SlingSeries, State
 
 
 def drive_demands(
@@ -32,8 +32,9 @@ def motion_demand(
     demand: 'float[:]',
 ) -> None:
     """The `Demand` of a plan at a time [s], as in `drive_demands`."""
-    crane_flat_inverse(
-        flat, resistance, work[DemandWork.FORCE], work[DemandWork.STATE],
+    series = work[DemandWork.SERIES:DemandWork.SERIES + SlingSeries.SIZE, :]
+    crane_inverse(
+        flat, resistance, series, work[DemandWork.FORCE], work[DemandWork.STATE],
         work[DemandWork.ACCELERATION],
     )
     for k in range(3):

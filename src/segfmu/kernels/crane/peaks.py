@@ -13,6 +13,7 @@ its `Contact` rows of each axis; `work` is a `DemandPeaks`.
 from math import cos, sqrt
 
 from segfmu.kernels.crane.demand import motion_demand
+from segfmu.kernels.crane.inverse import flat_orders
 from segfmu.kernels.crane.records import Contact, Demand, DemandPeaks, Sought
 from segfmu.kernels.trajectory.breaks import next_break
 from segfmu.kernels.trajectory.evaluate import evaluate_near
@@ -150,7 +151,7 @@ def demand_at(
     ends: 'float[:]', resistance: 'float[:]', contacts: 'float[:,:,:]', work: 'float[:,:]',
 ) -> None:
     """Write the `Demand` at a time [s] to a row of the work space."""
-    load = work[DemandPeaks.LOAD:DemandPeaks.VALUES, :]
+    load = work[DemandPeaks.LOAD:DemandPeaks.LOAD + flat_orders(resistance), :]
     near = work[DemandPeaks.NEAR, :]
     evaluate_near(time, near, timing, coefficients, offsets, ends, load)
     motion_demand(load, time, resistance, contacts, work, work[row, :])

@@ -330,12 +330,37 @@ class BoundFault(Record):
     TIME = field("when, since the start of the plan", "s")
 
 
+class FlatSeries(Record):
+    """Rows: the work space of `flat_derivatives`, a Taylor series each."""
+
+    LOAD = field("position of what hangs on the rope", "m", size=3)
+    PULL = field("force of the rope per mass of the load; without a hook w = p'' + g e_z",
+                 "m/s2", size=3)
+    INTERMEDIATE = field("intermediate results", size=7)
+    COORDINATES = field("coordinates of the crane", size=Coordinates.SIZE)
+
+
+class SlingSeries(FlatSeries):
+    """Rows: the work space of `hook_derivatives`, a Taylor series each."""
+
+    DIRECTION = field("direction from the load to the hook", size=3)
+    SLING = field("angles of the sling", "rad", size=2)
+
+
+class FlatOrders(Codes):
+    """Derivatives of the load's position in the flat inverse, that of order 0 included."""
+
+    CRANE = 5
+    HOOK = 7
+
+
 class DemandWork(Record):
     """Rows: the work space of `drive_demands`, parts of a `FlatInverse`."""
 
     FORCE = field("forces of the drives", "N", of=Axes)
     STATE = field("state of the crane", of=State)
     ACCELERATION = field("second derivatives of the coordinates", of=Coordinates)
+    SERIES = field("Taylor series, if there is a hook", size=SlingSeries.SIZE, of=State)
 
 
 class Sought(Codes):
@@ -356,7 +381,9 @@ class ChebyshevNodes(Record):
 class DemandPeaks(DemandWork):
     """Rows: the work space of `demand_peaks`."""
 
-    LOAD = field("position of the load and four derivatives", size=5, of=Vector)
+    LOAD = field(
+        "position of the load and its derivatives", size=FlatOrders.HOOK, of=Vector
+    )
     VALUES = field("demands at Chebyshev points", size=Sought.NODES, of=Demand)
     SERIES = field("coefficients of their Chebyshev series", size=Sought.NODES, of=Demand)
     TAILS = field("last coefficients after each halving", size=Sought.HALVINGS + 1, of=Demand)
@@ -393,7 +420,7 @@ class ContactWork(DemandWork):
 
     HISTORY = field("how far it is known", of=History)
     RESISTANCE = field("the crane", of=Resistance)
-    LOAD = field("position of the load and four derivatives", size=5, of=Vector)
+    LOAD = field("position of the load and its derivatives", size=FlatOrders.HOOK, of=Vector)
 
 
 class FrictionSeries(Record):
@@ -530,15 +557,6 @@ class LoadPartials(Record):
     VELOCITY = field("velocity", size=3)
 
 
-class FlatSeries(Record):
-    """Rows: the work space of `flat_derivatives`, a Taylor series each."""
-
-    LOAD = field("position of the load", "m", size=3)
-    PULL = field("w = p'' + g e_z", "m/s2", size=3)
-    INTERMEDIATE = field("intermediate results", size=7)
-    COORDINATES = field("coordinates of the crane", size=Coordinates.SIZE)
-
-
 class RopeDemand(Codes):
     """Demands on the rope, in the order of their proof: each relies on those before it."""
 
@@ -547,6 +565,9 @@ class RopeDemand(Codes):
     TAUT = 2
     NOT_TOO_LONG = 3
     NOT_TOO_SHORT = 4
+    # of a hook above the load, from which the rope leads to the trolley
+    HOOK_TAUT = 5
+    HOOK_BELOW_TROLLEY = 6
 
 
 class RopeBounds(Record):

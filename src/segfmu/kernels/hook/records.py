@@ -1,6 +1,14 @@
 """Records of a crane whose load hangs by a sling on a hook."""
 
-from segfmu.kernels.crane.records import AXES, DRIVES, Coordinates, Masses
+from segfmu.kernels.crane.records import (
+    AXES,
+    DRIVES,
+    Coordinates,
+    Masses,
+    RopeBounds,
+    SlingSeries,
+    Vector,
+)
 from segfmu.kernels.records import Record, field
 
 
@@ -49,3 +57,55 @@ class HookInverse(Record):
         "second derivatives of the coordinates", size=HookCoordinates.SIZE,
         variables=[*(f"reference.{a}.acceleration" for a in AXES), *("",) * 4],
     )
+
+
+class HookFrequencies(Record):
+    """Natural frequencies of small swings while the carriages rest."""
+
+    SLOW = field("hook and load swing to the same side", "rad/s")
+    FAST = field("hook and load swing to opposite sides", "rad/s")
+
+
+class HookMotion(Record):
+    """Rows: motion of the load that belongs to a state of the crane."""
+
+    POSITION = field("position", "m", of=Vector)
+    VELOCITY = field("velocity", "m/s", of=Vector)
+    ACCELERATION = field("acceleration", "m/s2", of=Vector)
+    JERK = field("jerk", "m/s3", of=Vector)
+
+
+class HookTension(Record):
+    """Force of the hoist, and how it changes."""
+
+    FORCE = field("force that lengthens the rope, below 0", "N")
+    RATE = field("its derivative by time", "N/s")
+
+
+class HookLinks(Record):
+    """Rows: the work space of `hook_load_motion`, vectors of rope and sling."""
+
+    ROPE = field("unit vector from the hook to the trolley", of=Vector)
+    ROPE_RATE = field("its derivative by time", "1/s", of=Vector)
+    SLING = field("unit vector from the load to the hook", of=Vector)
+    SLING_RATE = field("its derivative by time", "1/s", of=Vector)
+    RELATIVE = field("second derivative of the unit vector of the sling", "1/s2", of=Vector)
+
+
+class HookMargins(Record):
+    """What must not become negative, in the order of its proof."""
+
+    TAUT = field("upward force of the rope per mass of hook and load", "m/s2")
+    BELOW = field("depth of the hook below the trolley", "m")
+    SHORT = field("shortness of the rope; large without a bound", "m")
+    LONG = field("length of the rope beyond the shortest one; large without a bound", "m")
+
+
+class HookPath(SlingSeries):
+    """Rows: the work space of `check_hook`."""
+
+    MOTION = field("position of the load and four derivatives", size=5, of=Vector)
+    FREE = field("bounds without lengths", of=RopeBounds)
+    SAMPLES = field("margins at the last three samples", size=3, of=HookMargins)
+    FIRST = field("first times of negative margins; 1e300: there is none", of=HookMargins)
+    LEAST = field("least margins", of=HookMargins)

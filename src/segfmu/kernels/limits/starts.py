@@ -6,6 +6,7 @@ carriage's acceleration.
 
 from math import exp, log, sqrt, tan
 
+from segfmu.kernels.crane.bounds import hanging_mass
 from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
 from segfmu.kernels.crane.uses import bound_magnitude
 from segfmu.kernels.limits.records import AxisTask, LimitFault, LimitRow, LimitStatus
@@ -181,7 +182,7 @@ def least_of(limit: float, bound: float) -> float:
 
 def rigid_mass(axis: int, resistance: 'float[:]') -> float:
     """What the drive of an axis moves [kg]."""
-    mass = resistance[Resistance.PAYLOAD_MASS]
+    mass = hanging_mass(resistance)
     if axis < Axes.ROPE:
         mass = mass + resistance[Resistance.TROLLEY_MASS]
     if axis == Axes.BRIDGE:

@@ -6,6 +6,7 @@ positions, velocities, accelerations: of the waypoints in x, y and z, (points, 3
 
 from math import exp
 
+from segfmu.kernels.crane.bounds import hanging_mass
 from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
 from segfmu.kernels.crane.uses import bound_magnitude
 from segfmu.kernels.limits.records import AxisTask, LimitRow, Unknown
@@ -43,9 +44,7 @@ def write_axes(
             row[AxisTask.DIRECTED + 1] = 1.0
         write_floors(axis, velocities, accelerations, row)
         if axis == Axes.ROPE:
-            row[AxisTask.HELD + 1] = (
-                resistance[Resistance.PAYLOAD_MASS] * resistance[Resistance.GRAVITY]
-            )
+            row[AxisTask.HELD + 1] = hanging_mass(resistance) * resistance[Resistance.GRAVITY]
 
 
 def narrow_bounds(bounds: 'float[:]', caps: 'float[:,:]') -> None:

@@ -93,7 +93,7 @@ static void fill_known(const feedforward *m, operation_arrays *a)
 
 bool begin_commands(feedforward *m, char message[MESSAGE])
 {
-    double compensation[COMPENSATION_SIZE], resistance[RESISTANCE_SIZE];
+    double compensation[COMPENSATION_SIZE], resistance[RESISTANCE_SIZE] = {0.0};
     double fault[READY_FAULT_SIZE] = {0.0};
     feed_record(&feeds_compensation, &m->base, compensation);
     feed_record(&feeds_resistance, &m->base, resistance);

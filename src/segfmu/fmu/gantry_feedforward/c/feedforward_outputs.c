@@ -22,7 +22,7 @@ static double setpoint(const double results[RESULTS], int i, double lag)
 /* The flat inverse's results at a time since the start. */
 static void invert(feedforward *m, double load[LOAD_MOTION_SIZE], double results[RESULTS])
 {
-    double known[RESISTANCE_SIZE];
+    double known[RESISTANCE_SIZE] = {0.0};
     feed_record(&feeds_resistance, &m->base, known);
     segfmu_crane_flat_inverse(
         matrix(load, ORDERS, AXES), vector(known, RESISTANCE_SIZE),
@@ -34,7 +34,7 @@ static void invert(feedforward *m, double load[LOAD_MOTION_SIZE], double results
 static void add_friction(feedforward *m, int i, double time, const double of[RESULTS], double *force)
 {
     if (m->turns[i] > 0) {
-        double known[RESISTANCE_SIZE];
+        double known[RESISTANCE_SIZE] = {0.0};
         feed_record(&feeds_resistance, &m->base, known);
         *force += segfmu_planned_friction(
             vector(known, RESISTANCE_SIZE), i, time, of[FLAT_INVERSE_STATE + i],
@@ -93,7 +93,7 @@ static double *motion(feedforward *m, int of, double dead)
 static const double *derivatives(feedforward *m, int of, double dead, int64_t order)
 {
     enum { COLUMNS = MODEL_ORDERS + 3 };
-    double known[RESISTANCE_SIZE];
+    double known[RESISTANCE_SIZE] = {0.0};
     double work[FLAT_SERIES_SIZE * COLUMNS];
     double *found = m->derivatives[order - 1][of];
     if (!m->derived[order - 1][of]) {
@@ -109,7 +109,7 @@ static const double *derivatives(feedforward *m, int of, double dead, int64_t or
 /* A derivative of the friction of a drive, whose setpoints are those of a dead time later. */
 static double friction_of(feedforward *m, int i, int of, double dead, int64_t order)
 {
-    double known[RESISTANCE_SIZE], results[RESULTS], path[MODEL_ORDERS + 2];
+    double known[RESISTANCE_SIZE] = {0.0}, results[RESULTS], path[MODEL_ORDERS + 2];
     double work[FRICTION_SERIES_SIZE * (MODEL_ORDERS + 1)];
     invert(m, motion(m, of, dead), results);
     path[0] = results[FLAT_INVERSE_STATE + i];

@@ -70,7 +70,7 @@ static array_double_2d contacts_of(const feedforward *m, int axis)
 static bool note_contacts(feedforward *m, char message[MESSAGE])
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
-    double known[RESISTANCE_SIZE], work[CONTACT_WORK_SIZE * CONTACT_WORK_COLUMNS];
+    double known[RESISTANCE_SIZE] = {0.0}, work[CONTACT_WORK_SIZE * CONTACT_WORK_COLUMNS];
     double fault[SETUP_FAULT_SIZE] = {0.0};
     int64_t longest = 0, rubbing = 0;
     feed_record(&feeds_resistance, &m->base, known);
@@ -103,7 +103,7 @@ static bool note_contacts(feedforward *m, char message[MESSAGE])
 void measure(feedforward *m, bool exact, double *peaks, double *times)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
-    double known[RESISTANCE_SIZE], work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
+    double known[RESISTANCE_SIZE] = {0.0}, work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
     feed_record(&feeds_resistance, &m->base, known);
     (exact ? segfmu_demand_peaks : segfmu_demand_samples)(
         timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
