@@ -10,6 +10,7 @@ import pytest
 
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
+from segfmu.validation.scenario import sized
 from tests.compiler import needs_native
 from tests.cosim.importers import load_threads, require
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
@@ -70,7 +71,7 @@ def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
 @needs_native
 @pytest.mark.parametrize("fmi", (2, 3))
 def test_choices_arrive_as_integers(tmp_path: Path, fmi: int) -> None:
-    first, second = build_all(tmp_path, Choice(True, fmi, numbered=True))
+    first, second = build_all(tmp_path, Choice(True, fmi, numbered=True), sized(None))
     values = ({"planner.shape": 1}, {"drive.mode": 2, "feedback.design": 2})
     found = ecos((first, second), *values)
     compare(found, (first, second), values)

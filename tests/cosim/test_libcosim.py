@@ -16,6 +16,7 @@ import pytest
 from segfmu.cosim import simulate
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
+from segfmu.validation.scenario import sized
 from tests.compiler import needs_native
 from tests.cosim.importers import require
 from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
@@ -110,7 +111,9 @@ def test_parallel_coupling_has_an_error_of_first_order(native_fmus) -> None:
 @pytest.fixture(scope="module")
 def numbered_fmus(tmp_path_factory) -> tuple[Path, Path]:
     """Archives in which integers are in place of enumerations."""
-    first, second = build_all(tmp_path_factory.mktemp("numbered"), Choice(True, numbered=True))
+    first, second = build_all(
+        tmp_path_factory.mktemp("numbered"), Choice(True, numbered=True), sized(None)
+    )
     return first, second
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from segfmu import Limits, Waypoint, plan
 from segfmu.crane import (
     Crane,
     Drive,
@@ -18,8 +21,11 @@ from segfmu.crane import (
     Wind,
 )
 from segfmu.crane.hook_state import plant_state
+from segfmu.crane.inverse import FlatInverse
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels.crane.bounds import resisting_mass
+from segfmu.kernels.hook._hook import hook_driven, hook_load, hook_rhs
+from segfmu.kernels.hook.records import HookState
 from tests.crane.hook_newton import driven, forced
 
 LAB = HookCrane(Crane(2.2, 1.155, 1.0), 0.2, 0.3)
@@ -142,3 +148,33 @@ def test_a_rope_with_a_hook_does_not_slacken() -> None:
 def test_sizes_of_states_are_checked() -> None:
     with pytest.raises(InputError, match="state"):
         Plant(LAB, SWAYING[:10], setpoints(), Idle())
+
+
+@pytest.mark.parametrize("forced_mode", [True, False], ids=["force", "acceleration"])
+def test_the_inverse_leads_the_load_along_its_plan(forced_mode: bool) -> None:
+    """The equations under the exact setpoints of a plan with hoisting."""
+    limits = Limits(velocity=[0.8, 0.5, 0.3], acceleration=[1.0, 0.8, 0.5], jerk=4.0, snap=20.0)
+    trajectory = plan(
+        [Waypoint([0.0, 0.0, -0.9]), Waypoint([1.0, 0.6, -0.7])], limits, smoothness=6
+    )
+    inverse = FlatInverse(LAB, trajectory)
+    masses, calm = np.array(LAB.masses), np.zeros(3)
+
+    def rate(t: float, x: np.ndarray) -> np.ndarray:
+        derivative, tension = np.zeros(HookState.SIZE), np.zeros(1)
+        if forced_mode:
+            force = np.append(inverse.force(t), [0.0, 0.0])
+            hook_rhs(x, force, calm, masses, derivative, tension)
+        else:
+            carriage = inverse.acceleration(t)[:3]
+            hook_driven(x, carriage, np.zeros(5), calm, masses, derivative, np.zeros(3), tension)
+        return derivative
+
+    state, load = inverse.state(0.0), np.zeros((2, 3))
+    # from kink to kink of the setpoints
+    for begin, end in pairwise([0.0, *trajectory.events[trajectory.events > 0.0]]):
+        run = solve_ivp(rate, (begin, end), state, method="DOP853", rtol=1e-12, atol=1e-14)
+        state = run.y[:, -1]
+        hook_load(state, masses, load)
+        assert load[0] == pytest.approx(trajectory(end), abs=1e-9)
+    assert end == trajectory.duration

@@ -71,6 +71,7 @@ from segfmu.kernels.hook.records import (
     HookInverse,
     HookLinks,
     HookMotion,
+    HookOutputs,
     HookPath,
     HookState,
 )
@@ -587,6 +588,7 @@ def rig_calls() -> dict[str, Call]:
         "rig_start": (settings, components, changes, start, setpoints, 0.2, memory),
         "rig_step": (settings, components, changes, *tables, setpoints, 0.02, memory),
         "rig_outputs": (np.array([0.1, 0.2, -1.0]), memory, balance, zeros(Outputs.SIZE)),
+        "hook_outputs": (memory, zeros(HookOutputs.SIZE)),
         "rig_balance": (memory, balance.copy()),
         "rig_imbalance": (np.arange(1.0, 1.0 + Balance.SIZE),),
         "rig_next_event": (settings, memory),

@@ -38,7 +38,7 @@ def test_c_names_the_places_of_its_arrays(path: Path) -> None:
 def test_files_are_found() -> None:
     names = {name(path) for path in KERNELS + C_FILES}
     assert {"kernels/planner/search.py", "kernels/rig/rig.py", "kernels/c/plan.c",
-            "fmu/native/c/glue.h", "fmu/gantry_crane/c/crane.h"} <= names
+            "fmu/native/c/glue.h", "fmu/crane/c/crane.h"} <= names
     assert len(KERNELS) > 40
 
 

@@ -33,6 +33,8 @@ class Model:
         Rows are its last variables; an archive may describe fewer.
     records : tuple of type of Record
         Those of the kernels that the model in C fills from variables, or shows as variables.
+    shared : tuple of str
+        Packages whose sources in C the model has too.
     slave : str
         The slave on PythonFMU as module:class, which only that backend imports; empty for none.
     """
@@ -43,14 +45,18 @@ class Model:
     native_spec: Callable[[Spec], Spec]
     largest: Callable[[], Spec]
     records: tuple[type[Record], ...] = ()
+    shared: tuple[str, ...] = ()
     slave: str = ""
 
     @property
     def sources(self) -> dict[str, bytes]:
         """Texts of the model in C by the names of their files."""
-        folder = files(self.package).joinpath("c")
-        names = sorted(p.name for p in folder.iterdir() if p.name.endswith((".c", ".h")))
-        return {n: folder.joinpath(n).read_bytes() for n in names}
+        folders = [files(package).joinpath("c") for package in (*self.shared, self.package)]
+        return {
+            p.name: p.read_bytes()
+            for folder in folders for p in sorted(folder.iterdir(), key=lambda p: p.name)
+            if p.name.endswith((".c", ".h"))
+        }
 
     @property
     def icon(self) -> bytes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from segfmu.errors import BuildError
 from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
 from segfmu.fmu.gantry_feedforward.model import GANTRY_FEEDFORWARD
+from segfmu.fmu.hook_crane.model import HOOK_CRANE
 from segfmu.fmu.model import Model
 
 _registered: dict[str, Model] = {}
@@ -42,3 +43,4 @@ def named(name: str) -> Model:
 
 register(GANTRY_FEEDFORWARD)
 register(GANTRY_CRANE)
+register(HOOK_CRANE)

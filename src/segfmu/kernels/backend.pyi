@@ -582,21 +582,6 @@ def bound_uses(
     /,
 ) -> int: ...
 
-def check_hook(
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    ends: Floats,
-    masses: Floats,
-    hook_mass: float,
-    sling: float,
-    bounds: Floats,
-    polynomials: Floats,
-    work: Floats,
-    report: Floats,
-    /,
-) -> int: ...
-
 def hook_frequencies(
     rope: float,
     masses: Floats,
@@ -612,6 +597,27 @@ def hook_load_motion(
     load: Floats,
     /,
 ) -> None: ...
+
+def hook_outputs(
+    memory: Floats,
+    outputs: Floats,
+    /,
+) -> None: ...
+
+def check_hook(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    ends: Floats,
+    masses: Floats,
+    hook_mass: float,
+    sling: float,
+    bounds: Floats,
+    polynomials: Floats,
+    work: Floats,
+    report: Floats,
+    /,
+) -> int: ...
 
 def begin_pace(
     most: float,

@@ -81,6 +81,7 @@ from segfmu.kernels.hook.records import (
     HookLinks,
     HookMasses,
     HookMotion,
+    HookOutputs,
     HookPath,
     HookState,
     HookTension,
@@ -586,6 +587,10 @@ ENTRY_POINTS = (
         "hook.swing", "hook_load_motion", state=HookState.SIZE, tension=HookTension.SIZE,
         masses=HookMasses.SIZE, work=(HookLinks.SIZE, HookLinks.COLUMNS),
         load=(HookMotion.SIZE, HookMotion.COLUMNS),
+    ),
+    entry(
+        "hook.outputs", "hook_outputs", memory=(Memory.SIZE, Memory.COLUMNS),
+        outputs=HookOutputs.SIZE,
     ),
     entry("crane._crane", "crane_load", state=State.SIZE, load=(Load.SIZE, Load.COLUMNS)),
     entry(

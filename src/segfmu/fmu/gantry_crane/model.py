@@ -30,5 +30,6 @@ GANTRY_CRANE = Model(
         Loop, Sensors, Plant, State, Setpoints, Target, PayloadChange, WindNoise, Turbulence,
         Tracking, TrackingDesign, Outputs, Accelerations, Estimates, FlatDesign, GainsRow,
     ),
+    shared=("segfmu.fmu.crane",),
     slave="segfmu.fmu.gantry_crane.slave:CraneSlave",
 )

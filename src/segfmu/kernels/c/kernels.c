@@ -279,11 +279,11 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
+static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work);
 static void write_margins(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
 static bool is_dip(array_double_2d work);
 static void look_around(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
 static int64_t judge_margins(array_double_1d bounds, array_double_2d work, array_double_1d report);
-static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work);
 static double pace_between(double use, array_double_1d pace);
 static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
 static bool differs(int64_t i, array_double_1d bounds);
@@ -10452,6 +10452,129 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
     }
     return status;
 }
+void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found)
+{
+    double gravity;
+    double sling;
+    double hook;
+    double total;
+    double length;
+    double middle;
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    hook = (*cspan_at(&masses, INT64_C(4)));
+    total = hook + (*cspan_at(&masses, INT64_C(2)));
+    length = rope + sling;
+    middle = 0.5 * (length + sqrt(length * length - 4.0 * hook * rope * sling / total));
+    (*cspan_at(&found, INT64_C(0))) = sqrt(gravity / middle);
+    (*cspan_at(&found, INT64_C(1))) = sqrt(gravity * total * middle / (hook * rope * sling));
+}
+static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work)
+{
+    double sine;
+    double cosine;
+    double across;
+    double upright;
+    double first;
+    double second;
+    array_double_1d direction;
+    array_double_1d turn;
+    sine = sin((*cspan_at(&state, angle)));
+    cosine = cos((*cspan_at(&state, angle)));
+    across = sin((*cspan_at(&state, angle + INT64_C(1))));
+    upright = cos((*cspan_at(&state, angle + INT64_C(1))));
+    first = (*cspan_at(&state, rate));
+    second = (*cspan_at(&state, rate + INT64_C(1)));
+    direction = span_row(&work, row);
+    turn = span_row(&work, row + INT64_C(1));
+    (*cspan_at(&direction, INT64_C(0))) = -sine;
+    (*cspan_at(&direction, INT64_C(1))) = cosine * across;
+    (*cspan_at(&direction, INT64_C(2))) = cosine * upright;
+    (*cspan_at(&turn, INT64_C(0))) = (-cosine) * first;
+    (*cspan_at(&turn, INT64_C(1))) = (-sine) * across * first + cosine * upright * second;
+    (*cspan_at(&turn, INT64_C(2))) = (-sine) * upright * first - cosine * across * second;
+}
+void segfmu_hook_load_motion(array_double_1d state, array_double_1d tension, array_double_1d masses, array_double_2d work, array_double_2d load)
+{
+    double hook;
+    double payload;
+    double sling;
+    double length;
+    double pull;
+    double change;
+    double along;
+    double turning;
+    int64_t i;
+    double share;
+    double sling_pull;
+    double gain;
+    hook = (*cspan_at(&masses, INT64_C(4)));
+    payload = (*cspan_at(&masses, INT64_C(2)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    write_direction(state, INT64_C(3), INT64_C(10), INT64_C(0), work);
+    write_direction(state, INT64_C(5), INT64_C(12), INT64_C(2), work);
+    pull = -(*cspan_at(&tension, INT64_C(0)));
+    change = -(*cspan_at(&tension, INT64_C(1)));
+    along = 0.0;
+    turning = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        along = along + (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(2), i));
+        turning = turning + (*cspan_at(&work, INT64_C(3), i)) * (*cspan_at(&work, INT64_C(3), i));
+    }
+    share = payload / (hook + payload);
+    sling_pull = share * (pull * along + hook * sling * turning);
+    gain = 0.0;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, INT64_C(4), i)) = ((pull * (*cspan_at(&work, INT64_C(0), i)) - sling_pull * (*cspan_at(&work, INT64_C(2), i))) / hook - sling_pull * (*cspan_at(&work, INT64_C(2), i)) / payload) / sling;
+        gain = gain + (change * (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(2), i)) + pull * (*cspan_at(&work, INT64_C(1), i)) * (*cspan_at(&work, INT64_C(2), i)) + pull * (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(3), i)) + 2.0 * hook * sling * (*cspan_at(&work, INT64_C(3), i)) * (*cspan_at(&work, INT64_C(4), i)));
+    }
+    gain = share * gain;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&load, INT64_C(0), i)) = (-length) * (*cspan_at(&work, INT64_C(0), i)) - sling * (*cspan_at(&work, INT64_C(2), i));
+        (*cspan_at(&load, INT64_C(1), i)) = (-(*cspan_at(&state, INT64_C(7) + INT64_C(2)))) * (*cspan_at(&work, INT64_C(0), i)) - length * (*cspan_at(&work, INT64_C(1), i)) - sling * (*cspan_at(&work, INT64_C(3), i));
+        (*cspan_at(&load, INT64_C(2), i)) = sling_pull * (*cspan_at(&work, INT64_C(2), i)) / payload;
+        (*cspan_at(&load, INT64_C(3), i)) = (gain * (*cspan_at(&work, INT64_C(2), i)) + sling_pull * (*cspan_at(&work, INT64_C(3), i))) / payload;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&load, INT64_C(0), i)) = (*cspan_at(&load, INT64_C(0), i)) + (*cspan_at(&state, i));
+        (*cspan_at(&load, INT64_C(1), i)) = (*cspan_at(&load, INT64_C(1), i)) + (*cspan_at(&state, INT64_C(7) + i));
+    }
+    (*cspan_at(&load, INT64_C(2), INT64_C(2))) = (*cspan_at(&load, INT64_C(2), INT64_C(2))) - (*cspan_at(&masses, INT64_C(3)));
+}
+void segfmu_hook_outputs(array_double_2d memory, array_double_1d outputs)
+{
+    array_double_1d state;
+    array_double_2d work;
+    int64_t i;
+    array_double_2d place;
+    state = span_row(&memory, INT64_C(4));
+    work = span_rows(&memory, INT64_C(14), INT64_C(14) + INT64_C(26));
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&outputs, INT64_C(0) + i)) = (*cspan_at(&state, INT64_C(16) + i));
+        (*cspan_at(&outputs, INT64_C(2) + i)) = (*cspan_at(&state, INT64_C(18) + i));
+    }
+    place = span_rows(&work, INT64_C(16), INT64_C(16) + INT64_C(2));
+    segfmu_crane_load(state, place);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&outputs, INT64_C(4) + i)) = (*cspan_at(&place, INT64_C(0), i));
+        (*cspan_at(&outputs, INT64_C(7) + i)) = (*cspan_at(&place, INT64_C(1), i));
+    }
+    (*cspan_at(&outputs, INT64_C(10))) = (*cspan_at(&memory, INT64_C(8), INT64_C(7)));
+    (*cspan_at(&outputs, INT64_C(11))) = 0.0;
+    (*cspan_at(&outputs, INT64_C(11) + INT64_C(1))) = 0.0;
+    if (has_hook(span_row(&memory, INT64_C(5))))
+    {
+        gather_hook(span_row(&memory, INT64_C(5)), state, work);
+        segfmu_hook_frequencies((*cspan_at(&state, INT64_C(0) + INT64_C(2))), span_row(&work, INT64_C(24)), span_piece(&outputs, INT64_C(11), INT64_C(11) + INT64_C(2)));
+    }
+}
 static void write_margins(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work)
 {
     double tolerance;
@@ -10614,100 +10737,6 @@ int64_t segfmu_check_hook(array_double_2d timing, array_double_2d coefficients, 
     }
     status = judge_margins(bounds, work, report);
     return status;
-}
-void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found)
-{
-    double gravity;
-    double sling;
-    double hook;
-    double total;
-    double length;
-    double middle;
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    hook = (*cspan_at(&masses, INT64_C(4)));
-    total = hook + (*cspan_at(&masses, INT64_C(2)));
-    length = rope + sling;
-    middle = 0.5 * (length + sqrt(length * length - 4.0 * hook * rope * sling / total));
-    (*cspan_at(&found, INT64_C(0))) = sqrt(gravity / middle);
-    (*cspan_at(&found, INT64_C(1))) = sqrt(gravity * total * middle / (hook * rope * sling));
-}
-static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work)
-{
-    double sine;
-    double cosine;
-    double across;
-    double upright;
-    double first;
-    double second;
-    array_double_1d direction;
-    array_double_1d turn;
-    sine = sin((*cspan_at(&state, angle)));
-    cosine = cos((*cspan_at(&state, angle)));
-    across = sin((*cspan_at(&state, angle + INT64_C(1))));
-    upright = cos((*cspan_at(&state, angle + INT64_C(1))));
-    first = (*cspan_at(&state, rate));
-    second = (*cspan_at(&state, rate + INT64_C(1)));
-    direction = span_row(&work, row);
-    turn = span_row(&work, row + INT64_C(1));
-    (*cspan_at(&direction, INT64_C(0))) = -sine;
-    (*cspan_at(&direction, INT64_C(1))) = cosine * across;
-    (*cspan_at(&direction, INT64_C(2))) = cosine * upright;
-    (*cspan_at(&turn, INT64_C(0))) = (-cosine) * first;
-    (*cspan_at(&turn, INT64_C(1))) = (-sine) * across * first + cosine * upright * second;
-    (*cspan_at(&turn, INT64_C(2))) = (-sine) * upright * first - cosine * across * second;
-}
-void segfmu_hook_load_motion(array_double_1d state, array_double_1d tension, array_double_1d masses, array_double_2d work, array_double_2d load)
-{
-    double hook;
-    double payload;
-    double sling;
-    double length;
-    double pull;
-    double change;
-    double along;
-    double turning;
-    int64_t i;
-    double share;
-    double sling_pull;
-    double gain;
-    hook = (*cspan_at(&masses, INT64_C(4)));
-    payload = (*cspan_at(&masses, INT64_C(2)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
-    write_direction(state, INT64_C(3), INT64_C(10), INT64_C(0), work);
-    write_direction(state, INT64_C(5), INT64_C(12), INT64_C(2), work);
-    pull = -(*cspan_at(&tension, INT64_C(0)));
-    change = -(*cspan_at(&tension, INT64_C(1)));
-    along = 0.0;
-    turning = 0.0;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        along = along + (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(2), i));
-        turning = turning + (*cspan_at(&work, INT64_C(3), i)) * (*cspan_at(&work, INT64_C(3), i));
-    }
-    share = payload / (hook + payload);
-    sling_pull = share * (pull * along + hook * sling * turning);
-    gain = 0.0;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&work, INT64_C(4), i)) = ((pull * (*cspan_at(&work, INT64_C(0), i)) - sling_pull * (*cspan_at(&work, INT64_C(2), i))) / hook - sling_pull * (*cspan_at(&work, INT64_C(2), i)) / payload) / sling;
-        gain = gain + (change * (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(2), i)) + pull * (*cspan_at(&work, INT64_C(1), i)) * (*cspan_at(&work, INT64_C(2), i)) + pull * (*cspan_at(&work, INT64_C(0), i)) * (*cspan_at(&work, INT64_C(3), i)) + 2.0 * hook * sling * (*cspan_at(&work, INT64_C(3), i)) * (*cspan_at(&work, INT64_C(4), i)));
-    }
-    gain = share * gain;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        (*cspan_at(&load, INT64_C(0), i)) = (-length) * (*cspan_at(&work, INT64_C(0), i)) - sling * (*cspan_at(&work, INT64_C(2), i));
-        (*cspan_at(&load, INT64_C(1), i)) = (-(*cspan_at(&state, INT64_C(7) + INT64_C(2)))) * (*cspan_at(&work, INT64_C(0), i)) - length * (*cspan_at(&work, INT64_C(1), i)) - sling * (*cspan_at(&work, INT64_C(3), i));
-        (*cspan_at(&load, INT64_C(2), i)) = sling_pull * (*cspan_at(&work, INT64_C(2), i)) / payload;
-        (*cspan_at(&load, INT64_C(3), i)) = (gain * (*cspan_at(&work, INT64_C(2), i)) + sling_pull * (*cspan_at(&work, INT64_C(3), i))) / payload;
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&load, INT64_C(0), i)) = (*cspan_at(&load, INT64_C(0), i)) + (*cspan_at(&state, i));
-        (*cspan_at(&load, INT64_C(1), i)) = (*cspan_at(&load, INT64_C(1), i)) + (*cspan_at(&state, INT64_C(7) + i));
-    }
-    (*cspan_at(&load, INT64_C(2), INT64_C(2))) = (*cspan_at(&load, INT64_C(2), INT64_C(2))) - (*cspan_at(&masses, INT64_C(3)));
 }
 void segfmu_begin_pace(double most, double full, array_double_1d pace)
 {

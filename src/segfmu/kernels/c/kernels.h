@@ -70,9 +70,10 @@ SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviat
 SEGFMU_API void segfmu_turbulence_components(double speed, double length, double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_double_1d bounds, array_double_1d uses, array_double_1d fault);
-SEGFMU_API int64_t segfmu_check_hook(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d polynomials, array_double_2d work, array_double_1d report);
 SEGFMU_API void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found);
 SEGFMU_API void segfmu_hook_load_motion(array_double_1d state, array_double_1d tension, array_double_1d masses, array_double_2d work, array_double_2d load);
+SEGFMU_API void segfmu_hook_outputs(array_double_2d memory, array_double_1d outputs);
+SEGFMU_API int64_t segfmu_check_hook(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d polynomials, array_double_2d work, array_double_1d report);
 SEGFMU_API void segfmu_begin_pace(double most, double full, array_double_1d pace);
 SEGFMU_API bool segfmu_next_pace(double use, array_double_1d pace);
 SEGFMU_API void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes);

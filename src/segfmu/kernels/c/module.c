@@ -2197,66 +2197,6 @@ static PyObject *call_bound_uses(
     return answer;
 }
 
-static PyObject *call_check_hook(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_hook", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_ends;
-    Py_buffer *in_masses;
-    double in_hook_mass;
-    double in_sling;
-    Py_buffer *in_bounds;
-    Py_buffer *in_polynomials;
-    Py_buffer *in_work;
-    Py_buffer *in_report;
-    (void)self;
-    if (take_count(&call, count, 11)
-        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
-        && take_float(&call, 5, &in_hook_mass)
-        && take_float(&call, 6, &in_sling)
-        && (in_bounds = take_array(&call, 7, 1, 'd', false)) != NULL
-        && (in_polynomials = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_report = take_array(&call, 10, 1, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
-        && has_at_least(&call, "polynomials", 0, in_polynomials->shape[0], 52)
-        && has_at_least(&call, "polynomials", 1, in_polynomials->shape[1], ((4 * in_coefficients->shape[1]) - 5))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 34)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 4)
-        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
-        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_check_hook(
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            in_hook_mass,
-            in_sling,
-            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
-            (array_double_2d){in_polynomials->buf, {in_polynomials->shape[0], in_polynomials->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_hook_frequencies(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2313,6 +2253,89 @@ static PyObject *call_hook_load_motion(
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
             (array_double_2d){in_load->buf, {in_load->shape[0], in_load->shape[1]}});
         answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_hook_outputs(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "hook_outputs", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_memory;
+    Py_buffer *in_outputs;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
+        && (in_outputs = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 13)) {
+        segfmu_hook_outputs(
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
+            (array_double_1d){in_outputs->buf, {in_outputs->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_hook(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_hook", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_ends;
+    Py_buffer *in_masses;
+    double in_hook_mass;
+    double in_sling;
+    Py_buffer *in_bounds;
+    Py_buffer *in_polynomials;
+    Py_buffer *in_work;
+    Py_buffer *in_report;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 4, 1, 'd', false)) != NULL
+        && take_float(&call, 5, &in_hook_mass)
+        && take_float(&call, 6, &in_sling)
+        && (in_bounds = take_array(&call, 7, 1, 'd', false)) != NULL
+        && (in_polynomials = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_report = take_array(&call, 10, 1, 'd', true)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 3)
+        && has_at_least(&call, "polynomials", 0, in_polynomials->shape[0], 52)
+        && has_at_least(&call, "polynomials", 1, in_polynomials->shape[1], ((4 * in_coefficients->shape[1]) - 5))
+        && has_at_least(&call, "work", 0, in_work->shape[0], 34)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 4)
+        && has_at_least(&call, "report", 0, in_report->shape[0], 3)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyLong_FromLongLong(segfmu_check_hook(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            in_hook_mass,
+            in_sling,
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
+            (array_double_2d){in_polynomials->buf, {in_polynomials->shape[0], in_polynomials->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_report->buf, {in_report->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -4943,9 +4966,10 @@ static PyMethodDef methods[] = {
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
-    {"check_hook", (PyCFunction)(void (*)(void))call_check_hook, METH_FASTCALL, NULL},
     {"hook_frequencies", (PyCFunction)(void (*)(void))call_hook_frequencies, METH_FASTCALL, NULL},
     {"hook_load_motion", (PyCFunction)(void (*)(void))call_hook_load_motion, METH_FASTCALL, NULL},
+    {"hook_outputs", (PyCFunction)(void (*)(void))call_hook_outputs, METH_FASTCALL, NULL},
+    {"check_hook", (PyCFunction)(void (*)(void))call_check_hook, METH_FASTCALL, NULL},
     {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
     {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
     {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},

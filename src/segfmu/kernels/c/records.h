@@ -1050,6 +1050,33 @@ enum {
     HOOK_PATH_COLUMNS = 4
 };
 
+enum {
+    SLING_ANGLE = 0,
+    SLING_RATE = 2,
+    SLING_SIZE = 4
+};
+
+enum {
+    SLING_REFERENCE_ANGLE = 0,
+    SLING_REFERENCE_RATE = 2,
+    SLING_REFERENCE_SIZE = 4
+};
+
+enum {
+    SLING_ACCELERATIONS_ANGLE = 0,
+    SLING_ACCELERATIONS_SIZE = 2
+};
+
+enum {
+    HOOK_OUTPUTS_ANGLE = 0,
+    HOOK_OUTPUTS_RATE = 2,
+    HOOK_OUTPUTS_POSITION = 4,
+    HOOK_OUTPUTS_VELOCITY = 7,
+    HOOK_OUTPUTS_TENSION = 10,
+    HOOK_OUTPUTS_FREQUENCY = 11,
+    HOOK_OUTPUTS_SIZE = 13
+};
+
 /* kernels/limits/records.py */
 
 enum {

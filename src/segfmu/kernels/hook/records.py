@@ -109,3 +109,49 @@ class HookPath(SlingSeries):
     SAMPLES = field("margins at the last three samples", size=3, of=HookMargins)
     FIRST = field("first times of negative margins; 1e300: there is none", of=HookMargins)
     LEAST = field("least margins", of=HookMargins)
+
+
+class Sling(Record):
+    """State of the sling."""
+
+    ANGLE = field(
+        "angles against the vertical", "rad", size=2, variables=("sling.x.angle", "sling.y.angle")
+    )
+    RATE = field("their rates", "rad/s", size=2, variables=("sling.x.rate", "sling.y.rate"))
+
+
+class SlingReference(Record):
+    """Reference of the sling's state."""
+
+    ANGLE = field(
+        "angles", "rad", size=2, variables=("reference.sling.x.angle", "reference.sling.y.angle")
+    )
+    RATE = field(
+        "their rates", "rad/s", size=2,
+        variables=("reference.sling.x.rate", "reference.sling.y.rate"),
+    )
+
+
+class SlingAccelerations(Record):
+    """Derivatives of the sling's rates, as variables of model exchange."""
+
+    ANGLE = field(
+        "of the angles", "rad/s2", size=2,
+        variables=("sling.x.acceleration", "sling.y.acceleration"),
+    )
+
+
+class HookOutputs(Sling):
+    """What an FMU of the crane shows of hook and sling."""
+
+    POSITION = field(
+        "position of the hook", "m", size=3, variables=[f"hook.position.{a}" for a in "xyz"]
+    )
+    VELOCITY = field(
+        "velocity of the hook", "m/s", size=3, variables=[f"hook.velocity.{a}" for a in "xyz"]
+    )
+    TENSION = field("tension of the sling", "N", variables=("sling.tension",))
+    FREQUENCY = field(
+        "natural frequencies at rest, see HookFrequencies", "rad/s", size=2,
+        variables=("sway.frequency.slow", "sway.frequency.fast"),
+    )

@@ -1,4 +1,4 @@
-/* GantryCrane: why the plant has failed. */
+/* A crane: why the plant has failed. */
 #include <math.h>
 
 #include "crane.h"

@@ -1,4 +1,4 @@
-/* GantryCrane: inputs over a communication step. */
+/* A crane: inputs over a communication step. */
 #include "crane.h"
 #include "feeds.h"
 

@@ -1,4 +1,4 @@
-/* GantryCrane: crane and rope lengths that the tables of gains and of the observer are for. */
+/* A crane: crane and rope lengths that the tables of gains and of the observer are for. */
 #include <string.h>
 
 #include "crane.h"

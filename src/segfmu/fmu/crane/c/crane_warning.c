@@ -1,4 +1,4 @@
-/* GantryCrane: whether the start fits its reference, and the table of gains, made at the build, the
+/* A crane: whether the start fits its reference, and the table of gains, made at the build, the
    crane that is set. */
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* GantryCrane: the crane with its drives, sensors and sampled feedback. In co-simulation the kernel
+/* A crane with its drives, sensors and sampled feedback. In co-simulation the kernel
    rig_step goes from event to event by itself; in model exchange the importer integrates. */
 #include <math.h>
 #include <string.h>
@@ -12,11 +12,6 @@ static const double LATEST_EVENT = 1.0;
 
 /* periods by which the next tick or sample can be away from the present */
 static const double MOST_LATE = 2.0;
-
-/* the states in the order of the description: the crane's and its energies */
-static const double model_nominals[MODEL_STATES + 1] = {
-    1.0, 1.0, 1.0, 0.1, 0.1, 1.0, 1.0, 1.0, 0.1, 0.1, 1e-5, 1e-5, 1e-5, 10.0, 10.0, 10.0, 0.0
-};
 
 /* Bytes of a block for the times in the settings; those that are refused need no room. */
 static size_t size_for(double settings[SETTINGS_SIZE * SETTINGS_COLUMNS])
@@ -285,6 +280,7 @@ bool model_evaluate(model *base, char message[MESSAGE])
     show_record(&feeds_outputs, outputs, base);
     show_record(&feeds_accelerations, m->derivative + STATE_VELOCITY, base);
     show_record(&feeds_estimates, estimates, base);
+    crane_show_suspension(m);
     base->real[V_POWER_DRIVES] = 0.0;
     for (int i = 0; i < AXES_SIZE; i++) {
         base->real[V_POWER_DRIVES] += outputs[OUTPUTS_POWER + i];

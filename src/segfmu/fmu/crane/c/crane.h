@@ -1,4 +1,4 @@
-/* GantryCrane's block: the arrays of the kernels, and a rig's memory at its end. */
+/* A crane's block: the arrays of the kernels, and a rig's memory at its end. */
 #ifndef SEGFMU_CRANE_H
 #define SEGFMU_CRANE_H
 
@@ -24,6 +24,8 @@ typedef struct {
     /* of the start: start values of the state, the state that follows from them, the setpoints, and
        how far it is from its reference */
     double own[STATE_SIZE], shown[STATE_SIZE], begun[SETPOINTS_SIZE], misfit[START_FAULT_SIZE];
+    /* the same of a sling */
+    double own_sling[SLING_SIZE], hung[SLING_SIZE];
     int64_t placed, stepped, fit;
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
@@ -119,7 +121,13 @@ static bool crane_set_up(crane *m, char message[MESSAGE]);
 static bool crane_set_gains(crane *m, char message[MESSAGE]);
 
 /* Find the state at the start; false with a message where there is none. */
-static bool crane_place(crane *m, double state[STATE_SIZE], char message[MESSAGE]);
+static bool crane_place(crane *m, double state[PLANT_STATE_SIZE], char message[MESSAGE]);
+
+/* What hangs on the rope, in suspension.c of each model: its part of the `Plant`, of the state at the
+   start, which may not fit, and of the outputs. */
+static void crane_read_suspension(const model *base, double plant[PLANT_SIZE]);
+static bool crane_hang(crane *m, double state[PLANT_STATE_SIZE], char message[MESSAGE]);
+static void crane_show_suspension(crane *m);
 
 /* Before a step: start again where the reference was not given at initialisation, but is now. */
 static bool crane_replace(crane *m, char message[MESSAGE]);

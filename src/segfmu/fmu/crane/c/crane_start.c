@@ -1,4 +1,4 @@
-/* GantryCrane: where it starts. */
+/* A crane: where it starts. */
 #include <string.h>
 
 #include "crane.h"
@@ -38,7 +38,7 @@ static void judge(crane *m)
                                 vector(m->misfit, START_FAULT_SIZE));
 }
 
-bool crane_place(crane *m, double state[STATE_SIZE], char message[MESSAGE])
+bool crane_place(crane *m, double state[PLANT_STATE_SIZE], char message[MESSAGE])
 {
     double held[SETPOINTS_SIZE], fault[START_FAULT_SIZE] = {0.0};
     const array_double_1d reference = reference_of(m->setpoints);
@@ -52,7 +52,7 @@ bool crane_place(crane *m, double state[STATE_SIZE], char message[MESSAGE])
         memcpy(state, m->own, sizeof m->own);
     }
     int64_t status = segfmu_check_start(vector(state, STATE_SIZE), reference, report);
-    if (segfmu_start_message(status, fault, message, MESSAGE)) {
+    if (segfmu_start_message(status, fault, message, MESSAGE) || !crane_hang(m, state, message)) {
         return false;
     }
     show_record(&feeds_state, state, &m->base);

@@ -1,4 +1,4 @@
-/* GantryCrane: the feedback from measured signals, by the kernels of kernels/control. */
+/* A crane: the feedback from measured signals, by the kernels of kernels/control. */
 #include <string.h>
 
 #include "crane.h"

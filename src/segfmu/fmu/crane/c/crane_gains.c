@@ -1,4 +1,4 @@
-/* GantryCrane: the gains of the feedback, from the table or in closed form. */
+/* A crane: the gains of the feedback, from the table or in closed form. */
 #include <string.h>
 
 #include "crane.h"

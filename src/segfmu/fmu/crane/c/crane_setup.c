@@ -1,4 +1,4 @@
-/* GantryCrane: parameters as the arrays of the kernels. */
+/* A crane: parameters as the arrays of the kernels. */
 #include <string.h>
 
 #include "crane.h"
@@ -11,6 +11,7 @@ static bool set_parameters(crane *m, char message[MESSAGE])
     double fault[SETUP_FAULT_SIZE] = {0.0};
     const array_double_1d report = vector(fault, SETUP_FAULT_SIZE);
     feed_record(&feeds_plant, &m->base, plant);
+    crane_read_suspension(&m->base, plant);
     feed_record(&feeds_sensors, &m->base, sensors);
     int64_t status = segfmu_check_travel(vector(plant + PLANT_TRAVEL_MIN, AXES_SIZE),
                                          vector(plant + PLANT_TRAVEL_MAX, AXES_SIZE), report);

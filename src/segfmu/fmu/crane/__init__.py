@@ -1,0 +1,1 @@
+"""What cranes as models have in common: their sources in C, whatever hangs on the rope."""

@@ -1,0 +1,1 @@
+"""HookCrane: interface and model in C."""

@@ -1,0 +1,92 @@
+"""Interface of HookCrane: that of GantryCrane, with a hook between rope and load."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.hook import hook_parameters
+from segfmu.fmu.standard.spec import Spec, Variable, derivative, output, signal, started, triple
+
+SLING = ("sling.x.angle", "sling.y.angle", "sling.x.rate", "sling.y.rate")
+UNITS = ("rad", "rad", "rad/s", "rad/s")
+ACCELERATIONS = ("sling.x.acceleration", "sling.y.acceleration")
+
+
+def spec() -> Spec:
+    """The interface of HookCrane."""
+    plain = gantry_crane.spec()
+    inputs = plain.where("input")
+    rest = tuple(v for v in plain.variables if v.causality != "input")
+    own = replace(
+        plain,
+        name="HookCrane",
+        description="Dynamics of a gantry crane whose load hangs by a sling on a hook, a double "
+        "pendulum in space, from Lagrange's equations; drives, friction, end stops, sensors, wind "
+        "and payload changes as on a real crane, ideal by default",
+        variables=(*inputs, *_inputs(), *rest, *_outputs(), *hook_parameters("true crane")),
+    )
+    return _held(own)
+
+
+def _inputs() -> list[Variable]:
+    return [
+        signal(f"reference.{name}", unit, f"reference of {name}, for the start")
+        for name, unit in zip(SLING, UNITS, strict=True)
+    ]
+
+
+def _outputs() -> list[Variable]:
+    rows = [
+        output(name, unit, f"true {name}", start=0.0)
+        for name, unit in zip(SLING, UNITS, strict=True)
+    ]
+    rows += triple("hook.position", "m", "true position of the hook")
+    rows += triple("hook.velocity", "m/s", "true velocity of the hook")
+    rows.append(output("sling.tension", "N", "tension of the sling"))
+    rows += [
+        output(f"sway.frequency.{n}", "rad/s", f"natural frequency of hook and load, {text}, for "
+               "the present rope and small swings below a carriage at rest")
+        for n, text in (("slow", "to the same side"), ("fast", "to opposite sides"))
+    ]
+    return rows
+
+
+def _held(own: Spec) -> Spec:
+    """Start values with which the load hangs at rest; the feedback, which has no hook, is off."""
+    starts = {v.name: v.start for v in own.variables}
+    mass = float(starts["crane.payload_mass"] or 0.0) + float(starts["hook.mass"] or 0.0)
+    depth = float(starts["rope.length"] or 0.0) + float(starts["hook.sling"] or 0.0)
+    return started(own, {
+        "force.hoist": -mass * float(starts["crane.gravity"] or 0.0),
+        "reference.load.position.z": -depth, "feedback.enabled": False,
+    })
+
+
+def native_spec(own: Spec | None = None) -> Spec:
+    """The interface of the native HookCrane, from that of `spec` or with other start values.
+
+    Raises
+    ------
+    InputError
+        For weights for which no design of the gantry crane's feedback exists.
+    """
+    plain = gantry_crane.native_spec(own or spec())
+    accelerations = [
+        Variable(n, "Real", "local", "continuous", f"acceleration of {n.rpartition('.')[0]}",
+                 unit="rad/s2")
+        for n in ACCELERATIONS
+    ]
+    rates = [
+        derivative(angle, plain.variable(rate))
+        for angle, rate in zip(SLING[:2], SLING[2:], strict=True)
+    ]
+    states = (
+        *plain.states, *zip(SLING, (*(r.name for r in rates), *ACCELERATIONS), strict=True)
+    )
+    *variables, last = plain.variables
+    # hook and sling are not in the gantry crane's dependencies and derivatives
+    return replace(
+        plain, variables=(*variables, *accelerations, *rates, last), states=states,
+        dependencies=(), orders=0, partials=(), terminals=(),
+    )

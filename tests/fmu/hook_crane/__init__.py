@@ -1,0 +1,1 @@
+"""HookCrane as an FMU."""
