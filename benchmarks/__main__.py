@@ -37,6 +37,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "r": ("replanning", ()),
     "u": ("operation", ()),
     "x": ("joystick", ()),
+    "z": ("takeovers", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),
 }

@@ -175,6 +175,11 @@ def operation_calls() -> dict[str, Call]:
             zeros(LeadWork.SIZE, LeadWork.COLUMNS), work.copy(),
             zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
         ),
+        "take_over_state": (
+            np.array([0.1, 0.2, 0.5, 0.1, -0.1, 0.1, 0.0, 0.05, 0.2, 0.1]), operation.copy(),
+            known, timing.copy(), coefficients.copy(), offsets.copy(), work.copy(),
+            zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
+        ),
         "foresee_emergency": (operation, known, timing, coefficients, offsets, work.copy()),
         "check_ready": (
             zeros(Compensation.SIZE), zeros(Resistance.SIZE), 9, zeros(ReadyFault.SIZE),

@@ -23,7 +23,7 @@ from segfmu.crane.variables import filled
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
-from segfmu.kernels.crane.records import DriveBounds, RopeBounds
+from segfmu.kernels.crane.records import Axes, DriveBounds, RopeBounds, State
 from segfmu.kernels.crane.records import FlatInverse as Results
 from segfmu.kernels.operation.records import (
     Command,
@@ -75,15 +75,18 @@ class Operator:
 
     Every plan is proved to keep the limits, the bounds of the drives, the workspace and the
     obstacles until the load rests; where none for a command does, the one before goes on. Whatever
-    is commanded, the load's position and its derivatives up to the smoothness are continuous.
+    is commanded, the load's position and its derivatives up to the smoothness are continuous; only
+    behind a measured swing or an emergency stop they are so up to the velocity, until it rests.
 
     Parameters
     ----------
     crane : Crane
     limits : Limits
         Of the load in x, y and z.
-    start : array_like, shape (3,), or Trajectory
-        Where the load rests [m], or a plan that it follows at first, in the mode "mission".
+    start : array_like, shape (3,) or (10,), or Trajectory
+        Where the load rests [m]; a measured state of the crane, which swings and is brought to rest
+        at first: positions of bridge and trolley and length of the rope [m], sway angles [rad], and
+        the rates of these; or a plan that is followed at first, in the mode "mission".
     bounds : ActuatorBounds, optional
         Of the drives and of the sway.
     clearance : Clearance, optional
@@ -103,7 +106,7 @@ class Operator:
     InputError
         For invalid arguments.
     InfeasibleError
-        If the load cannot be at the start.
+        If the load cannot be at the start, or be brought to rest from there.
     """
 
     def __init__(
@@ -149,6 +152,9 @@ class Operator:
 
     def _begin(self, start: ArrayLike | Trajectory, smoothness: int) -> None:
         """Begin with the plan; or at rest, where a stop shows whether that is allowed."""
+        if not isinstance(start, Trajectory) and np.size(start) == State.SIZE:
+            self._begin_swinging(finite_vector("start", start))
+            return
         if isinstance(start, Trajectory):
             pieces = start.timing, start.coefficients, start.offsets
         else:
@@ -167,6 +173,22 @@ class Operator:
                     "that"
                 )
         self._motion.command[Command.MODE] = OperationMode.MISSION
+
+    def _begin_swinging(self, state: FloatArray) -> None:
+        """Begin with a plan that brings a measured state to rest."""
+        self._require_brakes("a swing that is taken over")
+        if state[Axes.ROPE] <= 0.0 or np.abs(state[State.ANGLE : State.VELOCITY]).max() >= 1.5:
+            raise InputError(
+                f"start: a rope of {state[Axes.ROPE]:.4g} m and angles up to "
+                f"{np.abs(state[State.ANGLE : State.VELOCITY]).max():.4g} rad are no state of a "
+                "load below its crane; give positions, rope, angles and their rates, shape (10,)"
+            )
+        status = STATUSES[self._motion.begin_swinging(state)]
+        if status != "taken":
+            raise InfeasibleError(
+                f"start: no way from that state to rest keeps {status}; widen that, or let the "
+                "swing decay"
+            )
 
     def __repr__(self) -> str:
         at = ", ".join(f"{p:.4g}" for p in self.load[0])
@@ -209,7 +231,7 @@ class Operator:
         if not isinstance(mode, str) or mode not in MODES:
             raise InputError(f"mode must be one of {', '.join(MODES)}, got {shown(mode)}")
         if MODES.index(mode) == OperationMode.EMERGENCY:
-            self._require_brakes()
+            self._require_brakes("an emergency stop")
         command = self._motion.command
         if scale is not None:
             given = finite_number("scale", scale)
@@ -249,12 +271,12 @@ class Operator:
         self._time = after
         return self.load
 
-    def _require_brakes(self) -> None:
+    def _require_brakes(self, what: str) -> None:
         accelerations = self._motion.known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX :]
         for drive, bound in zip(DRIVES, accelerations, strict=False):
             if not bound > 0.0:
                 raise InputError(
-                    f"an emergency stop needs the greatest acceleration of each drive; that of the "
+                    f"{what} needs the greatest acceleration of each drive; that of the "
                     f"{drive} has no bound: give bounds=ActuatorBounds(acceleration=...)"
                 )
 
@@ -269,7 +291,7 @@ class Operator:
         InfeasibleError
             If no emergency stop keeps forces and powers of the drives.
         """
-        self._require_brakes()
+        self._require_brakes("an emergency stop")
         found = self._motion.foresee(self._time)
         if found is None:
             raise InfeasibleError(
@@ -309,7 +331,8 @@ class Operator:
     def rests_at(self) -> float:
         """Time at which the load rests if nothing is commanded any more [s].
 
-        It is infinite after an emergency stop, as the load swings.
+        It is infinite after an emergency stop, as the load swings, until a command takes the swing
+        over.
         """
         if self._motion.swings:
             return math.inf

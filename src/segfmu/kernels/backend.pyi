@@ -757,15 +757,6 @@ def begin_time(
     /,
 ) -> float: ...
 
-def keeps_drives(
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    known: Floats,
-    work: Floats,
-    /,
-) -> bool: ...
-
 def ramp_duration(
     change: float,
     axis: Floats,
@@ -829,6 +820,15 @@ def join_plans(
     /,
 ) -> int: ...
 
+def keeps_drives(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    known: Floats,
+    work: Floats,
+    /,
+) -> bool: ...
+
 def foresee_emergency(
     operation: Floats,
     known: Floats,
@@ -838,6 +838,18 @@ def foresee_emergency(
     work: Floats,
     /,
 ) -> bool: ...
+
+def take_over_state(
+    state: Floats,
+    operation: Floats,
+    known: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    work: Floats,
+    stack: Floats,
+    /,
+) -> int: ...
 
 def axis_limits(
     smoothness: int,

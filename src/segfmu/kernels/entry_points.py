@@ -368,6 +368,14 @@ ENTRY_POINTS = (
         offsets=Slot.COUNT * Slot.OFFSETS, work=(OperationWork.SIZE, OperationWork.COLUMNS),
     ),
     entry(
+        "operation.takeover", "take_over_state", state=State.SIZE,
+        operation=(Operation.SIZE, Operation.COLUMNS), known=(Known.SIZE, Known.COLUMNS),
+        timing=(Slot.COUNT, OperationRows.ALL, Timing.SIZE),
+        coefficients=(Slot.COUNT, OperationRows.ALL, "width"),
+        offsets=Slot.COUNT * Slot.OFFSETS, work=(OperationWork.SIZE, OperationWork.COLUMNS),
+        stack=(Stack.ROWS, Span.SIZE, "2 * width - 3"),
+    ),
+    entry(
         "operation.ready", "check_ready", compensation=Compensation.SIZE,
         resistance=Resistance.SIZE, fault=ReadyFault.SIZE,
     ),

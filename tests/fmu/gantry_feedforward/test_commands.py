@@ -324,3 +324,23 @@ def test_an_emergency_stop_is_that_of_the_operator(archive: Path) -> None:
         assert (np.abs(row[:15].reshape(5, 3) - load) <= 1e-8 * scale).all()
         np.testing.assert_allclose(row[15:18], operator.setpoints[:3], rtol=1e-8, atol=1e-6)
     assert operator.rests_at == np.inf
+
+
+def test_the_swing_behind_an_emergency_stop_is_taken_over(archive: Path) -> None:
+    moves = {"mode": "velocity", "velocity": [0.3, 0.2, 0.1], "target": [0.0] * 3, "scale": 1.0}
+    wanted = [moves] * 20 + [moves | {"mode": "emergency"}] * 3 + [moves | {"mode": "stop"}] * 100
+    wanted += [moves | {"velocity": [-0.2, 0.1, 0.0]}] * 80
+    operator = LAB.operator()
+    with Importer(archive) as fmu:
+        begun(fmu, LAB)
+        found = follow(fmu, LAB, wanted)
+    scale = np.vstack([np.ones(3), LAB.limits.table(3, 4).T[:4]])
+    rested = 0
+    for command, row in zip(wanted, found, strict=True):
+        operator.command(**command)
+        load = operator.step(LAB.step)
+        assert (np.abs(row[:15].reshape(5, 3) - load) <= 1e-8 * scale).all()
+        np.testing.assert_allclose(row[15:18], operator.setpoints[:3], rtol=1e-8, atol=1e-6)
+        rested += command["mode"] == "stop" and operator.time > operator.rests_at
+    assert rested > 10
+    np.testing.assert_allclose(operator.load[1], [-0.2, 0.1, 0.0], atol=1e-9)

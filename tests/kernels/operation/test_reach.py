@@ -119,7 +119,8 @@ def test_friction_needs_room() -> None:
 def test_a_range_is_inside_outside_or_open(centre: float, radius: float, verdict: int) -> None:
     work = np.zeros((OperationWork.SIZE, OperationWork.COLUMNS))
     work[OperationWork.REACH + Reach.DEMAND + Demand.VELOCITY, :2] = centre, radius
-    assert judge_reach(ActuatorBounds(velocity=[1.0, np.inf, np.inf]).record, work) == verdict
+    bounds = ActuatorBounds(velocity=[1.0, np.inf, np.inf]).record
+    assert judge_reach(Demand.SIZE, bounds, work) == verdict
 
 
 def test_a_rope_that_falls_freely_is_not_proved() -> None:

@@ -350,21 +350,19 @@ static double share_of(int64_t attempt, int64_t axis);
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
 static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known);
-static void set_range(double centre, double radius, array_double_1d found);
-static void add_range(double share, array_double_1d a, array_double_1d found);
-static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
-static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found);
-static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found);
-static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static void write_slope(int64_t axis, array_double_2d reach);
-static void write_stretch(array_double_2d reach);
-static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach);
-static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach);
-static void write_forces(array_double_1d crane, array_double_2d reach);
-static void write_sway(array_double_2d reach);
-static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
-static int64_t judge_reach(array_double_1d bounds, array_double_2d work);
-static bool keeps_between(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static int64_t most_newton(void);
+static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known);
+static double most_change(int64_t axis, double sense, double share, double interval, array_double_2d known);
+static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work);
+static void decline_line(int64_t axis, array_double_2d work);
+static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
+static double condition_slope(int64_t j, int64_t i, array_double_2d work);
+static double condition_left(int64_t j, double aim, int64_t axis, array_double_2d work);
+static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
+static void solve_barrier(array_double_2d work);
+static double join_changes(double first, double second, array_double_2d work);
+static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
+static bool find_centre(int64_t axis, double share, double interval, double first, double second, array_double_2d known, array_double_2d work);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
 static double shifted_root(double value, int64_t power, double shift);
 static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis);
@@ -392,13 +390,9 @@ static void cut_piece(int64_t row, int64_t last, double local, array_double_2d t
 static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
 static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
 static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
-static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets);
-static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array_int64_t_1d offsets);
-static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
-static bool has_room(int64_t slot, array_int64_t_1d offsets);
-static void clear_plan(int64_t slot, array_int64_t_1d offsets);
-static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
-static double suspension_pull(int64_t axis, double gravity, array_double_1d swing);
+static double length_term(int64_t order, array_double_1d swing);
+static void write_square(array_double_1d swing, array_double_1d square);
+static double suspension_pull(int64_t axis, int64_t order, double gravity, array_double_1d swing);
 static void expand_swing(double gravity, array_double_1d swing, array_double_2d work);
 static void tighten_rope(array_double_1d swing);
 static void move_swing(double step, array_double_1d swing, array_double_2d work);
@@ -408,7 +402,49 @@ static double stand_time(array_double_1d swing);
 static double sway_amplitude(double gravity, array_double_1d swing);
 static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work);
 static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work);
+static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static double swing_frequency(double gravity, array_double_1d swing);
+static void set_control_start(double interval, array_double_1d swing, array_double_2d work);
+static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d work);
+static void begin_controlled(array_double_2d operation);
+static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work);
+static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull);
+static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void set_range(double centre, double radius, array_double_1d found);
+static void add_range(double share, array_double_1d a, array_double_1d found);
+static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
+static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found);
+static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found);
+static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void write_slope(int64_t axis, array_double_2d reach);
+static void write_stretch(array_double_2d reach);
+static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach);
+static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach);
+static void write_forces(array_double_1d crane, array_double_2d reach);
+static void write_sway(array_double_2d reach);
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
+static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2d work);
+static bool keeps_between(int64_t count, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static bool keeps_demands(int64_t count, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets);
+static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array_int64_t_1d offsets);
+static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool has_room(int64_t slot, array_int64_t_1d offsets);
+static void clear_plan(int64_t slot, array_int64_t_1d offsets);
+static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
+static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
+static double used_share(void);
+static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work);
+static int64_t most_runs(void);
+static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static double least_time(double share, array_double_2d operation, array_double_2d known);
+static int64_t most_growths(void);
+static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static void invert_flat(array_double_2d known, array_double_2d work);
 static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work);
 static void set_brakes(double share, array_double_1d swing, array_double_2d known);
@@ -420,8 +456,12 @@ static double covered_time(array_double_2d operation);
 static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
-static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
+static bool is_calming(array_double_2d operation);
+static void note_calming(array_double_2d operation);
+static double next_calm(array_double_2d operation);
+static bool wants_calm(array_double_2d operation);
+static void try_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static double side_limit(int64_t order, double sign, array_double_1d axis);
 static double own_side(int64_t order, double sign, array_double_1d axis);
 static void set_lower(array_double_1d lower, array_double_1d axis);
@@ -12624,360 +12664,291 @@ static void set_attempt(int64_t attempt, array_double_2d operation, array_double
     }
     set_lower_of(INT64_C(1), operation, limits, known);
 }
-static void set_range(double centre, double radius, array_double_1d found)
+static int64_t most_newton(void)
 {
-    (*cspan_at(&found, INT64_C(0))) = centre;
-    (*cspan_at(&found, INT64_C(1))) = radius;
+    return INT64_C(60);
 }
-static void add_range(double share, array_double_1d a, array_double_1d found)
+static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known)
 {
-    (*cspan_at(&found, INT64_C(0))) = (*cspan_at(&found, INT64_C(0))) + share * (*cspan_at(&a, INT64_C(0)));
-    (*cspan_at(&found, INT64_C(1))) = (*cspan_at(&found, INT64_C(1))) + fabs(share) * (*cspan_at(&a, INT64_C(1)));
-}
-static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found)
-{
-    double radius;
-    radius = fabs((*cspan_at(&a, INT64_C(0)))) * (*cspan_at(&b, INT64_C(1)));
-    radius = radius + (*cspan_at(&a, INT64_C(1))) * (fabs((*cspan_at(&b, INT64_C(0)))) + (*cspan_at(&b, INT64_C(1))));
-    (*cspan_at(&found, INT64_C(0))) = (*cspan_at(&found, INT64_C(0))) + share * (*cspan_at(&a, INT64_C(0))) * (*cspan_at(&b, INT64_C(0)));
-    (*cspan_at(&found, INT64_C(1))) = (*cspan_at(&found, INT64_C(1))) + fabs(share) * radius;
-}
-static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found)
-{
-    double quotient;
-    double least;
-    quotient = (*cspan_at(&a, INT64_C(0))) / (*cspan_at(&b, INT64_C(0)));
-    least = (*cspan_at(&b, INT64_C(0))) - (*cspan_at(&b, INT64_C(1)));
-    (*cspan_at(&found, INT64_C(1))) = ((*cspan_at(&a, INT64_C(1))) + fabs(quotient) * (*cspan_at(&b, INT64_C(1)))) / least;
-    (*cspan_at(&found, INT64_C(0))) = quotient;
-}
-static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found)
-{
-    double total;
-    double value;
-    int64_t j;
-    int64_t i;
-    int64_t k;
-    total = 0.0;
-    value = 0.0;
-    for (j = INT64_C(0); j < width - order; j += INT64_C(1))
+    int64_t side;
+    double bound;
+    side = INT64_C(0);
+    if (sense < 0.0)
     {
-        i = width - INT64_C(1) - j;
-        value = (*cspan_at(&piece, i));
-        for (k = INT64_C(0); k < order; k += INT64_C(1))
-        {
-            value = value * (i - k);
-        }
-        if (i > order)
-        {
-            total = (total + fabs(value)) * radius;
-        }
+        side = INT64_C(1);
     }
-    set_range(value, total, found);
+    bound = share * bound_magnitude(demand, side, span_row(&known, INT64_C(2)));
+    if (bound == 0.0)
+    {
+        bound = fallback;
+    }
+    return bound;
 }
-static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
+static double most_change(int64_t axis, double sense, double share, double interval, array_double_2d known)
 {
-    int64_t width;
-    double middle;
-    double radius;
-    array_double_1d piece;
-    int64_t axis;
+    double result;
+    result = interval * control_bound(INT64_C(6) + axis, sense, share, 0.0, known);
+    return result;
+}
+static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work)
+{
+    double most;
+    double result;
+    most = most_change(axis, 1.0, share, interval, known);
+    most = most + most_change(axis, -1.0, share, interval, known);
+    most = fabs((*cspan_at(&work, INT64_C(138) + axis, INT64_C(1)))) + INT64_C(64) * most;
+    result = control_bound(INT64_C(3) + axis, sense, share, most, known);
+    return result;
+}
+static void decline_line(int64_t axis, array_double_2d work)
+{
+    array_double_1d points;
+    double start;
     int64_t last;
-    int64_t row;
     int64_t i;
-    double local;
-    int64_t order;
-    int64_t place;
-    width = coefficients.shape[INT64_C(1)];
-    middle = 0.5 * (begin + end);
-    radius = 0.5 * (end - begin);
-    piece = span_row(&work, INT64_C(89));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    points = span_row(&work, INT64_C(138) + axis);
+    start = (*cspan_at(&points, INT64_C(1)));
+    last = INT64_C(62);
+    for (i = INT64_C(1); i < last + INT64_C(1); i += INT64_C(1))
     {
-        last = (*cspan_at(&offsets, axis + INT64_C(1)));
-        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        (*cspan_at(&points, i)) = start * (last - i) / (last - INT64_C(1));
+    }
+    (*cspan_at(&points, last + INT64_C(1))) = 0.0;
+}
+static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work)
+{
+    array_double_1d points;
+    double fastest;
+    double slowest;
+    double rise;
+    double fall;
+    int64_t i;
+    bool result;
+    points = span_row(&work, INT64_C(138) + axis);
+    fastest = most_speed(axis, 1.0, share, interval, known, work);
+    slowest = most_speed(axis, -1.0, share, interval, known, work);
+    rise = most_change(axis, 1.0, share, interval, known);
+    fall = most_change(axis, -1.0, share, interval, known);
+    for (i = INT64_C(0); i < INT64_C(62); i += INT64_C(1))
+    {
+        if (!((-slowest < (*cspan_at(&points, i + INT64_C(1)))) && ((*cspan_at(&points, i + INT64_C(1))) < fastest)))
         {
-            (*cspan_at(&piece, i)) = (*cspan_at(&coefficients, row, i));
+            return 0;
         }
-        local = middle - (*cspan_at(&timing, row, INT64_C(0)));
-        if (local > (*cspan_at(&timing, row, INT64_C(1))))
+        if (!((-fall < (*cspan_at(&points, i + INT64_C(2))) - (*cspan_at(&points, i + INT64_C(1)))) && ((*cspan_at(&points, i + INT64_C(2))) - (*cspan_at(&points, i + INT64_C(1))) < rise)))
         {
-            (*cspan_at(&piece, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
-            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            return 0;
+        }
+    }
+    result = (-fall < (*cspan_at(&points, INT64_C(1))) - (*cspan_at(&points, INT64_C(0)))) && ((*cspan_at(&points, INT64_C(1))) - (*cspan_at(&points, INT64_C(0))) < rise);
+    return result;
+}
+static double condition_slope(int64_t j, int64_t i, array_double_2d work)
+{
+    double result;
+    result = (*cspan_at(&work, INT64_C(141) + j, i - INT64_C(1))) - (*cspan_at(&work, INT64_C(141) + j, i));
+    return result;
+}
+static double condition_left(int64_t j, double aim, int64_t axis, array_double_2d work)
+{
+    int64_t i;
+    double change;
+    double left;
+    left = aim;
+    for (i = INT64_C(0); i < INT64_C(62) + INT64_C(1); i += INT64_C(1))
+    {
+        change = (*cspan_at(&work, INT64_C(138) + axis, i + INT64_C(1))) - (*cspan_at(&work, INT64_C(138) + axis, i));
+        left = left - (*cspan_at(&work, INT64_C(141) + j, i)) * change;
+    }
+    return left;
+}
+static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work)
+{
+    array_double_1d points;
+    double fastest;
+    double slowest;
+    double rise;
+    double fall;
+    double slope;
+    double curve;
+    int64_t i;
+    double over;
+    double under;
+    double slope_behind;
+    double curve_behind;
+    int64_t j;
+    points = span_row(&work, INT64_C(138) + axis);
+    fastest = most_speed(axis, 1.0, share, interval, known, work);
+    slowest = most_speed(axis, -1.0, share, interval, known, work);
+    rise = most_change(axis, 1.0, share, interval, known);
+    fall = most_change(axis, -1.0, share, interval, known);
+    slope = 0.0;
+    curve = 0.0;
+    for (i = INT64_C(1); i < INT64_C(62); i += INT64_C(1))
+    {
+        over = 1.0 / (rise - (*cspan_at(&points, i + INT64_C(1))) + (*cspan_at(&points, i)));
+        under = 1.0 / (fall + (*cspan_at(&points, i + INT64_C(1))) - (*cspan_at(&points, i)));
+        slope_behind = over - under;
+        curve_behind = over * over + under * under;
+        over = 1.0 / (fastest - (*cspan_at(&points, i)));
+        under = 1.0 / (slowest + (*cspan_at(&points, i)));
+        (*cspan_at(&work, INT64_C(145), i)) = slope_behind - slope - over + under;
+        (*cspan_at(&work, INT64_C(143), i)) = curve + curve_behind + over * over + under * under;
+        (*cspan_at(&work, INT64_C(144), i)) = -curve_behind;
+        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(145) + INT64_C(1) + j, i)) = condition_slope(j, i, work);
+        }
+        slope = slope_behind;
+        curve = curve_behind;
+    }
+}
+static void solve_barrier(array_double_2d work)
+{
+    int64_t i;
+    double ratio;
+    int64_t j;
+    int64_t k;
+    double found;
+    for (i = INT64_C(3); i < INT64_C(62); i += INT64_C(1))
+    {
+        ratio = (*cspan_at(&work, INT64_C(144), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(143), i - INT64_C(1)));
+        (*cspan_at(&work, INT64_C(143), i)) = (*cspan_at(&work, INT64_C(143), i)) - ratio * (*cspan_at(&work, INT64_C(144), i - INT64_C(1)));
+        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(145) + j, i)) = (*cspan_at(&work, INT64_C(145) + j, i)) - ratio * (*cspan_at(&work, INT64_C(145) + j, i - INT64_C(1)));
+        }
+    }
+    for (k = INT64_C(2); k < INT64_C(62); k += INT64_C(1))
+    {
+        i = INT64_C(62) + INT64_C(1) - k;
+        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        {
+            found = (*cspan_at(&work, INT64_C(145) + j, i));
+            if (k > INT64_C(2))
             {
-                (*cspan_at(&piece, i)) = 0.0;
+                found = found - (*cspan_at(&work, INT64_C(144), i)) * (*cspan_at(&work, INT64_C(145) + j, i + INT64_C(1)));
             }
-        }
-        else
-        {
-            polynomial_shift(piece, local, width);
-        }
-        for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
-        {
-            place = INT64_C(90) + INT64_C(0) + INT64_C(3) * order + axis;
-            write_derivative(order, width, radius, piece, span_row(&work, place));
+            (*cspan_at(&work, INT64_C(145) + j, i)) = found / (*cspan_at(&work, INT64_C(143), i));
         }
     }
 }
-static void write_slope(int64_t axis, array_double_2d reach)
+static double join_changes(double first, double second, array_double_2d work)
 {
-    array_double_1d slope;
-    array_double_1d rate;
-    array_double_1d pull;
-    array_double_1d pull_rate;
-    array_double_1d total;
-    slope = span_row(&reach, INT64_C(16) + axis);
-    rate = span_row(&reach, INT64_C(18) + axis);
-    pull = span_row(&reach, INT64_C(15));
-    pull_rate = span_row(&reach, INT64_C(9) + INT64_C(2));
-    total = span_row(&reach, INT64_C(26));
-    divide_range(span_row(&reach, INT64_C(6) + axis), pull, slope);
-    set_range(0.0, 0.0, total);
-    add_range(1.0, span_row(&reach, INT64_C(9) + axis), total);
-    add_range_product(-1.0, slope, pull_rate, total);
-    divide_range(total, pull, rate);
-    set_range(0.0, 0.0, total);
-    add_range(1.0, span_row(&reach, INT64_C(12) + axis), total);
-    add_range_product(-2.0, rate, pull_rate, total);
-    add_range_product(-1.0, slope, span_row(&reach, INT64_C(12) + INT64_C(2)), total);
-    divide_range(total, pull, span_row(&reach, INT64_C(20) + axis));
-}
-static void write_stretch(array_double_2d reach)
-{
-    array_double_1d total;
-    array_double_1d stretch;
-    array_double_1d rate;
-    int64_t axis;
-    double root;
-    array_double_1d slope_rate;
-    total = span_row(&reach, INT64_C(26));
-    stretch = span_row(&reach, INT64_C(22));
-    rate = span_row(&reach, INT64_C(23));
-    set_range(1.0, 0.0, total);
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    double a;
+    double b;
+    double d;
+    int64_t i;
+    double row;
+    double other;
+    double determinant;
+    double share_first;
+    double share_second;
+    double largest;
+    a = 0.0;
+    b = 0.0;
+    d = 0.0;
+    for (i = INT64_C(2); i < INT64_C(62); i += INT64_C(1))
     {
-        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(16) + axis), total);
+        row = condition_slope(INT64_C(0), i, work);
+        other = condition_slope(INT64_C(1), i, work);
+        first = first - row * (*cspan_at(&work, INT64_C(145), i));
+        second = second - other * (*cspan_at(&work, INT64_C(145), i));
+        a = a + row * (*cspan_at(&work, INT64_C(145) + INT64_C(1), i));
+        b = b + row * (*cspan_at(&work, INT64_C(145) + INT64_C(2), i));
+        d = d + other * (*cspan_at(&work, INT64_C(145) + INT64_C(2), i));
     }
-    root = sqrt((*cspan_at(&total, INT64_C(0))));
-    set_range(root, (*cspan_at(&total, INT64_C(1))) / (1.0 + root), stretch);
-    set_range(0.0, 0.0, total);
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    determinant = a * d - b * b;
+    share_first = (d * first - b * second) / determinant;
+    share_second = (a * second - b * first) / determinant;
+    if (!(fabs(share_first) + fabs(share_second) < 1e+300))
     {
-        slope_rate = span_row(&reach, INT64_C(18) + axis);
-        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), slope_rate, total);
+        return 1e+300;
     }
-    divide_range(total, stretch, rate);
-    set_range(0.0, 0.0, total);
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    largest = 0.0;
+    for (i = INT64_C(2); i < INT64_C(62); i += INT64_C(1))
     {
-        slope_rate = span_row(&reach, INT64_C(18) + axis);
-        add_range_product(1.0, slope_rate, slope_rate, total);
-        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(20) + axis), total);
+        (*cspan_at(&work, INT64_C(145), i)) = (*cspan_at(&work, INT64_C(145), i)) + share_first * (*cspan_at(&work, INT64_C(145) + INT64_C(1), i)) + share_second * (*cspan_at(&work, INT64_C(145) + INT64_C(2), i));
+        largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(145), i))));
     }
-    add_range_product(-1.0, rate, rate, total);
-    divide_range(total, stretch, span_row(&reach, INT64_C(24)));
-}
-static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach)
-{
-    array_double_1d velocity;
-    array_double_1d acceleration;
-    velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
-    acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
-    set_range(0.0, 0.0, velocity);
-    add_range(ahead, span_row(&reach, INT64_C(3) + drive), velocity);
-    add_range_product(-1.0, span_row(&reach, INT64_C(3) + INT64_C(2)), factor, velocity);
-    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), rate, velocity);
-    set_range(0.0, 0.0, acceleration);
-    add_range(ahead, span_row(&reach, INT64_C(6) + drive), acceleration);
-    add_range_product(-1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), factor, acceleration);
-    add_range_product(-2.0, span_row(&reach, INT64_C(3) + INT64_C(2)), rate, acceleration);
-    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), change, acceleration);
-}
-static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach)
-{
-    array_double_1d velocity;
-    double most;
-    double dry;
-    double smooth;
-    velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
-    most = fabs((*cspan_at(&velocity, INT64_C(0)))) + (*cspan_at(&velocity, INT64_C(1)));
-    dry = span_max((*cspan_at(&crane, INT64_C(10) + drive)), (*cspan_at(&crane, INT64_C(7) + drive)));
-    smooth = (*cspan_at(&crane, INT64_C(4) + drive)) + (*cspan_at(&crane, INT64_C(13) + drive)) * most;
-    set_range(0.0, dry + smooth * most, span_row(&reach, INT64_C(25)));
-    add_range(1.0, span_row(&reach, INT64_C(25)), span_row(&reach, INT64_C(27) + INT64_C(0) + drive));
-}
-static void write_forces(array_double_1d crane, array_double_2d reach)
-{
-    double payload;
-    int64_t drive;
-    array_double_1d force;
-    array_double_1d acceleration;
-    array_double_1d power;
-    payload = (*cspan_at(&crane, INT64_C(2)));
-    for (drive = INT64_C(0); drive < INT64_C(2); drive += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        force = span_row(&reach, INT64_C(27) + INT64_C(0) + drive);
-        set_range(0.0, 0.0, force);
-        acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
-        add_range(carriage_mass(crane, drive), acceleration, force);
-        add_range(payload, span_row(&reach, INT64_C(6) + drive), force);
+        (*cspan_at(&work, INT64_C(145), i)) = 0.0;
+        (*cspan_at(&work, INT64_C(145), INT64_C(62) + i)) = 0.0;
     }
-    force = span_row(&reach, INT64_C(27) + INT64_C(0) + INT64_C(2));
-    set_range(0.0, 0.0, force);
-    add_range_product(-payload, span_row(&reach, INT64_C(15)), span_row(&reach, INT64_C(22)), force);
-    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    return largest;
+}
+static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work)
+{
+    array_double_1d points;
+    array_double_1d change;
+    double fastest;
+    double slowest;
+    double rise;
+    double fall;
+    double inverse;
+    int64_t i;
+    double moved;
+    double step;
+    points = span_row(&work, INT64_C(138) + axis);
+    change = span_row(&work, INT64_C(145));
+    fastest = most_speed(axis, 1.0, share, interval, known, work);
+    slowest = most_speed(axis, -1.0, share, interval, known, work);
+    rise = most_change(axis, 1.0, share, interval, known);
+    fall = most_change(axis, -1.0, share, interval, known);
+    inverse = 0.0;
+    for (i = INT64_C(1); i < INT64_C(62); i += INT64_C(1))
     {
-        add_resistance(drive, crane, reach);
-        power = span_row(&reach, INT64_C(27) + INT64_C(9) + drive);
-        set_range(0.0, 0.0, power);
-        add_range_product(1.0, span_row(&reach, INT64_C(27) + INT64_C(0) + drive), span_row(&reach, INT64_C(27) + INT64_C(3) + drive), power);
+        moved = (*cspan_at(&change, i + INT64_C(1))) - (*cspan_at(&change, i));
+        step = (*cspan_at(&points, i + INT64_C(1))) - (*cspan_at(&points, i));
+        inverse = span_max(inverse, moved / (rise - step));
+        inverse = span_max(inverse, (-moved) / (fall + step));
+        inverse = span_max(inverse, (*cspan_at(&change, i)) / (fastest - (*cspan_at(&points, i))));
+        inverse = span_max(inverse, (-(*cspan_at(&change, i))) / (slowest + (*cspan_at(&points, i))));
     }
+    if (inverse > 0.0)
+    {
+        return 1.0 / inverse;
+    }
+    return 1e+300;
 }
-static void write_sway(array_double_2d reach)
+static bool find_centre(int64_t axis, double share, double interval, double first, double second, array_double_2d known, array_double_2d work)
 {
-    array_double_1d q_x;
-    array_double_1d q_y;
-    double across;
-    double most;
-    q_x = span_row(&reach, INT64_C(16));
-    q_y = span_row(&reach, INT64_C(16) + INT64_C(1));
-    across = (*cspan_at(&q_x, INT64_C(0))) / sqrt(1.0 + (*cspan_at(&q_y, INT64_C(0))) * (*cspan_at(&q_y, INT64_C(0))));
-    most = fabs((*cspan_at(&q_x, INT64_C(0)))) + (*cspan_at(&q_x, INT64_C(1)));
-    set_range(-atan(across), (*cspan_at(&q_x, INT64_C(1))) + most * (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12)));
-    set_range(atan((*cspan_at(&q_y, INT64_C(0)))), (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12) + INT64_C(1)));
-}
-static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work)
-{
-    array_double_2d reach;
-    array_double_1d pull;
-    int64_t axis;
-    write_load(begin, end, timing, coefficients, offsets, work);
-    reach = span_rows(&work, INT64_C(90), INT64_C(144));
-    pull = span_row(&reach, INT64_C(15));
-    set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
-    add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
-    if (!((*cspan_at(&pull, INT64_C(0))) > (*cspan_at(&pull, INT64_C(1)))))
+    int64_t Dummy_0000;
+    double largest;
+    double step;
+    int64_t i;
+    bool met;
+    decline_line(axis, work);
+    if (!is_inside_bounds(axis, share, interval, known, work))
     {
         return 0;
     }
-    write_slope(INT64_C(0), reach);
-    write_slope(INT64_C(1), reach);
-    write_stretch(reach);
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    met = 0;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < most_newton(); Dummy_0000 += INT64_C(1))
     {
-        write_drive(axis, 1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(18) + axis), span_row(&reach, INT64_C(20) + axis), reach);
-    }
-    write_drive(INT64_C(2), 0.0, span_row(&reach, INT64_C(22)), span_row(&reach, INT64_C(23)), span_row(&reach, INT64_C(24)), reach);
-    write_forces(crane, reach);
-    write_sway(reach);
-    return 1;
-}
-static int64_t judge_reach(array_double_1d bounds, array_double_2d work)
-{
-    double rounding;
-    int64_t i;
-    array_double_1d demand;
-    int64_t side;
-    double bound;
-    double value;
-    int64_t proved;
-    proved = INT64_C(1);
-    rounding = 1.0 + 1e-09;
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
-    {
-        demand = span_row(&work, INT64_C(90) + INT64_C(27) + i);
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            bound = bound_magnitude(i, side, bounds) * rounding;
-            if (bound != 0.0)
-            {
-                value = (1.0 - 2.0 * side) * (*cspan_at(&demand, INT64_C(0)));
-                if (!(value <= bound))
-                {
-                    return -INT64_C(1);
-                }
-                if (!(value + (*cspan_at(&demand, INT64_C(1))) <= bound))
-                {
-                    proved = INT64_C(0);
-                }
-            }
-        }
-    }
-    return proved;
-}
-static bool keeps_between(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
-{
-    int64_t depth;
-    int64_t place;
-    double length;
-    double start;
-    int64_t found;
-    depth = INT64_C(0);
-    place = INT64_C(0);
-    while((depth > INT64_C(0)) || (place == INT64_C(0)))
-    {
-        length = (end - begin) * pow(0.5, (double)(depth));
-        start = begin + place * length;
-        found = INT64_C(0);
-        if (write_reach(start, start + length, timing, coefficients, offsets, span_row(&known, INT64_C(0)), work))
-        {
-            found = judge_reach(span_row(&known, INT64_C(2)), work);
-        }
-        if ((found < INT64_C(0)) || ((found == INT64_C(0)) && (depth == INT64_C(10))))
+        write_barrier(axis, share, interval, known, work);
+        solve_barrier(work);
+        largest = join_changes(condition_left(INT64_C(0), first, axis, work), condition_left(INT64_C(1), second, axis, work), work);
+        step = span_min(0.9 * way_to_bounds(axis, share, interval, known, work), 1.0);
+        if ((!(step > 0.0001)) || (!(largest < 1e+300)))
         {
             return 0;
         }
-        if (found == INT64_C(0))
+        for (i = INT64_C(2); i < INT64_C(62); i += INT64_C(1))
         {
-            place = INT64_C(2) * place;
-            depth = depth + INT64_C(1);
+            (*cspan_at(&work, INT64_C(138) + axis, i)) = (*cspan_at(&work, INT64_C(138) + axis, i)) + step * (*cspan_at(&work, INT64_C(145), i));
         }
-        else
+        if (step == 1.0)
         {
-            place = place + INT64_C(1);
-            while((depth > INT64_C(0)) && (span_floor_mod(place, INT64_C(2)) == INT64_C(0)))
+            met = 1;
+            if (largest <= 1e-09 * most_change(axis, 1.0, share, interval, known))
             {
-                place = span_floor_div(place, INT64_C(2));
-                depth = depth - INT64_C(1);
+                return 1;
             }
         }
     }
-    return 1;
-}
-bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
-{
-    bool bounded;
-    int64_t i;
-    double time;
-    double until;
-    int64_t intervals;
-    bounded = 0;
-    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
-    {
-        if ((*cspan_at(&known, INT64_C(2), i)) != 0.0)
-        {
-            bounded = 1;
-        }
-    }
-    if (!bounded)
-    {
-        return 1;
-    }
-    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
-    until = interval_end(time, timing, offsets);
-    intervals = INT64_C(0);
-    while((until > time) || (intervals == INT64_C(0)))
-    {
-        intervals = intervals + INT64_C(1);
-        if (!keeps_between(time, until, timing, coefficients, offsets, known, work))
-        {
-            return 0;
-        }
-        time = until;
-        until = interval_end(time, timing, offsets);
-    }
-    return 1;
+    return met;
 }
 static double inner_rise(double rise, int64_t level, array_double_1d axis)
 {
@@ -13990,6 +13961,922 @@ int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coef
     (*cspan_at(&joined_offsets, offsets.shape[INT64_C(0)] - INT64_C(1))) = target;
     return target;
 }
+static double length_term(int64_t order, array_double_1d swing)
+{
+    double result;
+    if (order == INT64_C(0))
+    {
+        result = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+        return result;
+    }
+    if (order == INT64_C(1))
+    {
+        result = (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
+        return result;
+    }
+    if (order == INT64_C(2))
+    {
+        result = 0.5 * (*cspan_at(&swing, INT64_C(8) + INT64_C(2)));
+        return result;
+    }
+    result = (*cspan_at(&swing, INT64_C(11) + INT64_C(2))) / 6.0;
+    return result;
+}
+static void write_square(array_double_1d swing, array_double_1d square)
+{
+    int64_t i;
+    int64_t j;
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        (*cspan_at(&square, i)) = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(3) + INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(3) + INT64_C(1); j += INT64_C(1))
+        {
+            (*cspan_at(&square, i + j)) = (*cspan_at(&square, i + j)) + length_term(i, swing) * length_term(j, swing);
+        }
+    }
+}
+static double suspension_pull(int64_t axis, int64_t order, double gravity, array_double_1d swing)
+{
+    double found;
+    found = 0.0;
+    if (order == INT64_C(0))
+    {
+        found = gravity;
+        if (axis < INT64_C(2))
+        {
+            found = (*cspan_at(&swing, INT64_C(8) + axis));
+        }
+    }
+    else if ((order == INT64_C(1)) && (axis < INT64_C(2)))
+    {
+        found = (*cspan_at(&swing, INT64_C(11) + axis));
+    }
+    return found;
+}
+static void expand_swing(double gravity, array_double_1d swing, array_double_2d work)
+{
+    array_double_2d series;
+    array_double_1d square;
+    int64_t axis;
+    array_double_1d pull;
+    int64_t k;
+    double found;
+    int64_t i;
+    double product;
+    double value;
+    series = span_rows(&work, INT64_C(131), INT64_C(134));
+    square = span_row(&work, INT64_C(135));
+    write_square(swing, square);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(17) + axis));
+        (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(20) + axis));
+    }
+    pull = span_row(&work, INT64_C(134));
+    for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
+    {
+        found = (-0.5) * (k + INT64_C(1)) * (k + INT64_C(2)) * (*cspan_at(&square, k + INT64_C(2)));
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < span_min_int(k, INT64_C(1)) + INT64_C(1); i += INT64_C(1))
+            {
+                found = found - suspension_pull(axis, i, gravity, swing) * (*cspan_at(&series, axis, k - i));
+            }
+            for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+            {
+                product = (*cspan_at(&series, axis, i + INT64_C(1))) * (*cspan_at(&series, axis, k - i + INT64_C(1)));
+                found = found + (i + INT64_C(1)) * (k - i + INT64_C(1)) * product;
+            }
+        }
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            found = found - (*cspan_at(&pull, i)) * (*cspan_at(&square, k - i));
+        }
+        (*cspan_at(&pull, k)) = found / (*cspan_at(&square, INT64_C(0)));
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            value = -suspension_pull(axis, k, gravity, swing);
+            for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+            {
+                value = value - (*cspan_at(&pull, i)) * (*cspan_at(&series, axis, k - i));
+            }
+            (*cspan_at(&series, axis, k + INT64_C(2))) = value / ((k + INT64_C(1)) * (k + INT64_C(2)));
+        }
+    }
+}
+static void tighten_rope(array_double_1d swing)
+{
+    double length;
+    double square;
+    int64_t axis;
+    double ratio;
+    double stray;
+    double along;
+    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    square = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        square = square + (*cspan_at(&swing, INT64_C(17) + axis)) * (*cspan_at(&swing, INT64_C(17) + axis));
+    }
+    ratio = length / sqrt(square);
+    stray = (-length) * (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) * ratio;
+        stray = stray + (*cspan_at(&swing, INT64_C(17) + axis)) * (*cspan_at(&swing, INT64_C(20) + axis));
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        along = stray * (*cspan_at(&swing, INT64_C(17) + axis)) / (length * length);
+        (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&swing, INT64_C(20) + axis)) - along;
+    }
+}
+static void move_swing(double step, array_double_1d swing, array_double_2d work)
+{
+    int64_t axis;
+    array_double_1d series;
+    double place;
+    double rate;
+    int64_t j;
+    int64_t i;
+    double jerk;
+    double acceleration;
+    double mean;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        series = span_row(&work, INT64_C(131) + axis);
+        place = 0.0;
+        rate = 0.0;
+        for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
+        {
+            i = INT64_C(14) - INT64_C(1) - j;
+            rate = rate * step + place;
+            place = place * step + (*cspan_at(&series, i));
+        }
+        (*cspan_at(&swing, INT64_C(17) + axis)) = place;
+        (*cspan_at(&swing, INT64_C(20) + axis)) = rate;
+        jerk = (*cspan_at(&swing, INT64_C(11) + axis));
+        acceleration = (*cspan_at(&swing, INT64_C(8) + axis));
+        mean = (*cspan_at(&swing, INT64_C(5) + axis)) + (0.5 * acceleration + jerk * step / 6.0) * step;
+        (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&swing, INT64_C(2) + axis)) + mean * step;
+        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (acceleration + 0.5 * jerk * step) * step;
+        (*cspan_at(&swing, INT64_C(8) + axis)) = acceleration + jerk * step;
+        (*cspan_at(&swing, INT64_C(14) + axis)) = span_max((*cspan_at(&swing, INT64_C(14) + axis)) - step, 0.0);
+        if ((*cspan_at(&swing, INT64_C(14) + axis)) == 0.0)
+        {
+            (*cspan_at(&swing, INT64_C(5) + axis)) = 0.0;
+            (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
+            (*cspan_at(&swing, INT64_C(11) + axis)) = 0.0;
+        }
+    }
+    tighten_rope(swing);
+}
+static double swing_step(double longest, array_double_1d swing)
+{
+    int64_t axis;
+    double left;
+    double found;
+    found = longest;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        left = (*cspan_at(&swing, INT64_C(14) + axis));
+        if ((0.0 < left) && (left < found))
+        {
+            found = left;
+        }
+    }
+    return found;
+}
+static double resolved_step(double gravity, array_double_1d swing)
+{
+    double result;
+    result = 0.05 * sqrt((*cspan_at(&swing, INT64_C(2) + INT64_C(2))) / gravity);
+    return result;
+}
+static double stand_time(array_double_1d swing)
+{
+    int64_t axis;
+    double latest;
+    latest = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        latest = span_max(latest, (*cspan_at(&swing, INT64_C(14) + axis)));
+    }
+    return latest;
+}
+static double sway_amplitude(double gravity, array_double_1d swing)
+{
+    double length;
+    double x;
+    double y;
+    double low;
+    double squares;
+    int64_t axis;
+    double energy;
+    double moment;
+    double least;
+    double high;
+    int64_t Dummy_0000;
+    double middle;
+    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    x = (*cspan_at(&swing, INT64_C(17)));
+    y = (*cspan_at(&swing, INT64_C(17) + INT64_C(1)));
+    low = (x * x + y * y) / (length * (length - (*cspan_at(&swing, INT64_C(17) + INT64_C(2)))));
+    squares = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        squares = squares + (*cspan_at(&swing, INT64_C(20) + axis)) * (*cspan_at(&swing, INT64_C(20) + axis));
+    }
+    energy = low + squares / (2.0 * gravity * length);
+    moment = x * (*cspan_at(&swing, INT64_C(20) + INT64_C(1))) - y * (*cspan_at(&swing, INT64_C(20)));
+    least = moment * moment / (2.0 * gravity * length * length * length);
+    high = span_min(energy, 2.0);
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(60); Dummy_0000 += INT64_C(1))
+    {
+        middle = 0.5 * (low + high);
+        if (middle * (2.0 - middle) * (energy - middle) >= least)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    return 2.0 * atan2(sqrt(low), sqrt(span_max(2.0 - low, 0.0)));
+}
+static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work)
+{
+    double left;
+    double longest;
+    double step;
+    left = duration;
+    longest = span_max(resolved_step(gravity, swing), duration / INT64_C(20000));
+    while(left > 0.0)
+    {
+        step = span_min(swing_step(longest, swing), left);
+        expand_swing(gravity, swing, work);
+        move_swing(step, swing, work);
+        left = left - step;
+    }
+}
+static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work)
+{
+    int64_t width;
+    int64_t i;
+    int64_t j;
+    int64_t k;
+    width = coefficients.shape[INT64_C(2)];
+    for (i = INT64_C(0); i < width; i += INT64_C(1))
+    {
+        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(131) + axis, i));
+    }
+    if (axis < INT64_C(2))
+    {
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) + (*cspan_at(&swing, INT64_C(2) + axis));
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) + (*cspan_at(&swing, INT64_C(5) + axis));
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) + 0.5 * (*cspan_at(&swing, INT64_C(8) + axis));
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(3))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(3))) + (*cspan_at(&swing, INT64_C(11) + axis)) / 6.0;
+    }
+    for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
+        {
+            k = width - INT64_C(2) - j;
+            (*cspan_at(&coefficients, INT64_C(4), row, k)) = (*cspan_at(&coefficients, INT64_C(4), row, k)) - before * (*cspan_at(&coefficients, INT64_C(4), row, k + INT64_C(1)));
+        }
+    }
+}
+static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, slot * INT64_C(4) + axis)) = axis * count;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            copy_piece(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), axis * rows + i, span_matrix(&timing, slot), span_matrix(&coefficients, slot), axis * count + i);
+        }
+    }
+    (*cspan_at(&offsets, slot * INT64_C(4) + INT64_C(3))) = INT64_C(3) * count;
+}
+static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    double gravity;
+    array_double_1d swing;
+    array_double_1d ahead;
+    int64_t i;
+    double longest;
+    int64_t rows;
+    double time;
+    int64_t count;
+    double step;
+    int64_t axis;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    swing = span_row(&operation, INT64_C(26));
+    ahead = span_row(&operation, INT64_C(27));
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
+    }
+    longest = span_max(resolved_step(gravity, swing), least / INT64_C(300));
+    rows = INT64_C(300) + INT64_C(100);
+    time = 0.0;
+    count = INT64_C(0);
+    while((count < rows) && ((time < least) || (stand_time(ahead) > 0.0) || (count < INT64_C(100))))
+    {
+        step = swing_step(longest, ahead);
+        expand_swing(gravity, ahead, work);
+        move_swing(0.5 * step, ahead, work);
+        expand_swing(gravity, ahead, work);
+        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        {
+            write_swing_piece(axis, axis * rows + count, 0.5 * step, ahead, coefficients, work);
+            (*cspan_at(&timing, INT64_C(4), axis * rows + count, INT64_C(0))) = time;
+            (*cspan_at(&timing, INT64_C(4), axis * rows + count, INT64_C(1))) = step;
+        }
+        move_swing(0.5 * step, ahead, work);
+        time = time + step;
+        count = count + INT64_C(1);
+    }
+    gather_axes(rows, count, INT64_C(0), timing, coefficients, offsets);
+    (*cspan_at(&swing, INT64_C(1))) = time;
+}
+static double swing_frequency(double gravity, array_double_1d swing)
+{
+    double result;
+    result = sqrt(gravity / (*cspan_at(&swing, INT64_C(2) + INT64_C(2))));
+    return result;
+}
+static void set_control_start(double interval, array_double_1d swing, array_double_2d work)
+{
+    int64_t axis;
+    double half;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        half = 0.5 * interval * (*cspan_at(&swing, INT64_C(8) + axis));
+        (*cspan_at(&work, INT64_C(138) + axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(5) + axis)) - half;
+        (*cspan_at(&work, INT64_C(138) + axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(5) + axis)) + half;
+    }
+}
+static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d work)
+{
+    int64_t axis;
+    array_double_1d points;
+    double before;
+    double behind;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        points = span_row(&work, INT64_C(138) + axis);
+        before = (*cspan_at(&points, k + INT64_C(1))) - (*cspan_at(&points, k));
+        behind = (*cspan_at(&points, k + INT64_C(2))) - (*cspan_at(&points, k + INT64_C(1)));
+        (*cspan_at(&ahead, INT64_C(5) + axis)) = 0.5 * ((*cspan_at(&points, k)) + (*cspan_at(&points, k + INT64_C(1))));
+        (*cspan_at(&ahead, INT64_C(8) + axis)) = before / interval;
+        (*cspan_at(&ahead, INT64_C(11) + axis)) = (behind - before) / (interval * interval);
+    }
+}
+static void begin_controlled(array_double_2d operation)
+{
+    int64_t i;
+    int64_t axis;
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(27), i)) = (*cspan_at(&operation, INT64_C(26), i));
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(27), INT64_C(14) + axis)) = 1e+300;
+    }
+}
+static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work)
+{
+    array_double_1d swing;
+    double length;
+    double shortest;
+    int64_t k;
+    array_double_1d points;
+    double phase;
+    swing = span_row(&operation, INT64_C(26));
+    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    shortest = length;
+    for (k = INT64_C(0); k < INT64_C(62); k += INT64_C(1))
+    {
+        points = span_row(&work, INT64_C(138) + INT64_C(2));
+        length = length + interval * ((*cspan_at(&points, k)) + 4.0 * (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)))) / 6.0;
+        shortest = span_min(shortest, length);
+    }
+    if (!(shortest > 0.0))
+    {
+        shortest = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
+    }
+    phase = interval * sqrt(gravity / shortest);
+    return INT64_C(1) + (int64_t)(span_min(phase / longest, 1000000.0));
+}
+static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull)
+{
+    int64_t k;
+    double value;
+    int64_t i;
+    double whole;
+    double late;
+    double place;
+    double rate;
+    int64_t j;
+    for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
+    {
+        value = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            value = value - (*cspan_at(&pull, i)) * (*cspan_at(&free, k - i));
+        }
+        (*cspan_at(&free, k + INT64_C(2))) = value / ((k + INT64_C(1)) * (k + INT64_C(2)));
+    }
+    whole = 0.0;
+    late = 0.0;
+    place = 0.0;
+    rate = 0.0;
+    for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
+    {
+        i = INT64_C(14) - INT64_C(1) - j;
+        whole = whole * step + (*cspan_at(&free, i)) / (i + INT64_C(1));
+        late = late * step + (*cspan_at(&free, i)) / (i + INT64_C(2));
+        rate = rate * step + place;
+        place = place * step + (*cspan_at(&free, i));
+    }
+    whole = whole * step;
+    late = (since * whole + late * step * step) / interval;
+    (*cspan_at(&moment, knot)) = (*cspan_at(&moment, knot)) + (whole - late) / interval;
+    (*cspan_at(&moment, knot + INT64_C(1))) = (*cspan_at(&moment, knot + INT64_C(1))) + late / interval;
+    (*cspan_at(&free, INT64_C(0))) = place;
+    (*cspan_at(&free, INT64_C(1))) = rate;
+}
+static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    double gravity;
+    array_double_1d ahead;
+    int64_t j;
+    int64_t k;
+    int64_t parts;
+    double step;
+    int64_t i;
+    double frequency;
+    double found;
+    int64_t axis;
+    double away;
+    double rate;
+    double result;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    ahead = span_row(&operation, INT64_C(27));
+    begin_controlled(operation);
+    for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+    {
+        for (k = INT64_C(0); k < INT64_C(64); k += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(141) + j, k)) = 0.0;
+        }
+        (*cspan_at(&work, INT64_C(136) + j, INT64_C(0))) = 1.0 - j;
+        (*cspan_at(&work, INT64_C(136) + j, INT64_C(1))) = j * swing_frequency(gravity, ahead);
+    }
+    parts = interval_parts(0.3, interval, operation, gravity, work);
+    step = interval / parts;
+    for (k = INT64_C(0); k < INT64_C(62); k += INT64_C(1))
+    {
+        set_knot(k, interval, ahead, work);
+        for (i = INT64_C(0); i < parts; i += INT64_C(1))
+        {
+            expand_swing(gravity, ahead, work);
+            if (!((*cspan_at(&work, INT64_C(134), INT64_C(0))) > 0.0))
+            {
+                return 1e+300;
+            }
+            for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+            {
+                add_moments(k, i * step, step, interval, span_row(&work, INT64_C(141) + j), span_row(&work, INT64_C(136) + j), span_row(&work, INT64_C(134)));
+            }
+            move_swing(step, ahead, work);
+        }
+    }
+    frequency = swing_frequency(gravity, ahead);
+    found = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        away = (*cspan_at(&ahead, INT64_C(17) + axis));
+        rate = (*cspan_at(&ahead, INT64_C(20) + axis)) / frequency;
+        found = found + away * away + rate * rate;
+    }
+    result = sqrt(found) / (*cspan_at(&ahead, INT64_C(2) + INT64_C(2)));
+    return result;
+}
+static bool write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    double gravity;
+    array_double_1d ahead;
+    int64_t parts;
+    double step;
+    int64_t rows;
+    int64_t count;
+    int64_t k;
+    int64_t i;
+    int64_t axis;
+    int64_t row;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    ahead = span_row(&operation, INT64_C(27));
+    if (interval_parts(0.2, interval, operation, gravity, work) > INT64_C(6))
+    {
+        return 0;
+    }
+    parts = span_min_int(interval_parts(0.05, interval, operation, gravity, work), INT64_C(6));
+    begin_controlled(operation);
+    step = interval / parts;
+    rows = INT64_C(62) * INT64_C(6);
+    count = INT64_C(0);
+    for (k = INT64_C(0); k < INT64_C(62); k += INT64_C(1))
+    {
+        set_knot(k, interval, ahead, work);
+        for (i = INT64_C(0); i < parts; i += INT64_C(1))
+        {
+            expand_swing(gravity, ahead, work);
+            move_swing(0.5 * step, ahead, work);
+            expand_swing(gravity, ahead, work);
+            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+            {
+                row = axis * rows + count;
+                write_swing_piece(axis, row, 0.5 * step, ahead, coefficients, work);
+                (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) = k * interval + i * step;
+                (*cspan_at(&timing, INT64_C(4), row, INT64_C(1))) = step;
+            }
+            move_swing(0.5 * step, ahead, work);
+            count = count + INT64_C(1);
+        }
+    }
+    gather_axes(rows, count, INT64_C(4), timing, coefficients, offsets);
+    return 1;
+}
+static void set_range(double centre, double radius, array_double_1d found)
+{
+    (*cspan_at(&found, INT64_C(0))) = centre;
+    (*cspan_at(&found, INT64_C(1))) = radius;
+}
+static void add_range(double share, array_double_1d a, array_double_1d found)
+{
+    (*cspan_at(&found, INT64_C(0))) = (*cspan_at(&found, INT64_C(0))) + share * (*cspan_at(&a, INT64_C(0)));
+    (*cspan_at(&found, INT64_C(1))) = (*cspan_at(&found, INT64_C(1))) + fabs(share) * (*cspan_at(&a, INT64_C(1)));
+}
+static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found)
+{
+    double radius;
+    radius = fabs((*cspan_at(&a, INT64_C(0)))) * (*cspan_at(&b, INT64_C(1)));
+    radius = radius + (*cspan_at(&a, INT64_C(1))) * (fabs((*cspan_at(&b, INT64_C(0)))) + (*cspan_at(&b, INT64_C(1))));
+    (*cspan_at(&found, INT64_C(0))) = (*cspan_at(&found, INT64_C(0))) + share * (*cspan_at(&a, INT64_C(0))) * (*cspan_at(&b, INT64_C(0)));
+    (*cspan_at(&found, INT64_C(1))) = (*cspan_at(&found, INT64_C(1))) + fabs(share) * radius;
+}
+static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found)
+{
+    double quotient;
+    double least;
+    quotient = (*cspan_at(&a, INT64_C(0))) / (*cspan_at(&b, INT64_C(0)));
+    least = (*cspan_at(&b, INT64_C(0))) - (*cspan_at(&b, INT64_C(1)));
+    (*cspan_at(&found, INT64_C(1))) = ((*cspan_at(&a, INT64_C(1))) + fabs(quotient) * (*cspan_at(&b, INT64_C(1)))) / least;
+    (*cspan_at(&found, INT64_C(0))) = quotient;
+}
+static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found)
+{
+    double total;
+    double value;
+    int64_t j;
+    int64_t i;
+    int64_t k;
+    total = 0.0;
+    value = 0.0;
+    for (j = INT64_C(0); j < width - order; j += INT64_C(1))
+    {
+        i = width - INT64_C(1) - j;
+        value = (*cspan_at(&piece, i));
+        for (k = INT64_C(0); k < order; k += INT64_C(1))
+        {
+            value = value * (i - k);
+        }
+        if (i > order)
+        {
+            total = (total + fabs(value)) * radius;
+        }
+    }
+    set_range(value, total, found);
+}
+static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    int64_t width;
+    double middle;
+    double radius;
+    array_double_1d piece;
+    int64_t axis;
+    int64_t last;
+    int64_t row;
+    int64_t i;
+    double local;
+    int64_t order;
+    int64_t place;
+    width = coefficients.shape[INT64_C(1)];
+    middle = 0.5 * (begin + end);
+    radius = 0.5 * (end - begin);
+    piece = span_row(&work, INT64_C(89));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        last = (*cspan_at(&offsets, axis + INT64_C(1)));
+        row = find_piece(middle, timing, (*cspan_at(&offsets, axis)), last);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&piece, i)) = (*cspan_at(&coefficients, row, i));
+        }
+        local = middle - (*cspan_at(&timing, row, INT64_C(0)));
+        if (local > (*cspan_at(&timing, row, INT64_C(1))))
+        {
+            (*cspan_at(&piece, INT64_C(0))) = evaluate_piece(coefficients, row, width, (*cspan_at(&timing, row, INT64_C(1))), INT64_C(0));
+            for (i = INT64_C(1); i < width; i += INT64_C(1))
+            {
+                (*cspan_at(&piece, i)) = 0.0;
+            }
+        }
+        else
+        {
+            polynomial_shift(piece, local, width);
+        }
+        for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
+        {
+            place = INT64_C(90) + INT64_C(0) + INT64_C(3) * order + axis;
+            write_derivative(order, width, radius, piece, span_row(&work, place));
+        }
+    }
+}
+static void write_slope(int64_t axis, array_double_2d reach)
+{
+    array_double_1d slope;
+    array_double_1d rate;
+    array_double_1d pull;
+    array_double_1d pull_rate;
+    array_double_1d total;
+    slope = span_row(&reach, INT64_C(16) + axis);
+    rate = span_row(&reach, INT64_C(18) + axis);
+    pull = span_row(&reach, INT64_C(15));
+    pull_rate = span_row(&reach, INT64_C(9) + INT64_C(2));
+    total = span_row(&reach, INT64_C(26));
+    divide_range(span_row(&reach, INT64_C(6) + axis), pull, slope);
+    set_range(0.0, 0.0, total);
+    add_range(1.0, span_row(&reach, INT64_C(9) + axis), total);
+    add_range_product(-1.0, slope, pull_rate, total);
+    divide_range(total, pull, rate);
+    set_range(0.0, 0.0, total);
+    add_range(1.0, span_row(&reach, INT64_C(12) + axis), total);
+    add_range_product(-2.0, rate, pull_rate, total);
+    add_range_product(-1.0, slope, span_row(&reach, INT64_C(12) + INT64_C(2)), total);
+    divide_range(total, pull, span_row(&reach, INT64_C(20) + axis));
+}
+static void write_stretch(array_double_2d reach)
+{
+    array_double_1d total;
+    array_double_1d stretch;
+    array_double_1d rate;
+    int64_t axis;
+    double root;
+    array_double_1d slope_rate;
+    total = span_row(&reach, INT64_C(26));
+    stretch = span_row(&reach, INT64_C(22));
+    rate = span_row(&reach, INT64_C(23));
+    set_range(1.0, 0.0, total);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(16) + axis), total);
+    }
+    root = sqrt((*cspan_at(&total, INT64_C(0))));
+    set_range(root, (*cspan_at(&total, INT64_C(1))) / (1.0 + root), stretch);
+    set_range(0.0, 0.0, total);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        slope_rate = span_row(&reach, INT64_C(18) + axis);
+        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), slope_rate, total);
+    }
+    divide_range(total, stretch, rate);
+    set_range(0.0, 0.0, total);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        slope_rate = span_row(&reach, INT64_C(18) + axis);
+        add_range_product(1.0, slope_rate, slope_rate, total);
+        add_range_product(1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(20) + axis), total);
+    }
+    add_range_product(-1.0, rate, rate, total);
+    divide_range(total, stretch, span_row(&reach, INT64_C(24)));
+}
+static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach)
+{
+    array_double_1d velocity;
+    array_double_1d acceleration;
+    velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
+    acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
+    set_range(0.0, 0.0, velocity);
+    add_range(ahead, span_row(&reach, INT64_C(3) + drive), velocity);
+    add_range_product(-1.0, span_row(&reach, INT64_C(3) + INT64_C(2)), factor, velocity);
+    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), rate, velocity);
+    set_range(0.0, 0.0, acceleration);
+    add_range(ahead, span_row(&reach, INT64_C(6) + drive), acceleration);
+    add_range_product(-1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), factor, acceleration);
+    add_range_product(-2.0, span_row(&reach, INT64_C(3) + INT64_C(2)), rate, acceleration);
+    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), change, acceleration);
+}
+static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach)
+{
+    array_double_1d velocity;
+    double most;
+    double dry;
+    double smooth;
+    velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
+    most = fabs((*cspan_at(&velocity, INT64_C(0)))) + (*cspan_at(&velocity, INT64_C(1)));
+    dry = span_max((*cspan_at(&crane, INT64_C(10) + drive)), (*cspan_at(&crane, INT64_C(7) + drive)));
+    smooth = (*cspan_at(&crane, INT64_C(4) + drive)) + (*cspan_at(&crane, INT64_C(13) + drive)) * most;
+    set_range(0.0, dry + smooth * most, span_row(&reach, INT64_C(25)));
+    add_range(1.0, span_row(&reach, INT64_C(25)), span_row(&reach, INT64_C(27) + INT64_C(0) + drive));
+}
+static void write_forces(array_double_1d crane, array_double_2d reach)
+{
+    double payload;
+    int64_t drive;
+    array_double_1d force;
+    array_double_1d acceleration;
+    array_double_1d power;
+    payload = (*cspan_at(&crane, INT64_C(2)));
+    for (drive = INT64_C(0); drive < INT64_C(2); drive += INT64_C(1))
+    {
+        force = span_row(&reach, INT64_C(27) + INT64_C(0) + drive);
+        set_range(0.0, 0.0, force);
+        acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
+        add_range(carriage_mass(crane, drive), acceleration, force);
+        add_range(payload, span_row(&reach, INT64_C(6) + drive), force);
+    }
+    force = span_row(&reach, INT64_C(27) + INT64_C(0) + INT64_C(2));
+    set_range(0.0, 0.0, force);
+    add_range_product(-payload, span_row(&reach, INT64_C(15)), span_row(&reach, INT64_C(22)), force);
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        add_resistance(drive, crane, reach);
+        power = span_row(&reach, INT64_C(27) + INT64_C(9) + drive);
+        set_range(0.0, 0.0, power);
+        add_range_product(1.0, span_row(&reach, INT64_C(27) + INT64_C(0) + drive), span_row(&reach, INT64_C(27) + INT64_C(3) + drive), power);
+    }
+}
+static void write_sway(array_double_2d reach)
+{
+    array_double_1d q_x;
+    array_double_1d q_y;
+    double across;
+    double most;
+    q_x = span_row(&reach, INT64_C(16));
+    q_y = span_row(&reach, INT64_C(16) + INT64_C(1));
+    across = (*cspan_at(&q_x, INT64_C(0))) / sqrt(1.0 + (*cspan_at(&q_y, INT64_C(0))) * (*cspan_at(&q_y, INT64_C(0))));
+    most = fabs((*cspan_at(&q_x, INT64_C(0)))) + (*cspan_at(&q_x, INT64_C(1)));
+    set_range(-atan(across), (*cspan_at(&q_x, INT64_C(1))) + most * (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12)));
+    set_range(atan((*cspan_at(&q_y, INT64_C(0)))), (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12) + INT64_C(1)));
+}
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work)
+{
+    array_double_2d reach;
+    array_double_1d pull;
+    int64_t axis;
+    write_load(begin, end, timing, coefficients, offsets, work);
+    reach = span_rows(&work, INT64_C(90), INT64_C(156));
+    pull = span_row(&reach, INT64_C(15));
+    set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
+    add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
+    if (!((*cspan_at(&pull, INT64_C(0))) > (*cspan_at(&pull, INT64_C(1)))))
+    {
+        return 0;
+    }
+    write_slope(INT64_C(0), reach);
+    write_slope(INT64_C(1), reach);
+    write_stretch(reach);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        write_drive(axis, 1.0, span_row(&reach, INT64_C(16) + axis), span_row(&reach, INT64_C(18) + axis), span_row(&reach, INT64_C(20) + axis), reach);
+    }
+    write_drive(INT64_C(2), 0.0, span_row(&reach, INT64_C(22)), span_row(&reach, INT64_C(23)), span_row(&reach, INT64_C(24)), reach);
+    write_forces(crane, reach);
+    write_sway(reach);
+    return 1;
+}
+static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2d work)
+{
+    double rounding;
+    int64_t i;
+    array_double_1d demand;
+    int64_t side;
+    double bound;
+    double value;
+    int64_t proved;
+    proved = INT64_C(1);
+    rounding = 1.0 + 1e-09;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        demand = span_row(&work, INT64_C(90) + INT64_C(27) + i);
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            bound = bound_magnitude(i, side, bounds) * rounding;
+            if (bound != 0.0)
+            {
+                value = (1.0 - 2.0 * side) * (*cspan_at(&demand, INT64_C(0)));
+                if (!(value <= bound))
+                {
+                    return -INT64_C(1);
+                }
+                if (!(value + (*cspan_at(&demand, INT64_C(1))) <= bound))
+                {
+                    proved = INT64_C(0);
+                }
+            }
+        }
+    }
+    return proved;
+}
+static bool keeps_between(int64_t count, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+    int64_t depth;
+    int64_t place;
+    double length;
+    double start;
+    int64_t found;
+    depth = INT64_C(0);
+    place = INT64_C(0);
+    while((depth > INT64_C(0)) || (place == INT64_C(0)))
+    {
+        length = (end - begin) * pow(0.5, (double)(depth));
+        start = begin + place * length;
+        found = INT64_C(0);
+        if (write_reach(start, start + length, timing, coefficients, offsets, span_row(&known, INT64_C(0)), work))
+        {
+            found = judge_reach(count, span_row(&known, INT64_C(2)), work);
+        }
+        if ((found < INT64_C(0)) || ((found == INT64_C(0)) && (depth == INT64_C(10))))
+        {
+            return 0;
+        }
+        if (found == INT64_C(0))
+        {
+            place = INT64_C(2) * place;
+            depth = depth + INT64_C(1);
+        }
+        else
+        {
+            place = place + INT64_C(1);
+            while((depth > INT64_C(0)) && (span_floor_mod(place, INT64_C(2)) == INT64_C(0)))
+            {
+                place = span_floor_div(place, INT64_C(2));
+                depth = depth - INT64_C(1);
+            }
+        }
+    }
+    return 1;
+}
+static bool keeps_demands(int64_t count, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+    bool bounded;
+    int64_t i;
+    double time;
+    double until;
+    int64_t intervals;
+    bounded = 0;
+    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+    {
+        if ((*cspan_at(&known, INT64_C(2), i)) != 0.0)
+        {
+            bounded = 1;
+        }
+    }
+    if (!bounded)
+    {
+        return 1;
+    }
+    time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
+    until = interval_end(time, timing, offsets);
+    intervals = INT64_C(0);
+    while((until > time) || (intervals == INT64_C(0)))
+    {
+        intervals = intervals + INT64_C(1);
+        if (!keeps_between(count, time, until, timing, coefficients, offsets, known, work))
+        {
+            return 0;
+        }
+        time = until;
+        until = interval_end(time, timing, offsets);
+    }
+    return 1;
+}
+bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+    bool result;
+    result = keeps_demands(INT64_C(14), timing, coefficients, offsets, known, work);
+    return result;
+}
 static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets)
 {
     int64_t result;
@@ -14052,313 +14939,242 @@ static void note_present(double elapsed, array_double_2d operation, array_double
         }
     }
 }
-static double suspension_pull(int64_t axis, double gravity, array_double_1d swing)
+static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
 {
-    double result;
-    if (axis == INT64_C(2))
+    int64_t first;
+    array_double_2d times;
+    int64_t axis;
+    int64_t i;
+    int64_t j;
+    bool result;
+    first = INT64_C(4) * INT64_C(4);
+    times = span_rows(&work, INT64_C(81), INT64_C(84));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        return gravity;
+        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        {
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
+            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
+        }
+        (*cspan_at(&states, INT64_C(1), axis, INT64_C(0))) = standstill(INT64_C(4), axis, timing, coefficients, offsets);
+        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
+        for (j = INT64_C(1); j < states.shape[INT64_C(0)] + INT64_C(1); j += INT64_C(1))
+        {
+            (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
+        }
     }
-    result = (*cspan_at(&swing, INT64_C(8) + axis));
+    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(5), INT64_C(8)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(305), INT64_C(353))) == INT64_C(0);
     return result;
 }
-static void expand_swing(double gravity, array_double_1d swing, array_double_2d work)
+static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
 {
-    array_double_2d series;
-    double length;
-    double rate;
-    double half;
-    array_double_1d square;
+    int64_t first;
+    array_int64_t_1d pieces;
+    int64_t contact;
+    first = INT64_C(4) * INT64_C(4);
+    pieces = span_part(&offsets, first, first + INT64_C(4));
+    if (segfmu_check_rope(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(1)), span_rows(&work, INT64_C(0), INT64_C(52)), span_row(&work, INT64_C(80))) != INT64_C(0))
+    {
+        return INT64_C(3);
+    }
+    contact = segfmu_space_contact(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(3)), span_rows(&known, INT64_C(8), INT64_C(24)), span_rows(&work, INT64_C(52), INT64_C(74)), span_rows(&work, INT64_C(0), INT64_C(52)), stack, span_rows(&work, INT64_C(74), INT64_C(80)), span_row(&work, INT64_C(80)));
+    if (contact == INT64_C(3))
+    {
+        return INT64_C(4);
+    }
+    if (contact != INT64_C(0))
+    {
+        return INT64_C(5);
+    }
+    if (!keeps_demands(demands, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, known, work))
+    {
+        return INT64_C(6);
+    }
+    return INT64_C(0);
+}
+static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack)
+{
+    int64_t result;
+    if (!keeps_limits(operation, limits, known, timing, coefficients, offsets, states, lead, work))
+    {
+        return INT64_C(2);
+    }
+    result = prove_crane(INT64_C(14), known, timing, coefficients, offsets, work, stack);
+    return result;
+}
+static double used_share(void)
+{
+    return 0.998;
+}
+static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work)
+{
+    array_double_1d points;
     int64_t i;
-    int64_t axis;
-    array_double_1d pull;
-    int64_t k;
-    double found;
-    double product;
-    double value;
-    series = span_rows(&work, INT64_C(131), INT64_C(136));
-    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
-    rate = (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
-    half = 0.5 * (*cspan_at(&swing, INT64_C(8) + INT64_C(2)));
-    square = span_row(&work, INT64_C(135));
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    double fall;
+    double rise;
+    bool result;
+    points = span_row(&work, INT64_C(138) + INT64_C(2));
+    for (i = INT64_C(2); i < INT64_C(64); i += INT64_C(1))
     {
-        (*cspan_at(&square, i)) = 0.0;
+        fall = most_change(INT64_C(2), -1.0, share, interval, known);
+        rise = most_change(INT64_C(2), 1.0, share, interval, known);
+        (*cspan_at(&points, i)) = (*cspan_at(&points, i - INT64_C(1))) + span_min(span_max(-(*cspan_at(&points, i - INT64_C(1))), -fall), rise);
     }
-    (*cspan_at(&square, INT64_C(0))) = length * length;
-    (*cspan_at(&square, INT64_C(1))) = 2.0 * length * rate;
-    (*cspan_at(&square, INT64_C(2))) = rate * rate + 2.0 * length * half;
-    (*cspan_at(&square, INT64_C(3))) = 2.0 * rate * half;
-    (*cspan_at(&square, INT64_C(4))) = half * half;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(14) + axis));
-        (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(17) + axis));
-    }
-    pull = span_row(&work, INT64_C(134));
-    for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
-    {
-        found = (-0.5) * (k + INT64_C(1)) * (k + INT64_C(2)) * (*cspan_at(&square, k + INT64_C(2)));
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            found = found - suspension_pull(axis, gravity, swing) * (*cspan_at(&series, axis, k));
-            for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-            {
-                product = (*cspan_at(&series, axis, i + INT64_C(1))) * (*cspan_at(&series, axis, k - i + INT64_C(1)));
-                found = found + (i + INT64_C(1)) * (k - i + INT64_C(1)) * product;
-            }
-        }
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            found = found - (*cspan_at(&pull, i)) * (*cspan_at(&square, k - i));
-        }
-        (*cspan_at(&pull, k)) = found / (*cspan_at(&square, INT64_C(0)));
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            value = 0.0;
-            if (k == INT64_C(0))
-            {
-                value = -suspension_pull(axis, gravity, swing);
-            }
-            for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-            {
-                value = value - (*cspan_at(&pull, i)) * (*cspan_at(&series, axis, k - i));
-            }
-            (*cspan_at(&series, axis, k + INT64_C(2))) = value / ((k + INT64_C(1)) * (k + INT64_C(2)));
-        }
-    }
+    result = (*cspan_at(&points, INT64_C(62))) == 0.0;
+    return result;
 }
-static void tighten_rope(array_double_1d swing)
+static int64_t most_runs(void)
 {
-    double length;
-    double square;
-    int64_t axis;
-    double ratio;
-    double stray;
-    double along;
-    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
-    square = 0.0;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        square = square + (*cspan_at(&swing, INT64_C(14) + axis)) * (*cspan_at(&swing, INT64_C(14) + axis));
-    }
-    ratio = length / sqrt(square);
-    stray = (-length) * (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        (*cspan_at(&swing, INT64_C(14) + axis)) = (*cspan_at(&swing, INT64_C(14) + axis)) * ratio;
-        stray = stray + (*cspan_at(&swing, INT64_C(14) + axis)) * (*cspan_at(&swing, INT64_C(17) + axis));
-    }
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        along = stray * (*cspan_at(&swing, INT64_C(14) + axis)) / (length * length);
-        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) - along;
-    }
+    return INT64_C(30);
 }
-static void move_swing(double step, array_double_1d swing, array_double_2d work)
+static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work)
 {
+    array_double_1d swing;
+    double interval;
+    double frequency;
     int64_t axis;
-    array_double_1d series;
+    double before;
+    int64_t Dummy_0000;
+    double angle;
+    swing = span_row(&operation, INT64_C(26));
+    interval = duration / INT64_C(62);
+    frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
+    set_control_start(interval, swing, work);
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        decline_line(axis, work);
+    }
+    if (!brake_hoist(share, interval, known, work))
+    {
+        return 0;
+    }
+    before = 1e+300;
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < most_runs(); Dummy_0000 += INT64_C(1))
+    {
+        angle = run_controlled(interval, operation, known, work);
+        if ((angle < 1e-12) || ((angle < 1e-10) && (angle > 0.5 * before)))
+        {
+            return 1;
+        }
+        before = angle;
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            if (!find_centre(axis, share, interval, (*cspan_at(&swing, INT64_C(20) + axis)), (-frequency) * (*cspan_at(&swing, INT64_C(17) + axis)), known, work))
+            {
+                return 0;
+            }
+        }
+    }
+    return 0;
+}
+static double least_time(double share, array_double_2d operation, array_double_2d known)
+{
+    array_double_1d swing;
+    double frequency;
+    int64_t axis;
+    double least;
+    double velocity;
     double place;
     double rate;
-    int64_t j;
-    int64_t i;
-    double change;
-    double moved;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        series = span_row(&work, INT64_C(131) + axis);
-        place = 0.0;
-        rate = 0.0;
-        for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
-        {
-            i = INT64_C(14) - INT64_C(1) - j;
-            rate = rate * step + place;
-            place = place * step + (*cspan_at(&series, i));
-        }
-        (*cspan_at(&swing, INT64_C(14) + axis)) = place;
-        (*cspan_at(&swing, INT64_C(17) + axis)) = rate;
-        change = (*cspan_at(&swing, INT64_C(8) + axis)) * step;
-        moved = ((*cspan_at(&swing, INT64_C(5) + axis)) + 0.5 * change) * step;
-        (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&swing, INT64_C(2) + axis)) + moved;
-        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&swing, INT64_C(5) + axis)) + change;
-        (*cspan_at(&swing, INT64_C(11) + axis)) = span_max((*cspan_at(&swing, INT64_C(11) + axis)) - step, 0.0);
-        if ((*cspan_at(&swing, INT64_C(11) + axis)) == 0.0)
-        {
-            (*cspan_at(&swing, INT64_C(5) + axis)) = 0.0;
-            (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
-        }
-    }
-    tighten_rope(swing);
-}
-static double swing_step(double longest, array_double_1d swing)
-{
-    int64_t axis;
-    double left;
     double found;
-    found = longest;
+    swing = span_row(&operation, INT64_C(26));
+    frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
+    found = 0.001 / frequency;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        left = (*cspan_at(&swing, INT64_C(11) + axis));
-        if ((0.0 < left) && (left < found))
+        least = span_min(control_bound(INT64_C(6) + axis, 1.0, share, 0.0, known), control_bound(INT64_C(6) + axis, -1.0, share, 0.0, known));
+        velocity = fabs((*cspan_at(&swing, INT64_C(5) + axis)));
+        if (axis < INT64_C(2))
         {
-            found = left;
+            place = frequency * (*cspan_at(&swing, INT64_C(17) + axis));
+            rate = (*cspan_at(&swing, INT64_C(20) + axis));
+            velocity = span_max(velocity, sqrt(place * place + rate * rate));
         }
+        found = span_max(found, velocity / least);
     }
     return found;
 }
-static double resolved_step(double gravity, array_double_1d swing)
+static int64_t most_growths(void)
 {
-    double result;
-    result = 0.05 * sqrt((*cspan_at(&swing, INT64_C(2) + INT64_C(2))) / gravity);
-    return result;
+    return INT64_C(20);
 }
-static double stand_time(array_double_1d swing)
+static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work)
 {
-    int64_t axis;
-    double latest;
-    latest = 0.0;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    double tried;
+    double missed;
+    int64_t count;
+    double found;
+    tried = least_time(share, operation, known);
+    missed = tried;
+    count = INT64_C(0);
+    while(!calms_within(tried, share, operation, known, work))
     {
-        latest = span_max(latest, (*cspan_at(&swing, INT64_C(11) + axis)));
-    }
-    return latest;
-}
-static double sway_amplitude(double gravity, array_double_1d swing)
-{
-    double length;
-    double x;
-    double y;
-    double low;
-    double squares;
-    int64_t axis;
-    double energy;
-    double moment;
-    double least;
-    double high;
-    int64_t Dummy_0000;
-    double middle;
-    length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
-    x = (*cspan_at(&swing, INT64_C(14)));
-    y = (*cspan_at(&swing, INT64_C(14) + INT64_C(1)));
-    low = (x * x + y * y) / (length * (length - (*cspan_at(&swing, INT64_C(14) + INT64_C(2)))));
-    squares = 0.0;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        squares = squares + (*cspan_at(&swing, INT64_C(17) + axis)) * (*cspan_at(&swing, INT64_C(17) + axis));
-    }
-    energy = low + squares / (2.0 * gravity * length);
-    moment = x * (*cspan_at(&swing, INT64_C(17) + INT64_C(1))) - y * (*cspan_at(&swing, INT64_C(17)));
-    least = moment * moment / (2.0 * gravity * length * length * length);
-    high = span_min(energy, 2.0);
-    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(60); Dummy_0000 += INT64_C(1))
-    {
-        middle = 0.5 * (low + high);
-        if (middle * (2.0 - middle) * (energy - middle) >= least)
+        missed = tried;
+        tried = 1.25 * tried;
+        count = count + INT64_C(1);
+        if (count == most_growths())
         {
-            low = middle;
+            return 0.0;
+        }
+    }
+    found = tried;
+    while(found > 1.01 * missed)
+    {
+        tried = 0.5 * (missed + found);
+        if (calms_within(tried, share, operation, known, work))
+        {
+            found = tried;
         }
         else
         {
-            high = middle;
+            missed = tried;
         }
     }
-    return 2.0 * atan2(sqrt(low), sqrt(span_max(2.0 - low, 0.0)));
+    if ((tried != found) && (!calms_within(found, share, operation, known, work)))
+    {
+        return 0.0;
+    }
+    return found;
 }
-static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work)
+static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
 {
-    double left;
-    double longest;
-    double step;
-    left = duration;
-    longest = span_max(resolved_step(gravity, swing), duration / INT64_C(20000));
-    while(left > 0.0)
+    int64_t drive;
+    double share;
+    int64_t Dummy_0000;
+    double duration;
+    int64_t status;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        step = span_min(swing_step(longest, swing), left);
-        expand_swing(gravity, swing, work);
-        move_swing(step, swing, work);
-        left = left - step;
-    }
-}
-static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work)
-{
-    int64_t width;
-    int64_t i;
-    int64_t j;
-    int64_t k;
-    width = coefficients.shape[INT64_C(2)];
-    for (i = INT64_C(0); i < width; i += INT64_C(1))
-    {
-        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(131) + axis, i));
-    }
-    if (axis < INT64_C(2))
-    {
-        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) + (*cspan_at(&swing, INT64_C(2) + axis));
-        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) + (*cspan_at(&swing, INT64_C(5) + axis));
-        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) + 0.5 * (*cspan_at(&swing, INT64_C(8) + axis));
-    }
-    for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
-    {
-        for (j = INT64_C(0); j < width - INT64_C(1) - i; j += INT64_C(1))
+        if (!((*cspan_at(&known, INT64_C(2), INT64_C(6) + drive)) > 0.0))
         {
-            k = width - INT64_C(2) - j;
-            (*cspan_at(&coefficients, INT64_C(4), row, k)) = (*cspan_at(&coefficients, INT64_C(4), row, k)) - before * (*cspan_at(&coefficients, INT64_C(4), row, k + INT64_C(1)));
+            return INT64_C(6);
         }
     }
-}
-static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
-{
-    double gravity;
-    array_double_1d swing;
-    array_double_1d ahead;
-    int64_t i;
-    double longest;
-    int64_t rows;
-    double time;
-    int64_t count;
-    double step;
-    int64_t axis;
-    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    swing = span_row(&operation, INT64_C(26));
-    ahead = span_row(&operation, INT64_C(27));
-    for (i = INT64_C(0); i < INT64_C(22); i += INT64_C(1))
+    status = INT64_C(6);
+    share = used_share();
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(4); Dummy_0000 += INT64_C(1))
     {
-        (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
-    }
-    longest = span_max(resolved_step(gravity, swing), least / INT64_C(300));
-    rows = INT64_C(300) + INT64_C(100);
-    time = 0.0;
-    count = INT64_C(0);
-    while((count < rows) && ((time < least) || (stand_time(ahead) > 0.0) || (count < INT64_C(100))))
-    {
-        step = swing_step(longest, ahead);
-        expand_swing(gravity, ahead, work);
-        move_swing(0.5 * step, ahead, work);
-        expand_swing(gravity, ahead, work);
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+        duration = seek_calm(share, operation, known, work);
+        if (duration == 0.0)
         {
-            write_swing_piece(axis, axis * rows + count, 0.5 * step, ahead, coefficients, work);
-            (*cspan_at(&timing, INT64_C(4), axis * rows + count, INT64_C(0))) = time;
-            (*cspan_at(&timing, INT64_C(4), axis * rows + count, INT64_C(1))) = step;
+            return INT64_C(6);
         }
-        move_swing(0.5 * step, ahead, work);
-        time = time + step;
-        count = count + INT64_C(1);
-    }
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        (*cspan_at(&offsets, INT64_C(0) * INT64_C(4) + axis)) = axis * count;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        if (!write_controlled(duration / INT64_C(62), operation, known, timing, coefficients, offsets, work))
         {
-            copy_piece(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), axis * rows + i, span_matrix(&timing, INT64_C(0)), span_matrix(&coefficients, INT64_C(0)), axis * count + i);
+            return INT64_C(6);
         }
+        status = prove_crane(INT64_C(12), known, timing, coefficients, offsets, work, stack);
+        if (status != INT64_C(6))
+        {
+            return status;
+        }
+        share = 0.7 * share;
     }
-    (*cspan_at(&offsets, INT64_C(0) * INT64_C(4) + INT64_C(3))) = INT64_C(3) * count;
-    (*cspan_at(&swing, INT64_C(1))) = time;
+    return status;
 }
 static void invert_flat(array_double_2d known, array_double_2d work)
 {
-    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(136), INT64_C(141)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(141)), span_row(&work, INT64_C(142)), span_row(&work, INT64_C(143)));
+    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(148), INT64_C(153)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(153)), span_row(&work, INT64_C(154)), span_row(&work, INT64_C(155)));
 }
 static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work)
 {
@@ -14367,7 +15183,7 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
     int64_t axis;
     int64_t order;
     array_double_1d state;
-    flat = span_rows(&work, INT64_C(136), INT64_C(141));
+    flat = span_rows(&work, INT64_C(148), INT64_C(153));
     swing = span_row(&operation, INT64_C(26));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -14377,17 +15193,17 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
         }
     }
     invert_flat(known, work);
-    state = span_row(&work, INT64_C(142));
+    state = span_row(&work, INT64_C(154));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
         (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&state, INT64_C(5) + axis));
-        (*cspan_at(&swing, INT64_C(14) + axis)) = (*cspan_at(&flat, INT64_C(0), axis));
-        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&flat, INT64_C(1), axis));
+        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&flat, INT64_C(0), axis));
+        (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&flat, INT64_C(1), axis));
         if (axis < INT64_C(2))
         {
-            (*cspan_at(&swing, INT64_C(14) + axis)) = (*cspan_at(&swing, INT64_C(14) + axis)) - (*cspan_at(&swing, INT64_C(2) + axis));
-            (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) - (*cspan_at(&swing, INT64_C(5) + axis));
+            (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) - (*cspan_at(&swing, INT64_C(2) + axis));
+            (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&swing, INT64_C(20) + axis)) - (*cspan_at(&swing, INT64_C(5) + axis));
         }
     }
 }
@@ -14402,6 +15218,7 @@ static void set_brakes(double share, array_double_1d swing, array_double_2d know
         velocity = (*cspan_at(&swing, INT64_C(5) + axis));
         (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
         (*cspan_at(&swing, INT64_C(11) + axis)) = 0.0;
+        (*cspan_at(&swing, INT64_C(14) + axis)) = 0.0;
         if (fabs(velocity) > 0.0)
         {
             side = INT64_C(0);
@@ -14410,7 +15227,7 @@ static void set_brakes(double share, array_double_1d swing, array_double_2d know
                 side = INT64_C(1);
             }
             most = share * bound_magnitude(INT64_C(6) + axis, side, span_row(&known, INT64_C(2)));
-            (*cspan_at(&swing, INT64_C(11) + axis)) = fabs(velocity) / most;
+            (*cspan_at(&swing, INT64_C(14) + axis)) = fabs(velocity) / most;
             (*cspan_at(&swing, INT64_C(8) + axis)) = (1.0 - 2.0 * side) * most;
         }
     }
@@ -14440,11 +15257,11 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     {
         return 0;
     }
-    if (!((*cspan_at(&swing, INT64_C(14) + INT64_C(2))) < 0.0))
+    if (!((*cspan_at(&swing, INT64_C(17) + INT64_C(2))) < 0.0))
     {
         return 0;
     }
-    flat = span_rows(&work, INT64_C(136), INT64_C(141));
+    flat = span_rows(&work, INT64_C(148), INT64_C(153));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         factorial = 1.0;
@@ -14463,7 +15280,7 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     invert_flat(known, work);
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        force = (*cspan_at(&work, INT64_C(141), drive));
+        force = (*cspan_at(&work, INT64_C(153), drive));
         power = force * (*cspan_at(&swing, INT64_C(5) + drive));
         if (!is_inside(force, INT64_C(0) + drive, known))
         {
@@ -14489,7 +15306,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     swing = span_row(&operation, INT64_C(26));
     ahead = span_row(&operation, INT64_C(27));
     set_brakes(share, swing, known);
-    for (i = INT64_C(0); i < INT64_C(22); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
     }
@@ -14498,7 +15315,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     {
         return 0;
     }
-    (*cspan_at(&swing, INT64_C(20))) = stand;
+    (*cspan_at(&swing, INT64_C(23))) = stand;
     pieces = INT64_C(0);
     swings = INT64_C(0);
     while((stand_time(ahead) > 0.0) || (swings < INT64_C(63)))
@@ -14507,7 +15324,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
         {
             if (swings == INT64_C(0))
             {
-                (*cspan_at(&swing, INT64_C(21))) = sway_amplitude(gravity, ahead);
+                (*cspan_at(&swing, INT64_C(24))) = sway_amplitude(gravity, ahead);
             }
             swings = swings + INT64_C(1);
         }
@@ -14585,7 +15402,7 @@ static bool begin_emergency(array_double_2d operation, array_double_2d known, ar
     {
         return 0;
     }
-    if (((*cspan_at(&swing, INT64_C(20))) == 0.0) && ((*cspan_at(&swing, INT64_C(21))) < 1e-09))
+    if (((*cspan_at(&swing, INT64_C(23))) == 0.0) && ((*cspan_at(&swing, INT64_C(24))) < 1e-09))
     {
         return 0;
     }
@@ -14626,62 +15443,131 @@ bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, 
     result = plan_emergency(operation, known, work);
     return result;
 }
-static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
+static bool is_calming(array_double_2d operation)
 {
-    int64_t first;
-    array_double_2d times;
-    int64_t axis;
-    int64_t i;
-    int64_t j;
     bool result;
-    first = INT64_C(4) * INT64_C(4);
-    times = span_rows(&work, INT64_C(81), INT64_C(84));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
-        {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
-            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
-        }
-        (*cspan_at(&states, INT64_C(1), axis, INT64_C(0))) = standstill(INT64_C(4), axis, timing, coefficients, offsets);
-        (*cspan_at(&times, INT64_C(0), axis)) = 0.0;
-        for (j = INT64_C(1); j < states.shape[INT64_C(0)] + INT64_C(1); j += INT64_C(1))
-        {
-            (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
-        }
-    }
-    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(5), INT64_C(8)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(305), INT64_C(353))) == INT64_C(0);
+    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(26), INT64_C(25)));
     return result;
 }
-static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack)
+static void note_calming(array_double_2d operation)
 {
-    int64_t first;
-    array_int64_t_1d pieces;
-    int64_t contact;
-    first = INT64_C(4) * INT64_C(4);
-    pieces = span_part(&offsets, first, first + INT64_C(4));
-    if (!keeps_limits(operation, limits, known, timing, coefficients, offsets, states, lead, work))
+    array_double_1d progress;
+    progress = span_row(&operation, INT64_C(4));
+    (*cspan_at(&progress, INT64_C(1))) = INT64_C(1);
+    if ((int64_t)((*cspan_at(&operation, INT64_C(0), INT64_C(2)))) == INT64_C(3))
     {
-        return INT64_C(2);
+        (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
     }
-    if (segfmu_check_rope(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(1)), span_rows(&work, INT64_C(0), INT64_C(52)), span_row(&work, INT64_C(80))) != INT64_C(0))
+}
+static double next_calm(array_double_2d operation)
+{
+    array_double_1d progress;
+    double stands;
+    double result;
+    progress = span_row(&operation, INT64_C(4));
+    stands = (*cspan_at(&progress, INT64_C(0))) + stand_time(span_row(&operation, INT64_C(26)));
+    result = span_max(stands, (*cspan_at(&progress, INT64_C(4))));
+    return result;
+}
+static bool wants_calm(array_double_2d operation)
+{
+    array_double_1d command;
+    int64_t mode;
+    bool result;
+    command = span_row(&operation, INT64_C(0));
+    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    if ((mode == INT64_C(5)) || (mode == INT64_C(0)))
     {
-        return INT64_C(3);
+        return 0;
     }
-    contact = segfmu_space_contact(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(3)), span_rows(&known, INT64_C(8), INT64_C(24)), span_rows(&work, INT64_C(52), INT64_C(74)), span_rows(&work, INT64_C(0), INT64_C(52)), stack, span_rows(&work, INT64_C(74), INT64_C(80)), span_row(&work, INT64_C(80)));
-    if (contact == INT64_C(3))
+    result = (*cspan_at(&command, INT64_C(0))) >= next_calm(operation);
+    return result;
+}
+static void try_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d command;
+    array_double_1d progress;
+    array_double_1d swing;
+    int64_t status;
+    double radian;
+    int64_t axis;
+    int64_t i;
+    command = span_row(&operation, INT64_C(0));
+    progress = span_row(&operation, INT64_C(4));
+    swing = span_row(&operation, INT64_C(26));
+    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
+    status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
+    if (status != INT64_C(0))
     {
-        return INT64_C(4);
+        (*cspan_at(&progress, INT64_C(1))) = status;
+        (*cspan_at(&progress, INT64_C(2))) = status;
+        radian = 20.0 * resolved_step((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
+        (*cspan_at(&progress, INT64_C(4))) = (*cspan_at(&command, INT64_C(0))) + radian;
+        return;
     }
-    if (contact != INT64_C(0))
+    copy_plan(INT64_C(4), INT64_C(0), timing, coefficients, offsets);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        return INT64_C(5);
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(6) + axis, i)) = 0.0;
+        }
     }
-    if (!segfmu_keeps_drives(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, known, work))
+    (*cspan_at(&swing, INT64_C(0))) = 0.0;
+    (*cspan_at(&swing, INT64_C(25))) = (*cspan_at(&command, INT64_C(0))) + plan_end(INT64_C(0), INT64_C(0), timing, offsets);
+    (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&command, INT64_C(0)));
+    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
+    (*cspan_at(&progress, INT64_C(3))) = 0.0;
+    (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    (*cspan_at(&progress, INT64_C(4))) = 0.0;
+    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+    note_calming(operation);
+}
+static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d swing;
+    swing = span_row(&operation, INT64_C(26));
+    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), swing, work);
+    cover_swing(operation, known, timing, coefficients, offsets, work);
+    try_calm(operation, known, timing, coefficients, offsets, work, stack);
+}
+int64_t segfmu_take_over_state(array_double_1d state, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d swing;
+    int64_t axis;
+    double length;
+    double stretch;
+    double sin_x;
+    double cos_x;
+    double sin_y;
+    double cos_y;
+    double rate_x;
+    double rate_y;
+    int64_t result;
+    swing = span_row(&operation, INT64_C(26));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        return INT64_C(6);
+        (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
+        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&state, INT64_C(5) + axis));
     }
-    return INT64_C(0);
+    length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
+    stretch = (*cspan_at(&state, INT64_C(5) + INT64_C(2)));
+    sin_x = sin((*cspan_at(&state, INT64_C(3))));
+    cos_x = cos((*cspan_at(&state, INT64_C(3))));
+    sin_y = sin((*cspan_at(&state, INT64_C(3) + INT64_C(1))));
+    cos_y = cos((*cspan_at(&state, INT64_C(3) + INT64_C(1))));
+    rate_x = (*cspan_at(&state, INT64_C(8)));
+    rate_y = (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
+    (*cspan_at(&swing, INT64_C(17))) = length * sin_x;
+    (*cspan_at(&swing, INT64_C(17) + INT64_C(1))) = (-length) * cos_x * sin_y;
+    (*cspan_at(&swing, INT64_C(17) + INT64_C(2))) = (-length) * cos_x * cos_y;
+    (*cspan_at(&swing, INT64_C(20))) = stretch * sin_x + length * cos_x * rate_x;
+    (*cspan_at(&swing, INT64_C(20) + INT64_C(1))) = (-stretch) * cos_x * sin_y + length * (sin_x * sin_y * rate_x - cos_x * cos_y * rate_y);
+    (*cspan_at(&swing, INT64_C(20) + INT64_C(2))) = (-stretch) * cos_x * cos_y + length * (sin_x * cos_y * rate_x + cos_x * sin_y * rate_y);
+    (*cspan_at(&operation, INT64_C(0), INT64_C(2))) = INT64_C(3);
+    try_calm(operation, known, timing, coefficients, offsets, work, stack);
+    result = (int64_t)((*cspan_at(&operation, INT64_C(4), INT64_C(1))));
+    return result;
 }
 static double side_limit(int64_t order, double sign, array_double_1d axis)
 {
@@ -27480,7 +28366,9 @@ static void begin_swing(array_double_2d operation)
     (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
     (*cspan_at(&progress, INT64_C(3))) = 0.0;
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    (*cspan_at(&progress, INT64_C(4))) = 0.0;
     (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
+    (*cspan_at(&operation, INT64_C(26), INT64_C(25))) = 0.0;
     (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
 }
 static bool is_aim(int64_t row, array_double_2d operation)
@@ -27662,8 +28550,13 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
     if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
     {
-        result = prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work);
-        return result;
+        if (!wants_calm(operation))
+        {
+            result = prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work);
+            return result;
+        }
+        take_over(elapsed, operation, known, timing, coefficients, offsets, work, stack);
+        return 1;
     }
     if (mode == INT64_C(5))
     {
@@ -27676,6 +28569,11 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     }
     if (mode == INT64_C(0))
     {
+        return 0;
+    }
+    if (is_calming(operation))
+    {
+        note_calming(operation);
         return 0;
     }
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
@@ -27749,26 +28647,40 @@ double segfmu_next_operation(array_double_2d operation)
     array_double_1d command;
     array_double_1d progress;
     array_double_1d swing;
+    int64_t mode;
+    double uncovered;
+    double following;
     int64_t axis;
     array_double_1d held;
     double renewed;
-    double following;
+    double result;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
     swing = span_row(&operation, INT64_C(26));
+    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
     if ((*cspan_at(&swing, INT64_C(0))) > 0.5)
     {
-        following = (*cspan_at(&progress, INT64_C(0))) + (*cspan_at(&swing, INT64_C(1))) - 0.5 * (*cspan_at(&command, INT64_C(14)));
-        return following;
+        uncovered = (*cspan_at(&progress, INT64_C(0))) + (*cspan_at(&swing, INT64_C(1))) - 0.5 * (*cspan_at(&command, INT64_C(14)));
+        if ((mode == INT64_C(5)) || (mode == INT64_C(0)))
+        {
+            return uncovered;
+        }
+        result = span_min(uncovered, next_calm(operation));
+        return result;
     }
-    if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(0))
+    if (mode == INT64_C(0))
     {
         return 1e+300;
     }
+    if (is_calming(operation))
+    {
+        result = (*cspan_at(&swing, INT64_C(25)));
+        return result;
+    }
     if (((*cspan_at(&progress, INT64_C(3))) > 0.0) || ((*cspan_at(&progress, INT64_C(6))) > 0.0))
     {
-        following = span_max((*cspan_at(&progress, INT64_C(4))), (*cspan_at(&command, INT64_C(0))) + 0.25 * (*cspan_at(&command, INT64_C(14))));
-        return following;
+        result = span_max((*cspan_at(&progress, INT64_C(4))), (*cspan_at(&command, INT64_C(0))) + 0.25 * (*cspan_at(&command, INT64_C(14))));
+        return result;
     }
     following = 1e+300;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))

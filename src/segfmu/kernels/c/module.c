@@ -2871,44 +2871,6 @@ static PyObject *call_begin_time(
     return answer;
 }
 
-static PyObject *call_keeps_drives(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "keeps_drives", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_known;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-        && (in_known = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
-        && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 144)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
-        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
-        answer = PyBool_FromLong(segfmu_keeps_drives(
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_ramp_duration(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3165,6 +3127,44 @@ static PyObject *call_join_plans(
     return answer;
 }
 
+static PyObject *call_keeps_drives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "keeps_drives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_known;
+    Py_buffer *in_work;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+        && (in_known = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', false)) != NULL
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 64)
+        && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+        answer = PyBool_FromLong(segfmu_keeps_drives(
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_foresee_emergency(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3186,7 +3186,7 @@ static PyObject *call_foresee_emergency(
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
         && has_at_least(&call, "known", 1, in_known->shape[1], 23)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
@@ -3195,8 +3195,8 @@ static PyObject *call_foresee_emergency(
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 144)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 50)) {
+        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 64)) {
         answer = PyBool_FromLong(segfmu_foresee_emergency(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
             (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
@@ -3204,6 +3204,60 @@ static PyObject *call_foresee_emergency(
             (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_take_over_state(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "take_over_state", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_operation;
+    Py_buffer *in_known;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_work;
+    Py_buffer *in_stack;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
+        && (in_known = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 4, 3, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 5, 1, 'l', true)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_stack = take_array(&call, 7, 3, 'd', true)) != NULL
+        && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
+        && has_at_least(&call, "known", 0, in_known->shape[0], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
+        && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 64)
+        && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
+        && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
+        && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[2]) - 3))) {
+        answer = PyLong_FromLongLong(segfmu_take_over_state(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
+            (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+            (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
+            (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}}));
     }
     release_arguments(&call);
     return answer;
@@ -3725,7 +3779,7 @@ static PyObject *call_begin_operation(
         && take_float(&call, 0, &in_time)
         && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)) {
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)) {
         segfmu_begin_operation(
             in_time,
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}});
@@ -3767,7 +3821,7 @@ static PyObject *call_operate(
         && has_at_least(&call, "limits", 2, in_limits->shape[2], 1)
         && has_extent(&call, "states", 2, in_states->shape[2], in_limits->shape[2])
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
@@ -3786,8 +3840,8 @@ static PyObject *call_operate(
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 144)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 50)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 64)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
         && has_at_least(&call, "stack", 2, in_stack->shape[2], ((4 * in_limits->shape[2]) - 7))) {
@@ -3846,7 +3900,7 @@ static PyObject *call_next_operation(
     if (take_count(&call, count, 1)
         && (in_operation = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 22)) {
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)) {
         answer = PyFloat_FromDouble(segfmu_next_operation(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}}));
     }
@@ -4988,7 +5042,6 @@ static PyMethodDef methods[] = {
     {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
-    {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},
     {"ramp_pieces", (PyCFunction)(void (*)(void))call_ramp_pieces, METH_FASTCALL, NULL},
     {"expand_phases", (PyCFunction)(void (*)(void))call_expand_phases, METH_FASTCALL, NULL},
@@ -4996,7 +5049,9 @@ static PyMethodDef methods[] = {
     {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
     {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
+    {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
     {"foresee_emergency", (PyCFunction)(void (*)(void))call_foresee_emergency, METH_FASTCALL, NULL},
+    {"take_over_state", (PyCFunction)(void (*)(void))call_take_over_state, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},

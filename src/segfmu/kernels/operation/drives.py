@@ -19,6 +19,14 @@ def keeps_drives(
     work: 'float[:,:]',
 ) -> bool:
     """Whether a plan is proved to keep the bounds; known: `Known`, work: `OperationWork`."""
+    return keeps_demands(Demand.SIZE, timing, coefficients, offsets, known, work)
+
+
+def keeps_demands(
+    count: int, timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
+    known: 'float[:,:]', work: 'float[:,:]',
+) -> bool:
+    """The same for the first demands; Demand.SWAY: those of the drives."""
     bounded = False
     for i in range(DriveBounds.SIZE):
         # not a number is a bound that nothing keeps
@@ -31,7 +39,7 @@ def keeps_drives(
     intervals = 0
     while until > time or intervals == 0:
         intervals = intervals + 1
-        if not keeps_between(time, until, timing, coefficients, offsets, known, work):
+        if not keeps_between(count, time, until, timing, coefficients, offsets, known, work):
             return False
         time = until
         until = interval_end(time, timing, offsets)
@@ -39,8 +47,8 @@ def keeps_drives(
 
 
 def keeps_between(
-    begin: float, end: float, timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
-    known: 'float[:,:]', work: 'float[:,:]',
+    count: int, begin: float, end: float, timing: 'float[:,:]', coefficients: 'float[:,:]',
+    offsets: 'int[:]', known: 'float[:,:]', work: 'float[:,:]',
 ) -> bool:
     """The same between two times [s] that no piece begins between."""
     depth = 0
@@ -52,7 +60,7 @@ def keeps_between(
         if write_reach(
             start, start + length, timing, coefficients, offsets, known[Known.CRANE, :], work
         ):
-            found = judge_reach(known[Known.BOUNDS, :], work)
+            found = judge_reach(count, known[Known.BOUNDS, :], work)
         if found < 0 or (found == 0 and depth == 10):
             return False
         if found == 0:
@@ -66,12 +74,12 @@ def keeps_between(
     return True
 
 
-def judge_reach(bounds: 'float[:]', work: 'float[:,:]') -> int:
-    """1: all demands are inside their bounds; -1: one exceeds its bound; 0: an open question."""
+def judge_reach(count: int, bounds: 'float[:]', work: 'float[:,:]') -> int:
+    """1: the first demands are inside their bounds; -1: one is outside; 0: an open question."""
     proved = 1
     # what rounding may add to a demand at its bound
     rounding = 1.0 + 1e-9
-    for i in range(Demand.SIZE):
+    for i in range(count):
         demand = work[OperationWork.REACH + Reach.DEMAND + i, :]
         for side in range(2):
             bound = bound_magnitude(i, side, bounds) * rounding

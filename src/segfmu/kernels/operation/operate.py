@@ -29,6 +29,7 @@ from segfmu.kernels.operation.records import (
     Slot,
     Swing,
 )
+from segfmu.kernels.operation.takeover import is_calming, note_calming, take_over, wants_calm
 from segfmu.kernels.operation.target import seek_target
 from segfmu.kernels.operation.velocity import holds_long_enough, prolong_holds, seek_velocity
 
@@ -68,13 +69,19 @@ def operate(
     mode = int(command[Command.MODE])
     elapsed = command[Command.TIME] - progress[Progress.BEGIN]
     if operation[Operation.SWING, Swing.ACTIVE] > 0.5:
-        return prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work)
+        if not wants_calm(operation):
+            return prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work)
+        take_over(elapsed, operation, known, timing, coefficients, offsets, work, stack)
+        return True
     if mode == OperationMode.EMERGENCY:
         note_present(elapsed, operation, timing, coefficients, offsets)
         if begin_emergency(operation, known, timing, coefficients, offsets, work):
             begin_swing(operation)
             return True
     if mode == OperationMode.MISSION:
+        return False
+    if is_calming(operation):
+        note_calming(operation)
         return False
     for i in range(Aim.SIZE):
         operation[Operation.BEFORE, i] = operation[Operation.AIM, i]
@@ -116,7 +123,9 @@ def begin_swing(operation: 'float[:,:]') -> None:
     progress[Progress.STATUS] = OperationStatus.TAKEN
     progress[Progress.ATTEMPT] = 0.0
     progress[Progress.NEXT] = 0.0
+    progress[Progress.RETRY] = 0.0
     progress[Progress.MODE] = OperationMode.EMERGENCY
+    operation[Operation.SWING, Swing.CALM] = 0.0
     operation[Operation.TAKEN, Aim.IS_TARGET] = -1.0
 
 

@@ -2,10 +2,10 @@
 
 from segfmu.kernels.clearance.records import SpaceStatus
 from segfmu.kernels.clearance.space import space_contact
-from segfmu.kernels.crane.records import RopeDemand
+from segfmu.kernels.crane.records import Demand, RopeDemand
 from segfmu.kernels.crane.rope import check_rope
 from segfmu.kernels.operation.aim import standstill
-from segfmu.kernels.operation.drives import keeps_drives
+from segfmu.kernels.operation.drives import keeps_demands
 from segfmu.kernels.operation.plans import plan_end
 from segfmu.kernels.operation.records import (
     Known,
@@ -25,12 +25,20 @@ def prove_plan(
     work: 'float[:,:]', stack: 'float[:,:,:]',
 ) -> int:
     """TAKEN, or what the plan in the slot TRIED is not proved to keep (OperationStatus)."""
-    first = Slot.TRIED * Slot.OFFSETS
-    pieces = offsets[first:first + Slot.OFFSETS]
     if not keeps_limits(
         operation, limits, known, timing, coefficients, offsets, states, lead, work
     ):
         return OperationStatus.LIMITS
+    return prove_crane(Demand.SIZE, known, timing, coefficients, offsets, work, stack)
+
+
+def prove_crane(
+    demands: int, known: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
+    offsets: 'int[:]', work: 'float[:,:]', stack: 'float[:,:,:]',
+) -> int:
+    """The same without the limits of the load; of the demands the first ones count."""
+    first = Slot.TRIED * Slot.OFFSETS
+    pieces = offsets[first:first + Slot.OFFSETS]
     if check_rope(
         timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known[Known.ROPE, :],
         work[OperationWork.ROPE:OperationWork.BOXES, :], work[OperationWork.FAULT, :],
@@ -46,8 +54,8 @@ def prove_plan(
         return OperationStatus.WORKSPACE
     if contact != SpaceStatus.CLEAR:
         return OperationStatus.OBSTACLE
-    if not keeps_drives(
-        timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known, work
+    if not keeps_demands(
+        demands, timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known, work
     ):
         return OperationStatus.DRIVES
     return OperationStatus.TAKEN

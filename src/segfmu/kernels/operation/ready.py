@@ -13,6 +13,7 @@ from segfmu.kernels.operation.records import (
     ReadyStatus,
     Swing,
 )
+from segfmu.kernels.operation.takeover import is_calming, next_calm
 
 
 def check_ready(
@@ -42,10 +43,16 @@ def next_operation(operation: 'float[:,:]') -> float:
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
     swing = operation[Operation.SWING, :]
+    mode = int(command[Command.MODE])
     if swing[Swing.ACTIVE] > 0.5:
-        return progress[Progress.BEGIN] + swing[Swing.COVERED] - 0.5 * command[Command.HOLD]
-    if int(command[Command.MODE]) == OperationMode.MISSION:
+        uncovered = progress[Progress.BEGIN] + swing[Swing.COVERED] - 0.5 * command[Command.HOLD]
+        if mode == OperationMode.EMERGENCY or mode == OperationMode.MISSION:
+            return uncovered
+        return min(uncovered, next_calm(operation))
+    if mode == OperationMode.MISSION:
         return 1e300
+    if is_calming(operation):
+        return swing[Swing.CALM]
     if progress[Progress.ATTEMPT] > 0.0 or progress[Progress.NEXT] > 0.0:
         return max(progress[Progress.RETRY], command[Command.TIME] + 0.25 * command[Command.HOLD])
     following = 1e300

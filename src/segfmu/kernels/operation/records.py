@@ -130,18 +130,23 @@ class Motion(Record):
 
 
 class Swing(Record):
-    """An emergency stop: carriages that brake, and the load that swings below them."""
+    """Carriages of known accelerations, and the load that swings below them.
+
+    ACTIVE, COVERED, LEFT, STAND and SWAY are of an emergency stop.
+    """
 
     ACTIVE = field("1: it is the present motion")
     COVERED = field("until when it is in the plan's pieces, since their start", "s")
     POSITION = field("of bridge and trolley, length of the rope", "m", size=3)
     VELOCITY = field("their rates", "m/s", size=3)
     ACCELERATION = field("rates of these, until they rest", "m/s2", size=3)
+    JERK = field("rates of these, in a calming motion", "m/s3", size=3)
     LEFT = field("time until each rests", "s", size=3)
     PATH = field("from the suspension to the load", "m", size=3)
     RATE = field("its rate", "m/s", size=3)
     STAND = field("time from the stop's start until all rest", "s")
     SWAY = field("largest angle between rope and vertical from then on", "rad")
+    CALM = field("when the load rests whose swing has been taken over", "s")
 
 
 class Operation(Record):
@@ -248,6 +253,23 @@ class SwingTerms(Codes):
     LONGEST = 20000
 
 
+class Control(Codes):
+    """A calming motion: control points of a velocity, and intervals between its knots.
+
+    STEPS: most pieces of an interval, so that a plan has room for all of them.
+    """
+
+    POINTS = 64
+    INTERVALS = 62
+    STEPS = 6
+
+
+class ControlPoints(Record):
+    """A quadratic B-spline, or what belongs to each of its control points."""
+
+    VALUES = field("by control point", size=Control.POINTS)
+
+
 class FlatOrder(Codes):
     """Derivatives of the load's position that the flat inverse uses."""
 
@@ -273,6 +295,12 @@ class OperationWork(Record):
     PATH = field("series of the way from the suspension to a load that swings", size=3, of=Column)
     PULL = field("that of the rope's pull over the load's mass and the rope's length", of=Column)
     SQUARE = field("that of the rope's length, squared", of=Column)
+    FREE = field("series of two free swings", size=2, of=Column)
+    CONTROL = field("velocities of bridge, trolley and hoist", "m/s", size=3, of=ControlPoints)
+    MOMENT = field("what a change of the velocity does to these swings", size=2, of=ControlPoints)
+    DIAGONAL = field("second derivatives of a barrier", of=ControlPoints)
+    COUPLING = field("those by neighbours", of=ControlPoints)
+    CHANGE = field("Newton's steps, free and by condition", size=3, of=ControlPoints)
     FLAT = field("position of the load and four derivatives", size=5, of=Vector)
     FORCE = field("forces of the drives", of=Axes)
     STATE = field("state of the crane", of=State)

@@ -2,8 +2,9 @@
 
 The rope's vector r from the suspension to the load keeps |r| = l, and r'' = -G - s r with the
 suspension's acceleration in G = (a_x, a_y, g); s is the rope's pull over the load's mass and the
-rope's length. As l is quadratic in time, both series follow term by term, for any angle. The motion
-becomes polynomial pieces around the middles of short intervals, which a plan consists of as well.
+rope's length. As a_x and a_y are linear in time and l is cubic, both series follow term by term,
+for any angle. The motion becomes polynomial pieces around the middles of short intervals, which a
+plan consists of as well.
 """
 
 from math import atan2, sqrt
@@ -23,18 +24,9 @@ from segfmu.kernels.trajectory.records import Timing
 
 def expand_swing(gravity: float, swing: 'float[:]', work: 'float[:,:]') -> None:
     """Write the series of the rope's vector and of its pull around the present state."""
-    series = work[OperationWork.PATH:OperationWork.FLAT, :]
-    length = swing[Swing.POSITION + 2]
-    rate = swing[Swing.VELOCITY + 2]
-    half = 0.5 * swing[Swing.ACCELERATION + 2]
+    series = work[OperationWork.PATH:OperationWork.PULL, :]
     square = work[OperationWork.SQUARE, :]
-    for i in range(SwingTerms.COUNT):
-        square[i] = 0.0
-    square[SwingTerms.CONSTANT] = length * length
-    square[SwingTerms.LINEAR] = 2.0 * length * rate
-    square[SwingTerms.QUADRATIC] = rate * rate + 2.0 * length * half
-    square[SwingTerms.CUBIC] = 2.0 * rate * half
-    square[SwingTerms.QUARTIC] = half * half
+    write_square(swing, square)
     for axis in range(3):
         series[axis, SwingTerms.CONSTANT] = swing[Swing.PATH + axis]
         series[axis, SwingTerms.LINEAR] = swing[Swing.RATE + axis]
@@ -43,7 +35,8 @@ def expand_swing(gravity: float, swing: 'float[:]', work: 'float[:,:]') -> None:
         # half the second derivative of the square
         found = -0.5 * (k + 1) * (k + 2) * square[k + 2]
         for axis in range(3):
-            found = found - suspension_pull(axis, gravity, swing) * series[axis, k]
+            for i in range(min(k, 1) + 1):
+                found = found - suspension_pull(axis, i, gravity, swing) * series[axis, k - i]
             for i in range(k + 1):
                 product = series[axis, i + 1] * series[axis, k - i + 1]
                 found = found + (i + 1) * (k - i + 1) * product
@@ -51,19 +44,42 @@ def expand_swing(gravity: float, swing: 'float[:]', work: 'float[:,:]') -> None:
             found = found - pull[i] * square[k - i]
         pull[k] = found / square[SwingTerms.CONSTANT]
         for axis in range(3):
-            value = 0.0
-            if k == 0:
-                value = -suspension_pull(axis, gravity, swing)
+            value = -suspension_pull(axis, k, gravity, swing)
             for i in range(k + 1):
                 value = value - pull[i] * series[axis, k - i]
             series[axis, k + 2] = value / ((k + 1) * (k + 2))
 
 
-def suspension_pull(axis: int, gravity: float, swing: 'float[:]') -> float:
-    """Component of G: acceleration of the suspension, upwards gravity [m/s2]."""
-    if axis == 2:
-        return gravity
-    return swing[Swing.ACCELERATION + axis]
+def write_square(swing: 'float[:]', square: 'float[:]') -> None:
+    """Write the series of the rope's length, squared."""
+    for i in range(SwingTerms.COUNT):
+        square[i] = 0.0
+    for i in range(SwingTerms.CUBIC + 1):
+        for j in range(SwingTerms.CUBIC + 1):
+            square[i + j] = square[i + j] + length_term(i, swing) * length_term(j, swing)
+
+
+def length_term(order: int, swing: 'float[:]') -> float:
+    """Coefficient of the rope's length as a cubic of time."""
+    if order == SwingTerms.CONSTANT:
+        return swing[Swing.POSITION + 2]
+    if order == SwingTerms.LINEAR:
+        return swing[Swing.VELOCITY + 2]
+    if order == SwingTerms.QUADRATIC:
+        return 0.5 * swing[Swing.ACCELERATION + 2]
+    return swing[Swing.JERK + 2] / 6.0
+
+
+def suspension_pull(axis: int, order: int, gravity: float, swing: 'float[:]') -> float:
+    """Coefficient of a component of G: acceleration of the suspension, upwards gravity [m/s2]."""
+    found = 0.0
+    if order == 0:
+        found = gravity
+        if axis < 2:
+            found = swing[Swing.ACCELERATION + axis]
+    elif order == 1 and axis < 2:
+        found = swing[Swing.JERK + axis]
+    return found
 
 
 def move_swing(step: float, swing: 'float[:]', work: 'float[:,:]') -> None:
@@ -78,14 +94,19 @@ def move_swing(step: float, swing: 'float[:]', work: 'float[:,:]') -> None:
             place = place * step + series[i]
         swing[Swing.PATH + axis] = place
         swing[Swing.RATE + axis] = rate
-        change = swing[Swing.ACCELERATION + axis] * step
-        moved = (swing[Swing.VELOCITY + axis] + 0.5 * change) * step
-        swing[Swing.POSITION + axis] = swing[Swing.POSITION + axis] + moved
-        swing[Swing.VELOCITY + axis] = swing[Swing.VELOCITY + axis] + change
+        jerk = swing[Swing.JERK + axis]
+        acceleration = swing[Swing.ACCELERATION + axis]
+        mean = swing[Swing.VELOCITY + axis] + (0.5 * acceleration + jerk * step / 6.0) * step
+        swing[Swing.POSITION + axis] = swing[Swing.POSITION + axis] + mean * step
+        swing[Swing.VELOCITY + axis] = (
+            swing[Swing.VELOCITY + axis] + (acceleration + 0.5 * jerk * step) * step
+        )
+        swing[Swing.ACCELERATION + axis] = acceleration + jerk * step
         swing[Swing.LEFT + axis] = max(swing[Swing.LEFT + axis] - step, 0.0)
         if swing[Swing.LEFT + axis] == 0.0:
             swing[Swing.VELOCITY + axis] = 0.0
             swing[Swing.ACCELERATION + axis] = 0.0
+            swing[Swing.JERK + axis] = 0.0
     tighten_rope(swing)
 
 
@@ -194,15 +215,23 @@ def write_swing(
         move_swing(0.5 * step, ahead, work)
         time = time + step
         count = count + 1
+    gather_axes(rows, count, Slot.PRESENT, timing, coefficients, offsets)
+    swing[Swing.COVERED] = time
+
+
+def gather_axes(
+    rows: int, count: int, slot: int, timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
+    offsets: 'int[:]',
+) -> None:
+    """Copy the pieces of all axes, `count` from each multiple of `rows` in TRIED, into a slot."""
     for axis in range(3):
-        offsets[Slot.PRESENT * Slot.OFFSETS + axis] = axis * count
+        offsets[slot * Slot.OFFSETS + axis] = axis * count
         for i in range(count):
             copy_piece(
                 timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], axis * rows + i,
-                timing[Slot.PRESENT, :, :], coefficients[Slot.PRESENT, :, :], axis * count + i,
+                timing[slot, :, :], coefficients[slot, :, :], axis * count + i,
             )
-    offsets[Slot.PRESENT * Slot.OFFSETS + Slot.AXES] = Slot.AXES * count
-    swing[Swing.COVERED] = time
+    offsets[slot * Slot.OFFSETS + Slot.AXES] = Slot.AXES * count
 
 
 def write_swing_piece(
@@ -223,6 +252,9 @@ def write_swing_piece(
         coefficients[Slot.TRIED, row, SwingTerms.QUADRATIC] = (
             coefficients[Slot.TRIED, row, SwingTerms.QUADRATIC]
             + 0.5 * swing[Swing.ACCELERATION + axis]
+        )
+        coefficients[Slot.TRIED, row, SwingTerms.CUBIC] = (
+            coefficients[Slot.TRIED, row, SwingTerms.CUBIC] + swing[Swing.JERK + axis] / 6.0
         )
     # expanded around the start, by Horner's scheme
     for i in range(width - 1):
