@@ -162,3 +162,15 @@ def test_bad_values_are_refused() -> None:
         zv(1.0, 1.0)
     with pytest.raises(InputError, match="frequency"):
         zvd(0.0)
+
+
+def test_two_shapers_leave_nothing_at_both_frequencies() -> None:
+    both = zv(1.0).then(zvd(9.2))
+    assert both.times.size == both.shares.size == 6
+    assert (np.diff(both.times) >= 0.0).all()
+    assert both.shares.sum() == pytest.approx(1.0, rel=1e-14)
+    assert both.times[-1] == pytest.approx(zv(1.0).times[-1] + zvd(9.2).times[-1], rel=1e-14)
+    for frequency in (1.0, 9.2):
+        assert both.residual(frequency) == pytest.approx(0.0, abs=1e-14)
+    # between them, the product of both
+    assert both.residual(4.0) == pytest.approx(zv(1.0).residual(4.0) * zvd(9.2).residual(4.0))

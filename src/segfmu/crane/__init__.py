@@ -10,6 +10,7 @@ from segfmu.crane.feedback import design as design_lqr
 from segfmu.crane.feedforward import Compensation, Feedforward
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.hook import HookCrane
+from segfmu.crane.hook_feedback import HookController, HookFeedback, HookWeights, design_hook
 from segfmu.crane.inverse import FlatInverse
 from segfmu.crane.observer import Observer, Uncertainty, design_observer
 from segfmu.crane.operator import Operator
@@ -24,10 +25,11 @@ from segfmu.crane.tracking import TrackingController
 
 __all__ = [
     "ActuatedPlan", "ActuatorBounds", "BoundUse", "Compensation", "Controller", "Crane",
-    "Drive", "Feedforward", "FlatInverse", "Friction", "Gust", "HookCrane", "Observer",
-    "Operator", "PayloadChange", "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints",
+    "Drive", "Feedforward", "FlatInverse", "Friction", "Gust", "HookController", "HookCrane",
+    "HookFeedback", "HookWeights", "Observer", "Operator", "PayloadChange", "PayloadSchedule",
+    "Plant", "Rig", "Sensors", "Setpoints",
     "Shaped", "Shaper", "SwayFeedback", "TrackingController", "Trapezoid", "TravelLimits",
-    "Uncertainty", "Weights", "Wind", "bound_uses", "design_flat", "design_lqr",
+    "Uncertainty", "Weights", "Wind", "bound_uses", "design_flat", "design_hook", "design_lqr",
     "design_observer", "design_schedule", "largest_eigenvalue", "plan_actuated",
     "stability_map", "zv", "zvd",
 ]

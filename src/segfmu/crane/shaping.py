@@ -114,6 +114,12 @@ class Shaper:
     times: FloatArray
     shares: FloatArray
 
+    def then(self, other: Shaper) -> Shaper:
+        """Both shapers one after the other: for two frequencies, in the sum of both durations."""
+        times = np.add.outer(self.times, other.times).ravel()
+        order = np.argsort(times, kind="stable")
+        return Shaper(times[order], np.multiply.outer(self.shares, other.shares).ravel()[order])
+
     def residual(self, frequency: float, damping: float = 0.0) -> float:
         """Residual oscillation of a pendulum [rad/s], relative to that without shaper."""
         require_positive("frequency", frequency)

@@ -1,0 +1,173 @@
+"""Feedback with a hook: its model, its stability with other loads and slings, and what it knows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+from segfmu.crane import Crane, Drive, Friction, HookCrane, Plant, Rig, Sensors, Setpoints
+from segfmu.crane.hook_feedback import HookController, HookFeedback, HookWeights, design_hook
+from segfmu.crane.hook_linear import axis_model
+from segfmu.crane.linear import sampled
+from segfmu.errors import InputError
+
+LAB = HookCrane(Crane(2.2, 1.155, 1.0), 0.1, 0.3)
+PORT = HookCrane(Crane(8e4, 1.2e4, 1e4), 500.0, 4.0)
+# crane, shortest and longest rope, period
+SIZES = {"lab": (LAB, 0.2, 1.2, 0.01), "10 t": (PORT, 2.0, 12.0, 0.05)}
+
+# places of the sling in a state
+SLING = [5, 6, 12, 13]
+
+
+def feedback(size: str, driven: bool, lag: float = 0.0, **weights: float) -> HookFeedback:
+    crane, shortest, longest, period = SIZES[size]
+    return design_hook(
+        crane, sample_time=period, shortest=shortest, longest=longest, driven=driven, lag=lag,
+        weights=HookWeights(**weights),
+    )
+
+
+def other(crane: HookCrane, load: float, sling: float) -> HookCrane:
+    """The crane with shares of its load and its sling."""
+    plain = replace(crane.crane, payload_mass=load * crane.crane.payload_mass)
+    return HookCrane(plain, crane.hook_mass, sling * crane.sling)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_model_is_that_of_small_angles(size: str) -> None:
+    """M = m_h + m_p, u the carriage's acceleration:
+
+    m_h l phi'' = -M g phi + m_p g psi - m_h u,  m_h s psi'' = M g (phi - psi).
+    """
+    crane = SIZES[size][0]
+    hook, load, g, s = crane.hook_mass, crane.crane.payload_mass, 9.81, crane.sling
+    length, total = SIZES[size][2], hook + load
+    a, b = axis_model(crane, length, 0, True)
+    assert a[4, 1:3] == pytest.approx(np.array([-total, load]) * g / (hook * length), rel=1e-7)
+    assert a[5, 1:3] == pytest.approx(np.array([total, -total]) * g / (hook * s), rel=1e-7)
+    assert b[:, 0] == pytest.approx([0.0, 0.0, 0.0, 1.0, -1.0 / length, 0.0], abs=1e-9)
+    assert axis_model(crane, length, 1, True)[0] == pytest.approx(a, abs=1e-6)
+    # under a force, the hook pulls the carriage along by both weights
+    a, b = axis_model(crane, length, 1, False)
+    assert a[3, 1] == pytest.approx(total * g / crane.masses[1], rel=1e-7)
+    assert b[3, 0] == pytest.approx(1.0 / crane.masses[1], rel=1e-9)
+    assert axis_model(crane, length, 2, False)[1][1, 0] == pytest.approx(1.0 / total, rel=1e-7)
+
+
+def slowest(found: HookFeedback, true: HookCrane, axis: int, length: float, driven: bool) -> float:
+    """Slowest decay of crane and observer together, in units of sqrt(g / (l + s))."""
+    design = found.at(axis, length)
+    a, b = sampled(*axis_model(true, length, axis, driven), found.sample_time)
+    seen = design.correction.shape[1]
+    view, own = np.eye(seen, len(a)), np.eye(len(design.gains))
+    kept = own - design.correction @ own[:seen]
+    gains, gained = design.gains[None, :], design.correction @ view
+    loop = np.block([
+        [a - b @ gains @ gained, -b @ gains @ kept],
+        [design.transition @ gained - design.effect @ gains @ gained,
+         design.transition @ kept - design.effect @ gains @ kept],
+    ])
+    rate = -np.log(np.abs(np.linalg.eigvals(loop)).max()) / found.sample_time
+    return float(rate * np.sqrt((length + true.sling) / true.crane.gravity))
+
+
+@pytest.mark.parametrize(("size", "driven"), [*product(SIZES, [False, True])])
+def test_it_is_stable_with_other_loads_and_slings(size: str, driven: bool) -> None:
+    """+-30 % of the load, +-10 % of the sling, every rope: damped in four times sqrt(L / g)."""
+    found = feedback(size, driven)
+    crane, shortest, longest, _ = SIZES[size]
+    for load, sling in product((0.7, 1.0, 1.3), (0.9, 1.0, 1.1)):
+        for length in np.linspace(shortest, longest, 5):
+            true = other(crane, load, sling)
+            assert min(slowest(found, true, axis, length, driven) for axis in range(3)) > 0.25
+
+
+def test_an_observer_that_expects_no_pushes_would_not_be() -> None:
+    found = feedback("10 t", False, push=3e-3, swing=1e-3)
+    assert slowest(found, other(PORT, 0.7, 1.1), 0, 3.5, False) < 0.0
+
+
+def swung(size: str, driven: bool, true: HookCrane, rig: Rig, enabled: bool = True) -> np.ndarray:
+    """Deviations of the load, in m, after a start aside; a row a period, for 12 sqrt(L / g)."""
+    crane, shortest, longest, period = SIZES[size]
+    length = 0.5 * (shortest + longest)
+    whole = length + crane.sling
+    lag = max(d.lag for d in rig.drives) if driven else 0.0
+    controller = HookController(feedback(size, driven, lag))
+    rest = np.array([0.0, 0.0, length, *np.zeros(11)])
+    # hook and load aside in both directions, the sling at another angle
+    start = rest.copy()
+    start[3:7] = 0.1, -0.08, -0.05, 0.12
+    weight = (crane.hook_mass + crane.crane.payload_mass) * crane.crane.gravity
+    given = Setpoints(np.array([0.0, 0.0, -weight]), np.zeros(3), np.delete(rest, SLING))
+    plant = Plant(true, start, given, controller, driven=driven, rig=rig, enabled=enabled)
+    target = np.array([0.0, 0.0, -length - true.sling])
+    rows = []
+    for _ in range(int(12.0 * np.sqrt(whole / 9.81) / period)):
+        plant.step(period, given)
+        rows.append(plant.load[0] - target)
+    return np.array(rows) / whole
+
+
+@pytest.mark.parametrize(("size", "driven"), [*product(SIZES, [False, True])])
+@pytest.mark.parametrize(("load", "sling"), [(1.0, 1.0), (0.7, 1.1), (1.3, 0.9)])
+def test_swings_end_in_space(size: str, driven: bool, load: float, sling: float) -> None:
+    crane = SIZES[size][0]
+    # without feedback a hoist that applies a force falls with another load
+    free = swung(size, driven, crane, Rig(), enabled=False)
+    damped = swung(size, driven, other(crane, load, sling), Rig())
+    last = len(free) // 5
+    assert np.abs(free[-last:, :2]).max() > 0.04
+    assert np.abs(damped[-last:]).max() < 0.006
+
+
+def test_real_drives_and_sensors() -> None:
+    """Lag, friction and quantised, late signals: what is left is of the order of the friction."""
+    rig = Rig(
+        *(Drive(lag=0.03, acceleration_max=3.0) for _ in range(3)),
+        friction=Friction(viscous=(2.0, 1.0, 1.0), coulomb=(0.2, 0.1, 0.1)),
+        sensors=Sensors(sample_time=0.01, resolution=(1e-4, 1e-4, 1e-4, 1e-3, 1e-3)),
+    )
+    damped = swung("lab", True, other(LAB, 1.3, 1.1), rig)
+    assert np.abs(damped[-len(damped) // 5:]).max() < 0.01
+
+
+def test_the_sling_is_estimated_though_nothing_measures_it() -> None:
+    controller = HookController(feedback("lab", True))
+    rest = np.array([0.0, 0.0, 0.7, *np.zeros(11)])
+    start = rest.copy()
+    start[5] = 0.1
+    given = Setpoints(np.zeros(3), np.zeros(3), np.delete(rest, SLING))
+    plant = Plant(LAB, start, given, controller, driven=True)
+    assert np.abs(controller.estimates[0]).max() == 0.0
+    errors = []
+    for _ in range(200):
+        plant.step(0.01, given)
+        errors.append(abs(controller.estimates[0][2] - plant.state[5]))
+    assert max(errors[50:]) < 0.01
+    assert max(errors[100:]) < 0.003
+
+
+def test_corrections_stay_within_what_drives_can_do() -> None:
+    found = feedback("lab", True)
+    controller = HookController(found, -0.5, [0.5, 0.4, 0.3])
+    measured = np.array([1.0, -1.0, 0.9, 0.2, 0.2])
+    reference = np.array([0.0, 0.0, 0.7, *np.zeros(7)])
+    value = controller.sample(0.0, measured, reference, np.array([0.1, 0.0, 0.0]))
+    setpoint = value + np.array([0.1, 0.0, 0.0])
+    assert (setpoint <= np.array([0.5, 0.4, 0.3]) + 1e-15).all()
+    assert (setpoint >= -0.5 - 1e-15).all()
+    assert controller.sample_time == found.sample_time == 0.01
+
+
+@pytest.mark.parametrize(
+    "values", [{"sample_time": 0.0}, {"shortest": 2.0}, {"lag": -1.0, "driven": True}]
+)
+def test_bad_values_are_refused(values: dict[str, float]) -> None:
+    given = {"sample_time": 0.01, "shortest": 0.2, "longest": 1.2} | values
+    with pytest.raises(InputError):
+        design_hook(LAB, **given)  # type: ignore[arg-type]
