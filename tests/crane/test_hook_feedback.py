@@ -8,6 +8,7 @@ from itertools import product
 import numpy as np
 import pytest
 
+from segfmu import FlatInverse, Limits, Waypoint, plan
 from segfmu.crane import Crane, Drive, Friction, HookCrane, Plant, Rig, Sensors, Setpoints
 from segfmu.crane.hook_feedback import HookController, HookFeedback, HookWeights, design_hook
 from segfmu.crane.hook_linear import axis_model
@@ -171,3 +172,27 @@ def test_bad_values_are_refused(values: dict[str, float]) -> None:
     given = {"sample_time": 0.01, "shortest": 0.2, "longest": 1.2} | values
     with pytest.raises(InputError):
         design_hook(LAB, **given)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("with_hook", "least", "most"), [(True, 0.0, 1e-5), (False, 5e-4, 1e-2)])
+def test_what_feedforward_leaves_behind_a_move_with_hoisting(
+    with_hook: bool, least: float, most: float
+) -> None:
+    """Sampled at 1 ms, the hook's inverse leaves no swing; that of one load on a rope does."""
+    below = 0.6 + LAB.sling
+    limits = Limits(0.3, 0.3, 0.6, 1.5, 4.0, 15.0)
+    points = [Waypoint([0.0, 0.0, -below]), Waypoint([0.0, 0.8, 0.3 - below])]
+    trajectory = plan(points, limits, smoothness=6)
+    crane = LAB if with_hook else replace(LAB.crane, payload_mass=1.1)
+    times = 1e-3 * np.arange(int(1e3 * trajectory.duration) + 2)
+    velocity = FlatInverse(crane, trajectory).velocity(times)
+    idle = HookController(feedback("lab", True))
+    start = np.array([0.0, 0.0, 0.6, *np.zeros(11)])
+    plant = Plant(LAB, start, Setpoints(), idle, driven=True, enabled=False)
+    for row in velocity[1:]:
+        plant.step(1e-3, Setpoints(velocity=row))
+    left = 0.0
+    for _ in range(200):
+        plant.step(1e-2, Setpoints())
+        left = max(left, abs(plant.load[0, 1] - 0.8))
+    assert least <= left <= most
