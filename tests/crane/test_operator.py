@@ -408,3 +408,48 @@ def test_a_hundred_thousand_steps_end_when_they_should() -> None:
     for _ in range(100_000):
         operator.step(0.001)
     assert operator.time == 100.0
+
+
+@pytest.mark.parametrize("tries", [1, 3, 9])
+def test_a_step_tries_no_more_plans_than_it_may(tries: int) -> None:
+    site = LAB
+    operator = site.operator(tries=tries)
+    pending = most = 0
+    for command in commands(site, np.random.default_rng((71, 1)), 400):
+        before = operator.attempts, operator.plans, operator.plan_begins
+        operator.command(**command)
+        now = operator.time
+        operator.step(site.step)
+        # one more is the plan before, whose velocity is held longer
+        tried = operator.attempts - before[0]
+        assert tried <= tries + 1
+        most = max(most, tried)
+        if tried > 0 and operator.status == "pending":
+            # the plan before goes on
+            assert (operator.plans, operator.plan_begins) == before[1:]
+            pending += 1
+        if operator.plans > before[1]:
+            assert operator.plan_begins == now
+    assert most >= min(tries, 4)
+    assert (pending > 0) is (tries < 9)
+
+
+def test_less_tries_find_the_same_plans_later() -> None:
+    # out of the workspace, which the stop in the last tries keeps
+    found = {}
+    for tries in (1, 9):
+        operator = free(tries=tries, clearance=Clearance(maximum=[0.4, 1.0, 0.0]))
+        operator.command("target", target=[2.0, 0.0, -0.5])
+        steps = 0
+        while operator.status != "reduced":
+            operator.step(0.01)
+            steps += 1
+        found[tries] = steps
+    assert found[9] == 1
+    assert found[1] > 1
+
+
+@pytest.mark.parametrize("tries", [0, 10, 1.5, True])
+def test_tries_are_a_few(tries: float) -> None:
+    with pytest.raises(InputError, match="tries must be"):
+        free(tries=tries)

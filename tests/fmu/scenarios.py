@@ -241,7 +241,7 @@ CHANGES: Values = {
     **{f"drive.{drive}.force_min": -0.05 for drive in DRIVES},
     "limits.y.acceleration": 0.2, "limits.z.acceleration": 0.05, "planner.smoothness": 5,
     "planner.duration": 80.0, "planner.start_time": 0.3,
-    "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
+    "command.tries": 1, "feedback.observer.wake": 100.0, "feedback.observer.offset": 0.02,
 }
 
 

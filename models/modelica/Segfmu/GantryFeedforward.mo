@@ -38,8 +38,8 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -318}, {216, -302}})));
   Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
   Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
-  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
-  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
+  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
   parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "nominal crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
   parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "nominal crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
   parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "nominal crane: mass of the load" annotation(Dialog(tab = "crane"));
@@ -254,6 +254,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Boolean command_go = true "in the mode target: go there; false: stop" annotation(Dialog(tab = "command"));
   parameter Real limits_scale(min = 0.0, max = 1.0) = 1.0 "share of the velocity limits that commands are followed with; 0: stop" annotation(Dialog(tab = "limits"));
   parameter Real command_hold(unit = "s", min = 0.001) = 0.1 "how long a commanded velocity is held beyond a step, if nothing renews it" annotation(Dialog(tab = "command"));
+  parameter Integer command_tries(min = 1, max = 9) = 3 "plans that are tried in a step at most; the next one tries others" annotation(Dialog(tab = "command"));
   parameter Real command_distance_x(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, x" annotation(Dialog(tab = "command"));
   parameter Real command_distance_y(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
   parameter Real command_distance_z(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
@@ -333,87 +334,87 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [320, 321, 322;
-      336, 337, 338;
-      352, 353, 354;
-      368, 369, 370;
-      384, 385, 386;
-      400, 401, 402;
-      416, 417, 418;
-      432, 433, 434;
-      448, 449, 450;
-      464, 465, 466;
-      480, 481, 482;
-      496, 497, 498;
-      512, 513, 514;
-      528, 529, 530;
-      544, 545, 546;
-      560, 561, 562];
-  constant Integer waypoint_velocity_references[16, 3] = [323, 324, 325;
-      339, 340, 341;
-      355, 356, 357;
-      371, 372, 373;
-      387, 388, 389;
-      403, 404, 405;
-      419, 420, 421;
-      435, 436, 437;
-      451, 452, 453;
-      467, 468, 469;
-      483, 484, 485;
-      499, 500, 501;
-      515, 516, 517;
-      531, 532, 533;
-      547, 548, 549;
-      563, 564, 565];
-  constant Integer waypoint_acceleration_references[16, 3] = [326, 327, 328;
-      342, 343, 344;
-      358, 359, 360;
-      374, 375, 376;
-      390, 391, 392;
-      406, 407, 408;
-      422, 423, 424;
-      438, 439, 440;
-      454, 455, 456;
-      470, 471, 472;
-      486, 487, 488;
-      502, 503, 504;
-      518, 519, 520;
-      534, 535, 536;
-      550, 551, 552;
-      566, 567, 568];
-  constant Integer waypoint_velocity_free_references[16, 3] = [329, 330, 331;
-      345, 346, 347;
-      361, 362, 363;
-      377, 378, 379;
-      393, 394, 395;
-      409, 410, 411;
-      425, 426, 427;
-      441, 442, 443;
-      457, 458, 459;
-      473, 474, 475;
-      489, 490, 491;
-      505, 506, 507;
-      521, 522, 523;
-      537, 538, 539;
-      553, 554, 555;
-      569, 570, 571];
-  constant Integer waypoint_acceleration_free_references[16, 3] = [332, 333, 334;
-      348, 349, 350;
-      364, 365, 366;
-      380, 381, 382;
-      396, 397, 398;
-      412, 413, 414;
-      428, 429, 430;
-      444, 445, 446;
-      460, 461, 462;
-      476, 477, 478;
-      492, 493, 494;
-      508, 509, 510;
-      524, 525, 526;
-      540, 541, 542;
-      556, 557, 558;
-      572, 573, 574];
-  constant Integer waypoint_dwell_references[16] = {335, 351, 367, 383, 399, 415, 431, 447, 463, 479, 495, 511, 527, 543, 559, 575};
+  constant Integer waypoint_position_references[16, 3] = [321, 322, 323;
+      337, 338, 339;
+      353, 354, 355;
+      369, 370, 371;
+      385, 386, 387;
+      401, 402, 403;
+      417, 418, 419;
+      433, 434, 435;
+      449, 450, 451;
+      465, 466, 467;
+      481, 482, 483;
+      497, 498, 499;
+      513, 514, 515;
+      529, 530, 531;
+      545, 546, 547;
+      561, 562, 563];
+  constant Integer waypoint_velocity_references[16, 3] = [324, 325, 326;
+      340, 341, 342;
+      356, 357, 358;
+      372, 373, 374;
+      388, 389, 390;
+      404, 405, 406;
+      420, 421, 422;
+      436, 437, 438;
+      452, 453, 454;
+      468, 469, 470;
+      484, 485, 486;
+      500, 501, 502;
+      516, 517, 518;
+      532, 533, 534;
+      548, 549, 550;
+      564, 565, 566];
+  constant Integer waypoint_acceleration_references[16, 3] = [327, 328, 329;
+      343, 344, 345;
+      359, 360, 361;
+      375, 376, 377;
+      391, 392, 393;
+      407, 408, 409;
+      423, 424, 425;
+      439, 440, 441;
+      455, 456, 457;
+      471, 472, 473;
+      487, 488, 489;
+      503, 504, 505;
+      519, 520, 521;
+      535, 536, 537;
+      551, 552, 553;
+      567, 568, 569];
+  constant Integer waypoint_velocity_free_references[16, 3] = [330, 331, 332;
+      346, 347, 348;
+      362, 363, 364;
+      378, 379, 380;
+      394, 395, 396;
+      410, 411, 412;
+      426, 427, 428;
+      442, 443, 444;
+      458, 459, 460;
+      474, 475, 476;
+      490, 491, 492;
+      506, 507, 508;
+      522, 523, 524;
+      538, 539, 540;
+      554, 555, 556;
+      570, 571, 572];
+  constant Integer waypoint_acceleration_free_references[16, 3] = [333, 334, 335;
+      349, 350, 351;
+      365, 366, 367;
+      381, 382, 383;
+      397, 398, 399;
+      413, 414, 415;
+      429, 430, 431;
+      445, 446, 447;
+      461, 462, 463;
+      477, 478, 479;
+      493, 494, 495;
+      509, 510, 511;
+      525, 526, 527;
+      541, 542, 543;
+      557, 558, 559;
+      573, 574, 575];
+  constant Integer waypoint_dwell_references[16] = {336, 352, 368, 384, 400, 416, 432, 448, 464, 480, 496, 512, 528, 544, 560, 576};
   final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
       65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
       109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 150, 151, 152, 153, 154,
@@ -424,7 +425,7 @@ protected
       237, 238, 239, 240, 241, 243, 244, 245, 246, 247, 248, 249, 251, 252, 253, 254, 255, 256,
       257, 259, 260, 261, 262, 263, 264, 265, 267, 268, 269, 270, 271, 272, 273, 275, 276, 277,
       278, 279, 280, 281, 283, 284, 285, 286, 287, 288, 289, 293, 294, 295, 296, 297, 298, 300,
-      301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318},
+      301, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -486,9 +487,9 @@ protected
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
       waypoint_dwell);
-  constant Integer integer_references[6] = {84, 85, 86, 162, 292, 319};
-  final parameter Integer integers[6] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
-      obstacle_count, Integer(command_mode), waypoint_count};
+  constant Integer integer_references[7] = {84, 85, 86, 162, 292, 302, 320};
+  final parameter Integer integers[7] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
+      obstacle_count, Integer(command_mode), command_tries, waypoint_count};
   final parameter Integer boolean_references[:] = cat(1, {89, 90, 170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290, 291,
       299},
       FMI.references(waypoint_velocity_free_references, waypoint_count),
@@ -507,7 +508,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{ec516b3e-b9cc-a0e5-59c3-e8e97965658c}", 0);
+      "{70119773-b5f3-6cff-2bcb-4d27925d2760}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

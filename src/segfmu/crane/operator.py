@@ -33,10 +33,11 @@ from segfmu.kernels.operation.records import (
     OperationStatus,
     Progress,
     Swing,
+    Tries,
 )
 from segfmu.kernels.planner.records import Lower, PlanOptions
 from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import FloatArray, finite_number, finite_vector, shown
+from segfmu.planning.arrays import FloatArray, as_index, finite_number, finite_vector, shown
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
@@ -98,6 +99,9 @@ class Operator:
     hold : float
         How long a commanded velocity is held beyond the next step [s]; if nothing renews it, the
         load stops then.
+    tries : int
+        How many plans are tried in a step at most, 1 to 9; where none of them is taken, the next
+        step tries others, and the plan before goes on.
     friction : Friction, optional
         Of the axes, which the forces of the drives have room for.
 
@@ -121,6 +125,7 @@ class Operator:
         shape: str = "plateau",
         synchronize: str = "waypoints",
         hold: float = HOLD,
+        tries: int = Tries.USUAL,
         friction: Friction = NONE,
     ) -> None:
         if isinstance(start, Trajectory):
@@ -148,6 +153,7 @@ class Operator:
         self._masses = np.array(crane.masses)
         self._time, self._lost = 0.0, 0.0
         self._motion.command[Command.HOLD], self._motion.command[Command.SCALE] = given, 1.0
+        self._motion.command[Command.TRIES] = as_index("tries", tries, Tries.MOST, least=1)
         self._begin(start, smoothness)
 
     def _begin(self, start: ArrayLike | Trajectory, smoothness: int) -> None:
@@ -343,7 +349,8 @@ class Operator:
         """What became of the last command that needed a plan.
 
         "taken", "reduced" (slower, or some axes at rest), or what no plan for it keeps: "limits",
-        "rope", "workspace", "obstacle" or "drives"; then the plan before goes on.
+        "rope", "workspace", "obstacle" or "drives"; then the plan before goes on, as it does if it
+        is "pending": the tries of a step are used up, and the next one tries others.
         """
         return STATUSES[self._motion.status]
 

@@ -23,6 +23,7 @@ from segfmu.fmu.standard.spec import (
 from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import DRIVES, BoundUses
 from segfmu.kernels.limits.records import PlanLimits
+from segfmu.kernels.operation.records import Tries
 
 # waypoints: largest number in a plan, and default of an FMU
 MOST_WAYPOINTS = 256
@@ -95,7 +96,7 @@ def _outputs() -> list[Variable]:
         rows.append(
             output(
                 f"plan.{name}", None, f"{meaning}; 0: taken, 1: reduced, 2: limits, 3: rope, 4: "
-                "workspace, 5: obstacle, 6: drives", kind="Integer",
+                "workspace, 5: obstacle, 6: drives, 7: pending", kind="Integer",
             )
         )
     return rows
@@ -132,6 +133,10 @@ def _commands() -> list[Variable]:
         parameter(
             "command.hold", 0.1, "s", "how long a commanded velocity is held beyond a step, if "
             "nothing renews it", minimum=1e-3,
+        ),
+        parameter(
+            "command.tries", Tries.USUAL, None, "plans that are tried in a step at most; the next "
+            "one tries others", kind="Integer", minimum=1, maximum=Tries.MOST,
         ),
     ]
     return rows + triple_parameter(

@@ -343,7 +343,6 @@ static double limited_velocity(double velocity, double scale, double limit, doub
 static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known);
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static int64_t most_attempts(void);
-static int64_t most_in_step(void);
 static int64_t first_stop(void);
 static double pace_of(int64_t attempt);
 static double share_of(int64_t attempt, int64_t axis);
@@ -12556,10 +12555,6 @@ static void write_aim(array_double_2d operation, array_double_2d limits, array_d
 static int64_t most_attempts(void)
 {
     return INT64_C(9);
-}
-static int64_t most_in_step(void)
-{
-    return INT64_C(3);
 }
 static int64_t first_stop(void)
 {
@@ -28488,10 +28483,11 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
         {
             continue;
         }
-        if (tries == most_in_step())
+        if ((tries > INT64_C(0)) && (!(tries < (*cspan_at(&operation, INT64_C(0), INT64_C(15))))))
         {
             (*cspan_at(&progress, INT64_C(6))) = attempt;
             (*cspan_at(&progress, INT64_C(7))) = failed;
+            (*cspan_at(&progress, INT64_C(1))) = INT64_C(7);
             return 0;
         }
         tries = tries + INT64_C(1);

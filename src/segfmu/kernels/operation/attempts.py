@@ -6,18 +6,13 @@ blocked, with a part of the velocity, or along some axes alone; at last a stop, 
 
 from math import sqrt
 
-from segfmu.kernels.operation.records import Aim, Known, Operation, OperationStatus
+from segfmu.kernels.operation.records import Aim, Known, Operation, OperationStatus, Tries
 from segfmu.kernels.planner.records import Lower
 
 
 def most_attempts() -> int:
     """Number of the attempts."""
-    return 9
-
-
-def most_in_step() -> int:
-    """Number of the attempts in a step; the next one goes on with the others."""
-    return 3
+    return Tries.MOST
 
 
 def first_stop() -> int:

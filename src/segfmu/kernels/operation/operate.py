@@ -11,7 +11,6 @@ from segfmu.kernels.operation.attempts import (
     first_stop,
     is_worth,
     most_attempts,
-    most_in_step,
     set_attempt,
     share_of,
 )
@@ -154,9 +153,10 @@ def attempt_plans(
     for attempt in range(first, most_attempts()):
         if not is_worth(attempt, failed, aim) or keeps_stopping(attempt, operation):
             continue
-        if tries == most_in_step():
+        if tries > 0 and not tries < operation[Operation.COMMAND, Command.TRIES]:
             progress[Progress.NEXT] = attempt
             progress[Progress.FAILED] = failed
+            progress[Progress.STATUS] = OperationStatus.PENDING
             return False
         tries = tries + 1
         progress[Progress.ATTEMPTS] = progress[Progress.ATTEMPTS] + 1.0

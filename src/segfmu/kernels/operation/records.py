@@ -35,8 +35,9 @@ class OperationMode(Codes):
 class OperationStatus(Codes):
     """What became of the last command that needed a plan.
 
-    TAKEN: as it is; REDUCED: slower, or with some axes at rest. The others tell what no plan for it
-    keeps, so that the old plan goes on.
+    TAKEN: as it is; REDUCED: slower, or with some axes at rest. The others tell why the old plan
+    goes on: what no plan for it keeps; PENDING: the tries of a step are used up, and the next one
+    tries others.
     """
 
     TAKEN = 0
@@ -46,6 +47,14 @@ class OperationStatus(Codes):
     WORKSPACE = 4
     OBSTACLE = 5
     DRIVES = 6
+    PENDING = 7
+
+
+class Tries(Codes):
+    """Plans that are tried for a command: in a step unless told otherwise, and of all steps."""
+
+    USUAL = 3
+    MOST = 9
 
 
 class ReadyStatus(Codes):
@@ -88,6 +97,9 @@ class Command(Record):
     HOLD = field(
         "how long a velocity is held at least beyond the next command", "s",
         variables=("command.hold",),
+    )
+    TRIES = field(
+        "plans that are tried in a step at most, one at least", variables=("command.tries",)
     )
 
 

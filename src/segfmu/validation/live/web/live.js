@@ -8,6 +8,7 @@ const STATUS = [
   "", "reduced: a limit, an end or an obstacle is near", "not taken: limits of the load",
   "not taken: the rope is too short or too long there", "not taken: the end of the workspace",
   "not taken: an obstacle is in the way", "not taken: the drives are too weak",
+  "not taken yet: other plans are tried",
 ];
 // s of a frame that are made up for at most, and ms of work in one: then the crane is slower instead
 const LONGEST = 0.1, WORK = 14;
