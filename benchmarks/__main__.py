@@ -38,6 +38,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "u": ("operation", ()),
     "x": ("joystick", ()),
     "z": ("takeovers", ()),
+    "rec": ("recordings", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),
 }

@@ -18,16 +18,21 @@ FINE = 20
 PUSHED, WATCHED = 4.0, 8.0
 # the velocity is there within this share of it
 THERE = 0.02
+# shares of the full velocity: the stick at its end, and microspeed
+SHARES = (1.0, 0.1)
 ROPES = (1.0, 0.95, 1.05)
 # the stick has all the way that it needs
 FREE = Clearance()
 
 
 def measure(settings: Settings) -> Part:
-    """One table a crane: the trolley at its full velocity, from rest and back to rest."""
+    """Tables by crane and speed: the trolley at a velocity, from rest and back to rest."""
     return Part("Joystick", tuple(
-        Section(f"{name}: trolley to {site.limits.velocity[1]:g} m/s and released", rows_of(site))
-        for name, site in SITES.items()
+        Section(
+            f"{name}: trolley to {share * site.limits.velocity[1]:g} m/s and released",
+            rows_of(site, share),
+        )
+        for name, site in SITES.items() for share in SHARES
     ), (
         "shapers know the rope exactly, and the trolley has the drive's greatest acceleration; the "
         "operator keeps the load's limits as well",
@@ -36,8 +41,8 @@ def measure(settings: Settings) -> Part:
     ))
 
 
-def rows_of(site: Site) -> list[Record]:
-    """A record for each way to follow the stick."""
+def rows_of(site: Site, share: float = 1.0) -> list[Record]:
+    """A record for each way to follow the stick; share: of the full velocity."""
     frequency = float(np.sqrt(site.crane.gravity / -site.start[2]))
     swing = 2.0 * np.pi / frequency
     step = site.step / FINE
@@ -45,19 +50,20 @@ def rows_of(site: Site) -> list[Record]:
     release = PUSHED * swing
     shapers: dict[str, Callable[[float], Shaper] | None] = {"flat ramp": None, "ZV": zv, "ZVD": zvd}
     rows = [
-        judged(site, name, times, release, *shaped(
-            site, times, release, shaper(frequency) if shaper else None
+        judged(site, name, share, times, release, *shaped(
+            site, share, times, release, shaper(frequency) if shaper else None
         ))
         for name, shaper in shapers.items()
     ]
-    return [*rows, judged(site, "operator", times, release, *operated(site, times, release))]
+    own = operated(site, share, times, release)
+    return [*rows, judged(site, "operator", share, times, release, *own)]
 
 
 def shaped(
-    site: Site, times: FloatArray, release: float, shaper: Shaper | None
+    site: Site, speed: float, times: FloatArray, release: float, shaper: Shaper | None
 ) -> tuple[FloatArray, FloatArray]:
     """Acceleration of the trolley, that of the drive in ramps, and length of the rope."""
-    most, velocity = float(site.bounds.acceleration[1]), float(site.limits.velocity[1])
+    most, velocity = float(site.bounds.acceleration[1]), speed * float(site.limits.velocity[1])
     ramp = velocity / most
     delays, shares = (shaper.times, shaper.shares) if shaper else (np.zeros(1), np.ones(1))
     found = np.zeros(times.size)
@@ -68,10 +74,13 @@ def shaped(
     return found, np.full(times.size, -site.start[2])
 
 
-def operated(site: Site, times: FloatArray, release: float) -> tuple[FloatArray, FloatArray]:
+def operated(
+    site: Site, share: float, times: FloatArray, release: float
+) -> tuple[FloatArray, FloatArray]:
     """The same of an operator without a space."""
     operator = site.operator(clearance=FREE)
-    operator.command("velocity", velocity=[0.0, float(site.limits.velocity[1]), 0.0])
+    full = float(site.limits.velocity[1])
+    operator.command("velocity", velocity=[0.0, full, 0.0], scale=share)
     rows = []
     for i in range(times.size):
         if i % FINE == 0:
@@ -89,11 +98,11 @@ def operated(site: Site, times: FloatArray, release: float) -> tuple[FloatArray,
 
 
 def judged(
-    site: Site, name: str, times: FloatArray, release: float, acceleration: FloatArray,
-    length: FloatArray,
+    site: Site, name: str, full: float, times: FloatArray, release: float,
+    acceleration: FloatArray, length: FloatArray,
 ) -> Record:
     """What the load does."""
-    velocity = float(site.limits.velocity[1])
+    velocity = full * float(site.limits.velocity[1])
     runs = [swung(site, times, acceleration, share * length) for share in ROPES]
     place, speed, angle = runs[0]
     pushed = times < release

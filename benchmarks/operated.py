@@ -61,6 +61,33 @@ PORT = Site(
 SITES = {"lab": LAB, "port": PORT}
 
 
+def parameters(site: Site) -> dict[str, Any]:
+    """Of GantryFeedforward with commands, behind a load that rests."""
+    crane, low, high = site.crane, site.clearance.minimum, site.clearance.maximum
+    values: dict[str, Any] = dict(crane.values()) | {
+        "waypoint.count": 2, "command.enabled": True, "obstacle.count": 1, "obstacle[1].margin":
+        site.clearance.obstacles[0].margin, "planner.start_time": 0.0,
+    }
+    table = site.limits.table(3, 4)
+    box = site.clearance.obstacles[0]
+    for k, a in enumerate("xyz"):
+        names = ("velocity", "acceleration", "jerk", "snap")
+        values |= {f"limits.{a}.{n}": v for n, v in zip(names, table[k].tolist(), strict=False)}
+        values |= {f"workspace.{a}.min": low[k], f"workspace.{a}.max": high[k],
+                   f"load.size.{a}": site.clearance.load_size[k],
+                   f"load.centre.{a}": site.clearance.load_centre[k],
+                   f"obstacle[1].minimum.{a}": box.minimum[k],
+                   f"obstacle[1].maximum.{a}": box.maximum[k]}
+        for i in (1, 2):
+            values[f"waypoint[{i}].position.{a}"] = site.start[k]
+            values |= {f"waypoint[{i}].{n}.{a}": 0.0 for n in ("velocity", "acceleration")}
+    for k, d in enumerate(("bridge", "trolley", "hoist")):
+        for n in ("force", "velocity", "acceleration"):
+            values[f"drive.{d}.{n}_max"] = getattr(site.bounds, n)[k]
+    values |= {f"sway.{a}.angle_max": v for a, v in zip("xy", site.bounds.sway_angle, strict=True)}
+    return {n: 0.0 if v == np.inf else v for n, v in values.items()}
+
+
 def commands(site: Site, rng: np.random.Generator, steps: int) -> Iterator[dict[str, Any]]:
     """A command for each step, often the one before."""
     low, high = site.clearance.minimum, site.clearance.maximum

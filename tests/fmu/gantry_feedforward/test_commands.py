@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.operated import LAB, PORT, Site, commands
+from benchmarks.operated import LAB, PORT, Site, commands, parameters
 from fmpy import simulate_fmu
 
 from segfmu import Operator
@@ -34,33 +34,6 @@ KINDS = [("native", 2), ("native", 3), ("python", 2)]
 def archive(request, native_fmus, fmus) -> Path:
     kind, fmi = request.param
     return native_fmus[fmi][0] if kind == "native" else fmus[0]
-
-
-def parameters(site: Site) -> dict[str, Any]:
-    """Of a load that rests at first."""
-    crane, low, high = site.crane, site.clearance.minimum, site.clearance.maximum
-    values: dict[str, Any] = dict(crane.values()) | {
-        "waypoint.count": 2, "command.enabled": True, "obstacle.count": 1, "obstacle[1].margin":
-        site.clearance.obstacles[0].margin, "planner.start_time": 0.0,
-    }
-    table = site.limits.table(3, 4)
-    box = site.clearance.obstacles[0]
-    for k, a in enumerate("xyz"):
-        names = ("velocity", "acceleration", "jerk", "snap")
-        values |= {f"limits.{a}.{n}": v for n, v in zip(names, table[k].tolist(), strict=False)}
-        values |= {f"workspace.{a}.min": low[k], f"workspace.{a}.max": high[k],
-                   f"load.size.{a}": site.clearance.load_size[k],
-                   f"load.centre.{a}": site.clearance.load_centre[k],
-                   f"obstacle[1].minimum.{a}": box.minimum[k],
-                   f"obstacle[1].maximum.{a}": box.maximum[k]}
-        for i in (1, 2):
-            values[f"waypoint[{i}].position.{a}"] = site.start[k]
-            values |= {f"waypoint[{i}].{n}.{a}": 0.0 for n in ("velocity", "acceleration")}
-    for k, d in enumerate(("bridge", "trolley", "hoist")):
-        for n in ("force", "velocity", "acceleration"):
-            values[f"drive.{d}.{n}_max"] = getattr(site.bounds, n)[k]
-    values |= {f"sway.{a}.angle_max": v for a, v in zip("xy", site.bounds.sway_angle, strict=True)}
-    return {n: 0.0 if v == np.inf else v for n, v in values.items()}
 
 
 def named(command: dict[str, Any]) -> dict[str, Any]:
