@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import astuple
 from typing import Any
 
 import numpy as np
 
 from segfmu import Limits, Waypoint, plan
+from segfmu.crane import HookCrane, HookWeights, Rig, design_hook
 from segfmu.crane.hook_state import plant_state
 from segfmu.crane.observer import Uncertainty
 from segfmu.kernels import backend
@@ -67,6 +69,8 @@ from segfmu.kernels.crane.records import (
     Work,
 )
 from segfmu.kernels.hook.records import (
+    HookAxis,
+    HookDesign,
     HookFrequencies,
     HookInverse,
     HookLinks,
@@ -566,6 +570,9 @@ def rig_calls() -> dict[str, Call]:
     backend.rig_start(settings, components, changes, start, setpoints, 0.2, memory)
     _, table, gains, tracker = controller.arrays
     fault, balance = zeros(SetupFault.SIZE), zeros(Balance.SIZE)
+    hanging = HookCrane(LAB, 0.1, 0.3)
+    hooked = Rig().parameters(hanging, True)
+    hook_table = design_hook(hanging, sample_time=0.01, shortest=0.2, longest=1.2).table
     tables = table, gains, tracker
     partials = zeros(RigPartials.SIZE, RigVariables.SIZE)
     return {
@@ -593,6 +600,14 @@ def rig_calls() -> dict[str, Call]:
         "rig_start": (settings, components, changes, start, setpoints, 0.2, memory),
         "rig_step": (settings, components, changes, *tables, setpoints, 0.02, memory),
         "rig_outputs": (np.array([0.1, 0.2, -1.0]), memory, balance, zeros(Outputs.SIZE)),
+        "hook_design": (
+            hooked, 0.01, 0.5, np.array(astuple(HookWeights())),
+            zeros(HookDesign.SIZE, 2 * HookAxis.CORRECTION), hook_table[0].copy(),
+        ),
+        "hook_correction": (
+            hook_table, np.repeat([-1.0, 1.0], 3), HANGING[:5] + 0.01, HANGING, zeros(3),
+            zeros(4, HookAxis.SIZE), zeros(3),
+        ),
         "hook_outputs": (memory, zeros(HookOutputs.SIZE)),
         "rig_balance": (memory, balance.copy()),
         "rig_imbalance": (np.arange(1.0, 1.0 + Balance.SIZE),),

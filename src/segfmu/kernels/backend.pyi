@@ -582,6 +582,27 @@ def bound_uses(
     /,
 ) -> int: ...
 
+def hook_design(
+    plant: Floats,
+    sample_time: float,
+    length: float,
+    weights: Floats,
+    work: Floats,
+    table: Floats,
+    /,
+) -> None: ...
+
+def hook_correction(
+    table: Floats,
+    limits: Floats,
+    measured: Floats,
+    reference: Floats,
+    feedforward: Floats,
+    estimates: Floats,
+    correction: Floats,
+    /,
+) -> None: ...
+
 def hook_frequencies(
     rope: float,
     masses: Floats,

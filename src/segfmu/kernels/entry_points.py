@@ -76,15 +76,20 @@ from segfmu.kernels.crane.records import (
     Work,
 )
 from segfmu.kernels.hook.records import (
+    HookAxis,
+    HookDesign,
     HookFrequencies,
     HookInverse,
+    HookLimits,
     HookLinks,
     HookMasses,
     HookMotion,
     HookOutputs,
     HookPath,
     HookState,
+    HookTable,
     HookTension,
+    HookWeighing,
 )
 from segfmu.kernels.limits.records import (
     AxisTask,
@@ -595,6 +600,15 @@ ENTRY_POINTS = (
         "hook.swing", "hook_load_motion", state=HookState.SIZE, tension=HookTension.SIZE,
         masses=HookMasses.SIZE, work=(HookLinks.SIZE, HookLinks.COLUMNS),
         load=(HookMotion.SIZE, HookMotion.COLUMNS),
+    ),
+    entry(
+        "hook.design", "hook_design", plant=Plant.SIZE, weights=HookWeighing.SIZE,
+        work=(HookDesign.SIZE, 2 * HookAxis.CORRECTION), table=(HookTable.SIZE, HookTable.COLUMNS),
+    ),
+    entry(
+        "hook.feedback", "hook_correction", table=("lengths", HookTable.SIZE, HookTable.COLUMNS),
+        limits=HookLimits.SIZE, measured=Coordinates.SIZE, reference=State.SIZE,
+        feedforward=Axes.SIZE, estimates=(Axes.SIZE + 1, HookAxis.SIZE), correction=Axes.SIZE,
     ),
     entry(
         "hook.outputs", "hook_outputs", memory=(Memory.SIZE, Memory.COLUMNS),

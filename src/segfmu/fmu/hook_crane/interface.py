@@ -4,9 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from segfmu.crane.hook_feedback import HookWeights
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.hook import hook_parameters
-from segfmu.fmu.standard.spec import Spec, Variable, derivative, output, signal, started, triple
+from segfmu.fmu.standard.spec import (
+    Spec,
+    Variable,
+    derivative,
+    output,
+    parameter,
+    signal,
+    started,
+    triple,
+)
+from segfmu.kernels.hook.records import HookWeighing
 
 SLING = ("sling.x.angle", "sling.y.angle", "sling.x.rate", "sling.y.rate")
 UNITS = ("rad", "rad", "rad/s", "rad/s")
@@ -24,7 +35,9 @@ def spec() -> Spec:
         description="Dynamics of a gantry crane whose load hangs by a sling on a hook, a double "
         "pendulum in space, from Lagrange's equations; drives, friction, end stops, sensors, wind "
         "and payload changes as on a real crane, ideal by default",
-        variables=(*inputs, *_inputs(), *rest, *_outputs(), *hook_parameters("true crane")),
+        variables=(
+            *inputs, *_inputs(), *rest, *_outputs(), *hook_parameters("true crane"), *_weights(),
+        ),
     )
     return _held(own)
 
@@ -52,14 +65,27 @@ def _outputs() -> list[Variable]:
     return rows
 
 
+def _weights() -> list[Variable]:
+    """Of the feedback of measured signals, as `segfmu.crane.HookWeights` has them."""
+    chosen = HookWeights()
+    return [
+        parameter(
+            variable, getattr(chosen, variable.rpartition(".")[2]), None,
+            f"feedback of source measured, dimensionless: {field.meaning}", minimum=0.0,
+        )
+        for field in HookWeighing.FIELDS.values() for variable in field.variables
+    ]
+
+
 def _held(own: Spec) -> Spec:
-    """Start values with which the load hangs at rest; the feedback, which has no hook, is off."""
+    """Start values with which the load hangs at rest; the feedback is off."""
     starts = {v.name: v.start for v in own.variables}
     mass = float(starts["crane.payload_mass"] or 0.0) + float(starts["hook.mass"] or 0.0)
     depth = float(starts["rope.length"] or 0.0) + float(starts["hook.sling"] or 0.0)
     return started(own, {
         "force.hoist": -mass * float(starts["crane.gravity"] or 0.0),
         "reference.load.position.z": -depth, "feedback.enabled": False,
+        "feedback.source": "measured",
     })
 
 

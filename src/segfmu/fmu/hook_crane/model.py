@@ -10,6 +10,7 @@ from segfmu.fmu.model import Model
 from segfmu.kernels.hook.records import (
     HookMasses,
     HookOutputs,
+    HookWeighing,
     Sling,
     SlingAccelerations,
     SlingReference,
@@ -22,7 +23,8 @@ HOOK_CRANE = Model(
     native_spec=native_spec,
     largest=cache(native_spec),
     records=(
-        *GANTRY_CRANE.records, HookMasses, Sling, SlingReference, SlingAccelerations, HookOutputs,
+        *GANTRY_CRANE.records, HookMasses, HookWeighing, Sling, SlingReference,
+        SlingAccelerations, HookOutputs,
     ),
     shared=GANTRY_CRANE.shared,
 )

@@ -126,7 +126,7 @@ static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_do
 static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model);
 static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
-static double kalman_turn(array_double_2d spread, array_double_2d work);
+static double kalman_turn(int64_t n, array_double_2d spread, array_double_2d work);
 static void kalman_gain(int64_t axis, double first, double second, array_double_2d spread, array_double_2d table);
 static void kalman_axis(int64_t axis, double sample_time, array_double_1d expected, array_double_2d work, array_double_2d table);
 static double largest_angle(void);
@@ -279,6 +279,16 @@ static void accept_step(array_double_1d state, array_double_2d work, double elap
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
+static double hook_unit(int64_t axis, array_double_1d plant);
+static double hook_lag(int64_t axis, array_double_1d plant);
+static void hook_model(int64_t axis, array_double_1d plant, double length, array_double_2d model);
+static void hook_moved(double sample_time, array_double_2d work);
+static void hook_steady(array_double_2d work);
+static void hook_gains(int64_t axis, array_double_1d plant, double length, array_double_1d weights, array_double_2d work, array_double_1d gains);
+static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, double length, array_double_1d weights, array_double_2d work, array_double_2d table);
+static int64_t hook_row(int64_t* result_0, double* result_1_0001, double length, array_double_3d table);
+static double hook_entry(int64_t row, double share, int64_t i, int64_t j, array_double_3d table);
+static double hook_axis(int64_t axis, int64_t row, double share, array_double_3d table, double seen, double tilted, array_double_1d estimate, array_double_1d work);
 static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work);
 static void write_margins(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
 static bool is_dip(array_double_2d work);
@@ -4316,7 +4326,7 @@ static void kalman_sampled(double sample_time, double drift, double wind, array_
         matrix_copy(INT64_C(8), term, transition);
     }
 }
-static double kalman_turn(array_double_2d spread, array_double_2d work)
+static double kalman_turn(int64_t n, array_double_2d spread, array_double_2d work)
 {
     array_double_2d transposed;
     array_double_2d information;
@@ -4324,7 +4334,6 @@ static double kalman_turn(array_double_2d spread, array_double_2d work)
     array_double_2d solution;
     array_double_2d product;
     array_double_2d change;
-    int64_t n;
     int64_t i;
     int64_t j;
     double largest;
@@ -4334,7 +4343,6 @@ static double kalman_turn(array_double_2d spread, array_double_2d work)
     solution = span_rows(&work, INT64_C(24), INT64_C(32));
     product = span_rows(&work, INT64_C(32), INT64_C(40));
     change = span_rows(&work, INT64_C(40), INT64_C(48));
-    n = INT64_C(6);
     matrix_set(n, 1.0, factor);
     matrix_product(n, information, spread, solution);
     matrix_add(n, 1.0, solution, factor);
@@ -4440,7 +4448,7 @@ static void kalman_axis(int64_t axis, double sample_time, array_double_1d expect
         (*cspan_at(&information, INT64_C(1), INT64_C(1))) = 1.0 / angle;
     }
     turns = INT64_C(0);
-    while((kalman_turn(spread, span_rows(&work, INT64_C(0), INT64_C(48))) > 1e-15) && (turns < INT64_C(60)))
+    while((kalman_turn(INT64_C(6), spread, span_rows(&work, INT64_C(0), INT64_C(48))) > 1e-15) && (turns < INT64_C(60)))
     {
         turns = turns + INT64_C(1);
     }
@@ -10490,6 +10498,433 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
         }
     }
     return status;
+}
+static double hook_unit(int64_t axis, array_double_1d plant)
+{
+    double result;
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    {
+        return 1.0;
+    }
+    if (axis == INT64_C(2))
+    {
+        result = hanging_mass(plant);
+        return result;
+    }
+    result = carriage_mass(plant, axis);
+    return result;
+}
+static double hook_lag(int64_t axis, array_double_1d plant)
+{
+    double result;
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    {
+        result = (*cspan_at(&plant, INT64_C(21) + axis));
+        return result;
+    }
+    return 0.0;
+}
+static void hook_model(int64_t axis, array_double_1d plant, double length, array_double_2d model)
+{
+    double gravity;
+    double hook;
+    double total;
+    double lag;
+    array_double_1d change;
+    int64_t j;
+    double restoring;
+    double pulled;
+    array_double_1d rate;
+    gravity = (*cspan_at(&plant, INT64_C(3)));
+    hook = (*cspan_at(&plant, INT64_C(18)));
+    total = hanging_mass(plant);
+    lag = hook_lag(axis, plant);
+    matrix_set(INT64_C(9), 0.0, model);
+    (*cspan_at(&model, INT64_C(0), INT64_C(3))) = 1.0;
+    change = span_row(&model, INT64_C(3));
+    (*cspan_at(&change, INT64_C(6))) = 1.0;
+    if (lag > 0.0)
+    {
+        (*cspan_at(&change, INT64_C(3))) = (-1.0) / lag;
+        (*cspan_at(&change, INT64_C(7))) = 1.0 / lag;
+        (*cspan_at(&model, INT64_C(7), INT64_C(8))) = 1.0;
+    }
+    else
+    {
+        (*cspan_at(&change, INT64_C(8))) = 1.0 / hook_unit(axis, plant);
+    }
+    if (axis == INT64_C(2))
+    {
+        return;
+    }
+    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(0))
+    {
+        (*cspan_at(&change, INT64_C(1))) = total * gravity / carriage_mass(plant, axis);
+    }
+    (*cspan_at(&model, INT64_C(1), INT64_C(4))) = 1.0;
+    (*cspan_at(&model, INT64_C(2), INT64_C(5))) = 1.0;
+    for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+    {
+        (*cspan_at(&model, INT64_C(4), j)) = (-(*cspan_at(&change, j))) / length;
+    }
+    restoring = total * gravity / hook;
+    pulled = restoring - gravity;
+    rate = span_row(&model, INT64_C(4));
+    (*cspan_at(&rate, INT64_C(1))) = (*cspan_at(&rate, INT64_C(1))) - restoring / length;
+    (*cspan_at(&rate, INT64_C(2))) = pulled / length;
+    (*cspan_at(&model, INT64_C(5), INT64_C(1))) = restoring / (*cspan_at(&plant, INT64_C(19)));
+    (*cspan_at(&model, INT64_C(5), INT64_C(2))) = (-restoring) / (*cspan_at(&plant, INT64_C(19)));
+}
+static void hook_moved(double sample_time, array_double_2d work)
+{
+    array_double_2d model;
+    array_double_2d moved;
+    array_double_2d term;
+    array_double_2d result;
+    double size;
+    int64_t i;
+    double total;
+    int64_t j;
+    double part;
+    int64_t doublings;
+    int64_t n;
+    int64_t Dummy_0000;
+    model = span_rows(&work, INT64_C(56), INT64_C(65));
+    moved = span_rows(&work, INT64_C(65), INT64_C(74));
+    term = span_rows(&work, INT64_C(74), INT64_C(83));
+    result = span_rows(&work, INT64_C(83), INT64_C(92));
+    size = 0.0;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+        {
+            total = total + fabs((*cspan_at(&model, i, j)));
+        }
+        size = span_max(size, total);
+    }
+    part = sample_time;
+    doublings = INT64_C(0);
+    while(size * part > 0.5)
+    {
+        part = 0.5 * part;
+        doublings = doublings + INT64_C(1);
+    }
+    matrix_set(INT64_C(9), 1.0, moved);
+    matrix_set(INT64_C(9), 1.0, term);
+    for (n = INT64_C(1); n < INT64_C(17); n += INT64_C(1))
+    {
+        matrix_product(INT64_C(9), model, term, result);
+        matrix_set(INT64_C(9), 0.0, term);
+        matrix_add(INT64_C(9), part / n, result, term);
+        matrix_add(INT64_C(9), 1.0, term, moved);
+    }
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < doublings; Dummy_0000 += INT64_C(1))
+    {
+        matrix_product(INT64_C(9), moved, moved, term);
+        matrix_copy(INT64_C(9), term, moved);
+    }
+}
+static void hook_steady(array_double_2d work)
+{
+    array_double_2d spread;
+    int64_t turns;
+    spread = span_rows(&work, INT64_C(48), INT64_C(56));
+    turns = INT64_C(0);
+    while((kalman_turn(INT64_C(8), spread, span_rows(&work, INT64_C(0), INT64_C(48))) > 1e-15) && (turns < INT64_C(60)))
+    {
+        turns = turns + INT64_C(1);
+    }
+}
+static void hook_gains(int64_t axis, array_double_1d plant, double length, array_double_1d weights, array_double_2d work, array_double_1d gains)
+{
+    array_double_2d moved;
+    array_double_2d spread;
+    array_double_2d kept;
+    array_double_2d information;
+    double whole;
+    double per_rate;
+    int64_t n;
+    double unit;
+    double largest;
+    double effort;
+    double place;
+    double speed;
+    int64_t i;
+    int64_t j;
+    double given;
+    double total;
+    double weight;
+    array_double_1d row;
+    moved = span_rows(&work, INT64_C(65), INT64_C(74));
+    spread = span_rows(&work, INT64_C(48), INT64_C(56));
+    kept = span_rows(&work, INT64_C(0), INT64_C(8));
+    information = span_rows(&work, INT64_C(8), INT64_C(16));
+    whole = length + (*cspan_at(&plant, INT64_C(19)));
+    per_rate = whole / (*cspan_at(&plant, INT64_C(3)));
+    n = INT64_C(8);
+    unit = hook_unit(axis, plant);
+    largest = 3.0 * unit * (*cspan_at(&plant, INT64_C(3)));
+    effort = (*cspan_at(&weights, INT64_C(4))) / (largest * largest);
+    matrix_set(n, 0.0, spread);
+    place = (*cspan_at(&weights, INT64_C(0)));
+    if (axis == INT64_C(2))
+    {
+        place = (*cspan_at(&weights, INT64_C(5)));
+    }
+    else
+    {
+        (*cspan_at(&spread, INT64_C(1), INT64_C(1))) = (*cspan_at(&weights, INT64_C(1)));
+        (*cspan_at(&spread, INT64_C(2), INT64_C(2))) = (*cspan_at(&weights, INT64_C(1)));
+        (*cspan_at(&spread, INT64_C(4), INT64_C(4))) = (*cspan_at(&weights, INT64_C(3))) * per_rate;
+        (*cspan_at(&spread, INT64_C(5), INT64_C(5))) = (*cspan_at(&weights, INT64_C(3))) * per_rate;
+    }
+    (*cspan_at(&spread, INT64_C(0), INT64_C(0))) = place / (whole * whole);
+    speed = (*cspan_at(&weights, INT64_C(2))) * per_rate / (whole * whole);
+    (*cspan_at(&spread, INT64_C(3), INT64_C(3))) = speed;
+    matrix_copy(n, moved, kept);
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&kept, i, INT64_C(6))) = 0.0;
+        (*cspan_at(&kept, INT64_C(6), i)) = 0.0;
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            given = (*cspan_at(&moved, i, INT64_C(8))) * (*cspan_at(&moved, j, INT64_C(8)));
+            (*cspan_at(&information, i, j)) = given / effort;
+        }
+    }
+    hook_steady(work);
+    total = effort;
+    for (j = INT64_C(0); j < n; j += INT64_C(1))
+    {
+        (*cspan_at(&gains, j)) = 0.0;
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            weight = (*cspan_at(&moved, i, INT64_C(8))) * (*cspan_at(&spread, i, j));
+            (*cspan_at(&gains, j)) = (*cspan_at(&gains, j)) + weight;
+        }
+        total = total + (*cspan_at(&gains, j)) * (*cspan_at(&moved, j, INT64_C(8)));
+    }
+    row = span_row(&work, INT64_C(74));
+    for (j = INT64_C(0); j < n; j += INT64_C(1))
+    {
+        (*cspan_at(&row, j)) = (*cspan_at(&gains, j)) / total;
+    }
+    for (j = INT64_C(0); j < n; j += INT64_C(1))
+    {
+        (*cspan_at(&gains, j)) = 0.0;
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            (*cspan_at(&gains, j)) = (*cspan_at(&gains, j)) + (*cspan_at(&row, i)) * (*cspan_at(&moved, i, j));
+        }
+    }
+    (*cspan_at(&gains, INT64_C(6))) = 0.0;
+    (*cspan_at(&gains, INT64_C(8))) = 0.0;
+    if (hook_lag(axis, plant) == 0.0)
+    {
+        (*cspan_at(&gains, INT64_C(6))) = unit;
+    }
+}
+static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, double length, array_double_1d weights, array_double_2d work, array_double_2d table)
+{
+    array_double_2d moved;
+    array_double_2d spread;
+    array_double_2d information;
+    double gravity;
+    double whole;
+    double time;
+    int64_t n;
+    double push;
+    double swing;
+    double walk;
+    int64_t i;
+    int64_t j;
+    double angle;
+    double place;
+    double a;
+    double b;
+    double d;
+    double determinant;
+    double first;
+    double second;
+    moved = span_rows(&work, INT64_C(65), INT64_C(74));
+    spread = span_rows(&work, INT64_C(48), INT64_C(56));
+    information = span_rows(&work, INT64_C(8), INT64_C(16));
+    gravity = (*cspan_at(&plant, INT64_C(3)));
+    whole = length + (*cspan_at(&plant, INT64_C(19)));
+    time = sqrt(whole / gravity);
+    n = INT64_C(8);
+    matrix_set(n, 0.0, spread);
+    push = (*cspan_at(&weights, INT64_C(6))) * gravity;
+    (*cspan_at(&spread, INT64_C(3), INT64_C(3))) = push * push;
+    if (axis != INT64_C(2))
+    {
+        swing = (*cspan_at(&weights, INT64_C(7))) * gravity / (*cspan_at(&plant, INT64_C(19)));
+        (*cspan_at(&spread, INT64_C(3), INT64_C(4))) = (-push) * push / length;
+        (*cspan_at(&spread, INT64_C(4), INT64_C(3))) = (-push) * push / length;
+        (*cspan_at(&spread, INT64_C(4), INT64_C(4))) = push * push / (length * length);
+        (*cspan_at(&spread, INT64_C(5), INT64_C(5))) = swing * swing;
+    }
+    walk = (*cspan_at(&weights, INT64_C(8))) * gravity / time;
+    (*cspan_at(&spread, INT64_C(6), INT64_C(6))) = walk * walk;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            (*cspan_at(&spread, i, j)) = (*cspan_at(&spread, i, j)) * sample_time * time;
+        }
+    }
+    angle = (*cspan_at(&weights, INT64_C(9))) * (*cspan_at(&weights, INT64_C(9))) * time / sample_time;
+    place = angle * whole * whole;
+    matrix_transpose(n, moved, span_rows(&work, INT64_C(0), INT64_C(8)));
+    matrix_set(n, 0.0, information);
+    (*cspan_at(&information, INT64_C(0), INT64_C(0))) = 1.0 / place;
+    if (axis != INT64_C(2))
+    {
+        (*cspan_at(&information, INT64_C(1), INT64_C(1))) = 1.0 / angle;
+    }
+    hook_steady(work);
+    a = (*cspan_at(&spread, INT64_C(0), INT64_C(0))) + place;
+    b = (*cspan_at(&spread, INT64_C(0), INT64_C(1)));
+    d = (*cspan_at(&spread, INT64_C(1), INT64_C(1))) + angle;
+    determinant = a * d - b * b;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        first = (*cspan_at(&spread, i, INT64_C(0)));
+        second = (*cspan_at(&spread, i, INT64_C(1)));
+        (*cspan_at(&table, INT64_C(9), i)) = (d * first - b * second) / determinant;
+        (*cspan_at(&table, INT64_C(10), i)) = (a * second - b * first) / determinant;
+    }
+    (*cspan_at(&table, INT64_C(9), INT64_C(8))) = 0.0;
+    (*cspan_at(&table, INT64_C(10), INT64_C(8))) = 0.0;
+}
+void segfmu_hook_design(array_double_1d plant, double sample_time, double length, array_double_1d weights, array_double_2d work, array_double_2d table)
+{
+    int64_t j;
+    int64_t axis;
+    int64_t first;
+    array_double_2d rows;
+    int64_t i;
+    for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+    {
+        (*cspan_at(&table, INT64_C(0), j)) = 0.0;
+    }
+    (*cspan_at(&table, INT64_C(0), INT64_C(0))) = length;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        first = INT64_C(1) + axis * INT64_C(11);
+        rows = span_rows(&table, first, first + INT64_C(11));
+        hook_model(axis, plant, length, span_rows(&work, INT64_C(56), INT64_C(65)));
+        hook_moved(sample_time, work);
+        for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+        {
+            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+            {
+                (*cspan_at(&rows, INT64_C(0) + i, j)) = (*cspan_at(&work, INT64_C(65) + i, j));
+            }
+        }
+        hook_gains(axis, plant, length, weights, work, span_row(&rows, INT64_C(8)));
+        hook_watch(axis, plant, sample_time, length, weights, work, rows);
+    }
+}
+static int64_t hook_row(int64_t* result_0, double* result_1_0001, double length, array_double_3d table)
+{
+    int64_t last;
+    int64_t row;
+    double begin;
+    double share;
+    last = table.shape[INT64_C(0)] - INT64_C(1);
+    row = INT64_C(0);
+    while((row < last - INT64_C(1)) && (length >= (*cspan_at(&table, row + INT64_C(1), INT64_C(0), INT64_C(0)))))
+    {
+        row = row + INT64_C(1);
+    }
+    if (last == INT64_C(0))
+    {
+        (*result_0) = INT64_C(0);
+        (*result_1_0001) = 0.0;
+        return 0;
+    }
+    begin = (*cspan_at(&table, row, INT64_C(0), INT64_C(0)));
+    share = (length - begin) / ((*cspan_at(&table, row + INT64_C(1), INT64_C(0), INT64_C(0))) - begin);
+    (*result_0) = row;
+    (*result_1_0001) = span_min(span_max(share, 0.0), 1.0);
+    return 0;
+}
+static double hook_entry(int64_t row, double share, int64_t i, int64_t j, array_double_3d table)
+{
+    double result;
+    if (share == 0.0)
+    {
+        result = (*cspan_at(&table, row, i, j));
+        return result;
+    }
+    result = (1.0 - share) * (*cspan_at(&table, row, i, j)) + share * (*cspan_at(&table, row + INT64_C(1), i, j));
+    return result;
+}
+static double hook_axis(int64_t axis, int64_t row, double share, array_double_3d table, double seen, double tilted, array_double_1d estimate, array_double_1d work)
+{
+    int64_t first;
+    int64_t i;
+    int64_t j;
+    double entry;
+    double position;
+    double angle;
+    double gain;
+    double wanted;
+    first = INT64_C(1) + axis * INT64_C(11);
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        (*cspan_at(&work, i)) = 0.0;
+        for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+        {
+            entry = hook_entry(row, share, first + INT64_C(0) + i, j, table);
+            (*cspan_at(&work, i)) = (*cspan_at(&work, i)) + entry * (*cspan_at(&estimate, j));
+        }
+    }
+    position = seen - (*cspan_at(&work, INT64_C(0)));
+    angle = tilted - (*cspan_at(&work, INT64_C(1)));
+    wanted = 0.0;
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        gain = hook_entry(row, share, first + INT64_C(9), i, table);
+        (*cspan_at(&estimate, i)) = (*cspan_at(&work, i)) + gain * position;
+        gain = hook_entry(row, share, first + INT64_C(10), i, table);
+        (*cspan_at(&estimate, i)) = (*cspan_at(&estimate, i)) + gain * angle;
+        gain = hook_entry(row, share, first + INT64_C(8), i, table);
+        wanted = wanted - gain * (*cspan_at(&estimate, i));
+    }
+    return wanted;
+}
+void segfmu_hook_correction(array_double_3d table, array_double_1d limits, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d estimates, array_double_1d correction)
+{
+    int64_t row;
+    double share;
+    int64_t axis;
+    double tilted;
+    double sign;
+    array_double_1d estimate;
+    double wanted;
+    double planned;
+    double least;
+    double bounded;
+    hook_row(&row, &share, (*cspan_at(&measured, INT64_C(2))), table);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        tilted = 0.0;
+        if (axis != INT64_C(2))
+        {
+            sign = 1.0 - 2.0 * axis;
+            tilted = sign * ((*cspan_at(&measured, INT64_C(3) + axis)) - (*cspan_at(&reference, INT64_C(3) + axis)));
+        }
+        estimate = span_row(&estimates, axis);
+        (*cspan_at(&estimate, INT64_C(8))) = (*cspan_at(&correction, axis));
+        wanted = hook_axis(axis, row, share, table, (*cspan_at(&measured, axis)) - (*cspan_at(&reference, axis)), tilted, estimate, span_row(&estimates, INT64_C(3)));
+        planned = (*cspan_at(&feedforward, axis));
+        least = (*cspan_at(&limits, INT64_C(0) + axis));
+        bounded = span_min(span_max(planned + wanted, least), (*cspan_at(&limits, INT64_C(3) + axis)));
+        (*cspan_at(&correction, axis)) = bounded - planned;
+    }
 }
 void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found)
 {

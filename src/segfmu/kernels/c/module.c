@@ -2197,6 +2197,89 @@ static PyObject *call_bound_uses(
     return answer;
 }
 
+static PyObject *call_hook_design(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "hook_design", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_sample_time;
+    double in_length;
+    Py_buffer *in_weights;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_sample_time)
+        && take_float(&call, 2, &in_length)
+        && (in_weights = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "weights", 0, in_weights->shape[0], 10)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 92)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
+        && has_at_least(&call, "table", 0, in_table->shape[0], 34)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 9)) {
+        segfmu_hook_design(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_sample_time,
+            in_length,
+            (array_double_1d){in_weights->buf, {in_weights->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_hook_correction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "hook_correction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_table;
+    Py_buffer *in_limits;
+    Py_buffer *in_measured;
+    Py_buffer *in_reference;
+    Py_buffer *in_feedforward;
+    Py_buffer *in_estimates;
+    Py_buffer *in_correction;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_table = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_limits = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_feedforward = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_estimates = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_correction = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 34)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 9)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 6)
+        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "feedforward", 0, in_feedforward->shape[0], 3)
+        && has_at_least(&call, "estimates", 0, in_estimates->shape[0], 4)
+        && has_at_least(&call, "estimates", 1, in_estimates->shape[1], 9)
+        && has_at_least(&call, "correction", 0, in_correction->shape[0], 3)) {
+        segfmu_hook_correction(
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_limits->buf, {in_limits->shape[0]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_feedforward->buf, {in_feedforward->shape[0]}},
+            (array_double_2d){in_estimates->buf, {in_estimates->shape[0], in_estimates->shape[1]}},
+            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_hook_frequencies(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -5020,6 +5103,8 @@ static PyMethodDef methods[] = {
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
+    {"hook_design", (PyCFunction)(void (*)(void))call_hook_design, METH_FASTCALL, NULL},
+    {"hook_correction", (PyCFunction)(void (*)(void))call_hook_correction, METH_FASTCALL, NULL},
     {"hook_frequencies", (PyCFunction)(void (*)(void))call_hook_frequencies, METH_FASTCALL, NULL},
     {"hook_load_motion", (PyCFunction)(void (*)(void))call_hook_load_motion, METH_FASTCALL, NULL},
     {"hook_outputs", (PyCFunction)(void (*)(void))call_hook_outputs, METH_FASTCALL, NULL},

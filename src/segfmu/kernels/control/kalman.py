@@ -132,8 +132,8 @@ def kalman_series(
         matrix_add(Estimate.SIZE, part / n, product, term)
 
 
-def kalman_turn(spread: 'float[:,:]', work: 'float[:,:]') -> float:
-    """One doubling of X in `spread` with the A^T and G of work, a `Doubling`.
+def kalman_turn(n: int, spread: 'float[:,:]', work: 'float[:,:]') -> float:
+    """One doubling of X (n, n) in `spread` with the A^T and G of work, a `Doubling`.
 
     Returns the largest relative change of a variance.
     """
@@ -143,7 +143,6 @@ def kalman_turn(spread: 'float[:,:]', work: 'float[:,:]') -> float:
     solution = work[Doubling.SOLUTION:Doubling.PRODUCT, :]
     product = work[Doubling.PRODUCT:Doubling.CHANGE, :]
     change = work[Doubling.CHANGE:Doubling.SIZE, :]
-    n = Estimate.SIZE
     # one solution for both: (1 + G X)^-1 A^T and (1 + G X)^-1 G
     matrix_set(n, 1.0, factor)
     matrix_product(n, information, spread, solution)
@@ -224,7 +223,7 @@ def kalman_axis(
     if axis != Axes.ROPE:
         information[Estimate.ANGLE, Estimate.ANGLE] = 1.0 / angle
     turns = 0
-    while kalman_turn(spread, work[0:Doubling.SIZE, :]) > 1e-15 and turns < 60:
+    while kalman_turn(Estimate.SIZE, spread, work[0:Doubling.SIZE, :]) > 1e-15 and turns < 60:
         turns = turns + 1
     kalman_gain(axis, position, angle, spread, table)
     if axis == Axes.ROPE:

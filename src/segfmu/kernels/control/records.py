@@ -139,7 +139,7 @@ class Doubling(Record):
     TRANSPOSED = field("A^T", size=AxisModel.SIZE)
     INFORMATION = field("G, what the measurements tell", size=AxisModel.SIZE)
     FACTOR = field("1 + G X, then products", size=AxisModel.SIZE)
-    SOLUTION = field("(1 + G X)^-1 A^T and, six columns on, (1 + G X)^-1 G", size=AxisModel.SIZE)
+    SOLUTION = field("(1 + G X)^-1 A^T and, behind it, (1 + G X)^-1 G", size=AxisModel.SIZE)
     PRODUCT = field("products", size=AxisModel.SIZE)
     CHANGE = field("change of X in a turn", size=AxisModel.SIZE)
 

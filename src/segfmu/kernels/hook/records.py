@@ -1,5 +1,6 @@
 """Records of a crane whose load hangs by a sling on a hook."""
 
+from segfmu.kernels.control.records import Doubling
 from segfmu.kernels.crane.records import (
     AXES,
     DRIVES,
@@ -155,3 +156,81 @@ class HookOutputs(Sling):
         "natural frequencies at rest, see HookFrequencies", "rad/s", size=2,
         variables=("sway.frequency.slow", "sway.frequency.fast"),
     )
+
+
+class HookAxis(Record):
+    """States of an axis in the feedback, deviations from the reference, and its input.
+
+    Signs of angles are such that they move the load along the axis. The hoist has no angles.
+    """
+
+    POSITION = field("position of the carriage, or length of the rope", "m")
+    ANGLE = field("angle of the rope", "rad")
+    SLING = field("angle of the sling", "rad")
+    VELOCITY = field("rate of the position", "m/s")
+    RATE = field("rate of the rope's angle", "rad/s")
+    SLING_RATE = field("rate of the sling's angle", "rad/s")
+    DRIFT = field("unknown acceleration of the carriage or the rope", "m/s2")
+    COMMAND = field("velocity command of a drive with lag", "m/s")
+    CORRECTION = field("correction: a force or an acceleration")
+
+
+class HookAxisTable(Record):
+    """Rows: model and gains of an axis at a rope length."""
+
+    TRANSITION = field(
+        "states after a period, by states and correction", size=HookAxis.CORRECTION, of=HookAxis
+    )
+    GAINS = field("minus the correction, by the states", of=HookAxis)
+    POSITION_GAIN = field("changes of the estimate by the measured position", of=HookAxis)
+    ANGLE_GAIN = field("the same by the measured angle of the rope", of=HookAxis)
+
+
+class HookTable(Record):
+    """Rows: feedback at a rope length, which is in the first place."""
+
+    LENGTH = field("length of the rope", "m", of=HookAxis)
+    AXES = field("bridge, trolley, hoist", size=3 * HookAxisTable.SIZE, of=HookAxis)
+
+
+class HookWeighing(Record):
+    """Weights of the designs, dimensionless."""
+
+    POSITION = field("carriage's position", variables=("feedback.hook.position",))
+    ANGLE = field("both angles", variables=("feedback.hook.angle",))
+    VELOCITY = field("velocity of carriage and rope", variables=("feedback.hook.velocity",))
+    RATE = field("rates of both angles", variables=("feedback.hook.rate",))
+    EFFORT = field("effort", variables=("feedback.hook.effort",))
+    ROPE = field("rope's length", variables=("feedback.hook.rope",))
+    PUSH = field(
+        "acceleration of the carriage that the observer expects, over gravity",
+        variables=("feedback.hook.push",),
+    )
+    SWING = field(
+        "acceleration of the load that it expects, over gravity",
+        variables=("feedback.hook.swing",),
+    )
+    DRIFT = field(
+        "walk of the unknown acceleration over gravity, in sqrt(L / g)",
+        variables=("feedback.hook.drift",),
+    )
+    NOISE = field(
+        "errors of the signals over L, and of the angles", variables=("feedback.hook.noise",)
+    )
+
+
+class HookDesign(Doubling):
+    """Rows: work space of the design."""
+
+    SPREAD = field("solution X of a Riccati equation", size=HookAxis.CORRECTION)
+    MODEL = field("derivatives by states and input", size=HookAxis.SIZE)
+    MOVED = field("states and input after a period", size=HookAxis.SIZE)
+    TERM = field("term of a series", size=HookAxis.SIZE)
+    RESULT = field("its product with the model", size=HookAxis.SIZE)
+
+
+class HookLimits(Record):
+    """Setpoints that the drives can follow."""
+
+    LEAST = field("least forces or accelerations", size=3)
+    GREATEST = field("greatest ones", size=3)

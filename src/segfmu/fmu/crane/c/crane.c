@@ -123,9 +123,11 @@ bool model_sound(const model *base, size_t size)
         && m->count_components <= COMPONENTS
         && m->count_components % DISTURBANCE_COMPONENTS == 0
         && m->count_lengths >= 0 && m->count_lengths <= MOST_LENGTHS && m->count_observer >= 0
-        && m->count_observer <= MOST_LENGTHS
+        && m->count_observer <= MOST_LENGTHS && m->count_hook >= 0
+        && m->count_hook <= HOOK_LENGTHS
         && (m->rows == 0 || (m->count_lengths > 0 && m->count_observer > 0
-                             && (corrector == CORRECTOR_STATE || corrector == CORRECTOR_TRACKING)
+                             && (corrector == CORRECTOR_STATE || corrector == CORRECTOR_TRACKING
+                                 || (corrector == CORRECTOR_CALLER && m->count_hook > 0))
                              && sound_memory(m)));
 }
 
@@ -191,6 +193,13 @@ bool model_initialise(model *base, char message[MESSAGE])
 
 /* ---- co-simulation ---- */
 
+static int64_t step_to(crane *m, double time)
+{
+    return segfmu_rig_step(
+        settings_of(m), components_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
+        vector(m->setpoints, SETPOINTS_SIZE), time - m->base.real[V_TIME], memory_of(m));
+}
+
 bool model_advance(model *base, double time, char message[MESSAGE])
 {
     crane *m = (crane *)base;
@@ -198,9 +207,11 @@ bool model_advance(model *base, double time, char message[MESSAGE])
         return false;
     }
     crane_follow_inputs(m, time);
-    int64_t status = segfmu_rig_step(
-        settings_of(m), components_of(m), changes_of(m), observer_of(m), gains_of(m), tracker_of(m),
-        vector(m->setpoints, SETPOINTS_SIZE), time - base->real[V_TIME], memory_of(m));
+    int64_t status = step_to(m, time);
+    while (status == RIG_STATUS_TICK) {
+        crane_correct(m);
+        status = step_to(m, time);
+    }
     take_rates(m);
     if (time >= base->step_end && base->sloped) {
         memset(base->slope, 0, sizeof base->slope);

@@ -9,6 +9,7 @@
 /* numbers of rows that there is room for, and sizes of the tables' parts for a rope length */
 enum {
     COMPONENTS = 2 * DISTURBANCE_COMPONENTS, CHANGES = DISTURBANCE_MOST_CHANGES, MOST_LENGTHS = MODEL_ROWS,
+    HOOK_LENGTHS = 9, HOOK_BLOCK = HOOK_TABLE_SIZE * HOOK_TABLE_COLUMNS,
     GAINS_BLOCK = GAINS_SIZE * GAINS_COLUMNS, OBSERVER_BLOCK = OBSERVER_SIZE * OBSERVER_COLUMNS
 };
 
@@ -26,7 +27,9 @@ typedef struct {
     double own[STATE_SIZE], shown[STATE_SIZE], begun[SETPOINTS_SIZE], misfit[START_FAULT_SIZE];
     /* the same of a sling */
     double own_sling[SLING_SIZE], hung[SLING_SIZE];
-    int64_t placed, stepped, fit;
+    /* of a controller of the model: its table, and estimates with work space */
+    double hook_table[HOOK_LENGTHS * HOOK_BLOCK], hook_estimates[(AXES_SIZE + 1) * HOOK_AXIS_SIZE];
+    int64_t count_hook, placed, stepped, fit;
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
     /* by state, commands, wind and time, see kernels/rig/partials.py; of load and energies by state */
@@ -101,15 +104,23 @@ static inline double nominal_payload(const crane *m)
     return segfmu_nominal_payload(real[V_FEEDBACK_PAYLOAD_MASS], real[V_CRANE_PAYLOAD_MASS]);
 }
 
-/* The rope lengths of the closed form and the observer, and how many; 0 with a message where they do
-   not fit. */
-static int64_t crane_lengths(const crane *m, double lengths[MOST_LENGTHS], char message[MESSAGE]);
+/* At most so many rope lengths of the closed form and the observers, and how many; 0 with a message where
+   they do not fit. */
+static int64_t crane_lengths(const crane *m, int64_t most, double lengths[], char message[MESSAGE]);
 
 /* The `Plant` with the load that feedback and observer are for. */
 static void crane_nominal(crane *m, double plant[PLANT_SIZE]);
 
-/* The observer and the controller on measured signals, from the start. */
+/* What every feedback knows of the drives; then the observer and the controller on measured signals, from
+   the start. */
+static void crane_begin_tracking(crane *m);
 static bool crane_set_tracking(crane *m, char message[MESSAGE]);
+
+/* Feedback of measured signals, in suspension.c of each model: who corrects, from the start, and a
+   correction that is due by a controller of the model. */
+static bool crane_corrects(const crane *m);
+static bool crane_set_feedback(crane *m, char message[MESSAGE]);
+static void crane_correct(crane *m);
 
 /* The controller's tunable parameters; `switched` makes what changes fade in. */
 static void crane_tune_tracking(crane *m, bool switched);

@@ -30,7 +30,7 @@ static bool read_table(crane *m, char message[MESSAGE])
 static bool design_flat(crane *m, char message[MESSAGE])
 {
     double plant[PLANT_SIZE], design[FLAT_DESIGN_SIZE], lengths[MOST_LENGTHS];
-    int64_t count = crane_lengths(m, lengths, message);
+    int64_t count = crane_lengths(m, MOST_LENGTHS, lengths, message);
     if (count == 0) {
         return false;
     }
@@ -62,6 +62,12 @@ bool crane_set_gains(crane *m, char message[MESSAGE])
     m->base.tuned = 0;
     loop[LOOP_ENABLED] = (double)m->base.integer[V_FEEDBACK_ENABLED];
     loop[LOOP_FADE] = m->base.real[V_FEEDBACK_FADE];
+    if (loop[LOOP_CORRECTOR] == CORRECTOR_CALLER) {
+        /* that of the model has no gains here */
+        memset(m->gains, 0, sizeof m->gains);
+        m->count_lengths = 1;
+        return true;
+    }
     if (!(m->base.integer[V_FEEDBACK_DESIGN] == 2 ? design_flat(m, message)
                                                   : read_table(m, message))) {
         return false;

@@ -4,7 +4,7 @@
 #include "crane.h"
 #include "messages.h"
 
-int64_t crane_lengths(const crane *m, double lengths[MOST_LENGTHS], char message[MESSAGE])
+int64_t crane_lengths(const crane *m, int64_t most, double lengths[], char message[MESSAGE])
 {
     const double *real = m->base.real;
     double fault[SETUP_FAULT_SIZE] = {0.0}, range[ROPE_RANGE_SIZE];
@@ -16,7 +16,7 @@ int64_t crane_lengths(const crane *m, double lengths[MOST_LENGTHS], char message
         return 0;
     }
     return segfmu_table_lengths(range[ROPE_RANGE_SHORTEST], range[ROPE_RANGE_LONGEST],
-                                MOST_LENGTHS, vector(lengths, MOST_LENGTHS));
+                                most, vector(lengths, most));
 }
 
 void crane_nominal(crane *m, double plant[PLANT_SIZE])

@@ -105,8 +105,11 @@ bool crane_set_up(crane *m, char message[MESSAGE])
     double *loop = setting(m, SETTINGS_LOOP);
     feed_record(&feeds_loop, &m->base, loop);
     loop[LOOP_TOLERANCE] = TOLERANCE;
+    if (crane_corrects(m)) {
+        loop[LOOP_CORRECTOR] = CORRECTOR_CALLER;
+    }
     if (!check_rope(m, message) || !set_parameters(m, message) || !crane_set_gains(m, message)
-        || !crane_set_tracking(m, message) || !set_wind(m, message)) {
+        || !crane_set_feedback(m, message) || !set_wind(m, message)) {
         return false;
     }
     set_changes(m);

@@ -13,7 +13,7 @@ static double design_observer(crane *m, double uncertainty[], char message[MESSA
     enum { COLUMNS = 2 * AXIS_MODEL_SIZE };
     double work[KALMAN_SIZE * COLUMNS], expected[EXPECTED_SIZE], plant[PLANT_SIZE];
     double lengths[MOST_LENGTHS], fault[SETUP_FAULT_SIZE] = {0.0};
-    int64_t count = crane_lengths(m, lengths, message);
+    int64_t count = crane_lengths(m, MOST_LENGTHS, lengths, message);
     if (count == 0) {
         return 0.0;
     }
@@ -34,15 +34,22 @@ static double design_observer(crane *m, double uncertainty[], char message[MESSA
     return lengths[count - 1];
 }
 
-bool crane_set_tracking(crane *m, char message[MESSAGE])
+void crane_begin_tracking(crane *m)
 {
-    double *p = setting(m, SETTINGS_TRACKING), design[TRACKING_DESIGN_SIZE], plant[PLANT_SIZE];
+    double *p = setting(m, SETTINGS_TRACKING), plant[PLANT_SIZE];
     memset(p, 0, TRACKING_SIZE * sizeof *p);
     memset(m->tracker, 0, sizeof m->tracker);
     m->count_observer = 1;
     crane_nominal(m, plant);
     p[TRACKING_PERIOD] = m->base.real[V_FEEDBACK_SAMPLE_TIME];
     segfmu_set_drives(vector(plant, PLANT_SIZE), vector(p, TRACKING_SIZE));
+}
+
+bool crane_set_tracking(crane *m, char message[MESSAGE])
+{
+    double *p = setting(m, SETTINGS_TRACKING), design[TRACKING_DESIGN_SIZE], plant[PLANT_SIZE];
+    crane_begin_tracking(m);
+    crane_nominal(m, plant);
     if (m->base.integer[V_FEEDBACK_SOURCE] != 2) {
         return true;
     }

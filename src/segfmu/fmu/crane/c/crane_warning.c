@@ -70,12 +70,12 @@ bool model_warning(const model *base, const double start[], char message[MESSAGE
         return true;
     }
     /* a table that was set is for the crane of who has set it */
-    if (base->integer[V_FEEDBACK_DESIGN] != 2
+    if (!crane_corrects((const crane *)base) && base->integer[V_FEEDBACK_DESIGN] != 2
         && feed_same(&feeds_gains_row, base, MOST_LENGTHS, start)) {
         find_changed((const crane *)base, start, names);
     }
     if (names[0] == '\0') {
-        return crane_unstable((crane *)base, message)
+        return (!crane_corrects((const crane *)base) && crane_unstable((crane *)base, message))
             || crane_out_of_range((const crane *)base, message);
     }
     say(message, "the gains of feedback.table, design lqr, were made for other values of %s; set "

@@ -1,0 +1,81 @@
+/* HookCrane: the feedback of measured signals, by the kernels of kernels/hook. */
+#include <math.h>
+#include <string.h>
+
+#include "crane.h"
+#include "feeds.h"
+#include "say.h"
+
+bool crane_corrects(const crane *m)
+{
+    return m->base.integer[V_FEEDBACK_SOURCE] == 2;
+}
+
+static array_double_3d table_of(crane *m)
+{
+    return cuboid(m->hook_table, m->count_hook, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS);
+}
+
+static bool is_finite(const crane *m)
+{
+    for (int64_t i = 0; i < m->count_hook * HOOK_BLOCK; i++) {
+        if (!isfinite(m->hook_table[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The table over rope lengths; false with a message where there is none. */
+static bool design(crane *m, char message[MESSAGE])
+{
+    enum { COLUMNS = 2 * HOOK_AXIS_CORRECTION };
+    double work[HOOK_DESIGN_SIZE * COLUMNS], weights[HOOK_WEIGHING_SIZE], plant[PLANT_SIZE];
+    double lengths[HOOK_LENGTHS];
+    m->count_hook = crane_lengths(m, HOOK_LENGTHS, lengths, message);
+    if (m->count_hook == 0) {
+        return false;
+    }
+    crane_nominal(m, plant);
+    feed_record(&feeds_hook_weighing, &m->base, weights);
+    for (int64_t i = 0; i < m->count_hook; i++) {
+        memset(work, 0, sizeof work);
+        segfmu_hook_design(
+            vector(plant, PLANT_SIZE), m->base.real[V_FEEDBACK_SAMPLE_TIME], lengths[i],
+            vector(weights, HOOK_WEIGHING_SIZE), matrix(work, HOOK_DESIGN_SIZE, COLUMNS),
+            matrix(m->hook_table + i * HOOK_BLOCK, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS));
+    }
+    return is_finite(m)
+        || say(message, "the feedback has no gain between %g and %g m of rope: check masses, sling, lags "
+               "and feedback.hook.*", lengths[0], lengths[m->count_hook - 1]);
+}
+
+bool crane_set_feedback(crane *m, char message[MESSAGE])
+{
+    crane_begin_tracking(m);
+    m->count_hook = 0;
+    memset(m->hook_estimates, 0, sizeof m->hook_estimates);
+    if (!crane_corrects(m)) {
+        return true;
+    }
+    if (m->base.interface == MODEL_EXCHANGE && m->base.integer[V_FEEDBACK_ENABLED]) {
+        return say(message, "in model exchange feedback.source must be state, or feedback.enabled false: "
+                   "the feedback of measured signals with a hook needs co-simulation");
+    }
+    return design(m, message);
+}
+
+void crane_correct(crane *m)
+{
+    const double *drives = setting(m, SETTINGS_TRACKING);
+    double limits[HOOK_LIMITS_SIZE];
+    memcpy(limits + HOOK_LIMITS_LEAST, drives + TRACKING_LEAST, AXES_SIZE * sizeof *limits);
+    memcpy(limits + HOOK_LIMITS_GREATEST, drives + TRACKING_GREATEST, AXES_SIZE * sizeof *limits);
+    segfmu_hook_correction(
+        table_of(m), vector(limits, HOOK_LIMITS_SIZE),
+        vector(row(m, MEMORY_SIGNALS), COORDINATES_SIZE),
+        vector(row(m, MEMORY_REFERENCE), STATE_SIZE), vector(row(m, MEMORY_ADDED_TO), AXES_SIZE),
+        matrix(m->hook_estimates, AXES_SIZE + 1, HOOK_AXIS_SIZE),
+        vector(row(m, MEMORY_CORRECTION) + CORRECTION_VALUE, AXES_SIZE));
+    segfmu_switch_correction(settings_of(m), memory_of(m));
+}
