@@ -44,7 +44,7 @@ CLASSES = "  GantryFeedforward_me_FMU feedforward{};\n  GantryCrane_me_FMU gantr
 def test_missions_with_every_solver(tmp_path: Path, name: str, stop: float) -> None:
     task = load_mission(MODELS / f"{name}.toml")
     natives = [
-        m.native_spec(s) for m, s in zip(registered(), specs(task, task.plan()), strict=True)
+        m.native_spec(s) for m, s in zip(registered()[:2], specs(task, task.plan()), strict=True)
     ]
     archives = build_all(natives, tmp_path / "archives")
     expected = simulate(*archives, stop_time=stop, step=1e-3)
