@@ -26,7 +26,7 @@ def test_every_symbol_of_the_equations_is_in_it() -> None:
     }
 
 
-@pytest.mark.parametrize("index", [0, 1, 2])
+@pytest.mark.parametrize("index", [0, 1, 2, 3])
 def test_the_page_of_each_fmu_shows_it(index: int) -> None:
     model = registered()[index]
     assert "Coordinates, angles and forces" in page(model.spec(), "1.0", model.about)

@@ -6,6 +6,7 @@ from segfmu.errors import BuildError
 from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
 from segfmu.fmu.gantry_feedforward.model import GANTRY_FEEDFORWARD
 from segfmu.fmu.hook_crane.model import HOOK_CRANE
+from segfmu.fmu.hook_feedforward.model import HOOK_FEEDFORWARD
 from segfmu.fmu.model import Model
 
 _registered: dict[str, Model] = {}
@@ -43,4 +44,5 @@ def named(name: str) -> Model:
 
 register(GANTRY_FEEDFORWARD)
 register(GANTRY_CRANE)
+register(HOOK_FEEDFORWARD)
 register(HOOK_CRANE)

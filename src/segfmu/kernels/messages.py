@@ -231,6 +231,8 @@ SPACE = Messages(
         SpaceStatus.WORKSPACE: "workspace.{AXIS}: the load leaves its end at {BOUND:.9g} m from "
         "{BEGIN:.3f} s to {END:.3f} s; move the waypoints or give them lower velocities",
         SpaceStatus.EMPTY_WORKSPACE: f"workspace.{{AXIS}}: minimum {_EMPTY}",
+        SpaceStatus.HOOK: "obstacle[{BOX+1}]: the rope above a hook, and the sling below it, are "
+        "not judged; set obstacle[{BOX+1}].rope to false, and let the margin keep them off",
         SpaceStatus.EMPTY_OBSTACLE: f"obstacle[{{BOX+1}}]: minimum.{{AXIS}} {_EMPTY}",
     },
     {"AXIS": ("x", "y", "z")},

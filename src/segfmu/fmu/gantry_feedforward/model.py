@@ -4,21 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
+from segfmu.fmu.feedforward.model import RECORDS
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS, native_spec, spec
 from segfmu.fmu.model import Model
-from segfmu.kernels.clearance.records import ObstacleRow, Space
-from segfmu.kernels.crane.records import (
-    BoundUses,
-    Compensation,
-    DriveBounds,
-    Feedforward,
-    LoadMotion,
-    Resistance,
-    RopeBounds,
-)
-from segfmu.kernels.limits.records import Pace, PlanLimits
+from segfmu.kernels.crane.records import Feedforward
 from segfmu.kernels.operation.records import Command
-from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 
 GANTRY_FEEDFORWARD = Model(
     name="GantryFeedforward",
@@ -26,9 +16,7 @@ GANTRY_FEEDFORWARD = Model(
     spec=spec,
     native_spec=native_spec,
     largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
-    records=(
-        Resistance, RopeBounds, PlanOptions, LoadLimits, LowerLimits, LoadMotion, Feedforward,
-        Compensation, DriveBounds, BoundUses, Space, ObstacleRow, Pace, PlanLimits, Command,
-    ),
+    records=(*RECORDS, Feedforward, Command),
+    shared=("segfmu.fmu.feedforward",),
     slave="segfmu.fmu.gantry_feedforward.slave:FeedforwardSlave",
 )

@@ -364,6 +364,13 @@ bool segfmu_space_message(
             report[SPACE_FAULT_BOUND],
             report[SPACE_FAULT_VALUE]);
         return true;
+    case 6:
+        snprintf(text, size,
+            "obstacle[%d]: the rope above a hook, and the sling below it, are not "
+            "judged; set obstacle[%d].rope to false, and let the margin keep them off",
+            (int)report[SPACE_FAULT_BOX] + 1,
+            (int)report[SPACE_FAULT_BOX] + 1);
+        return true;
     case 5:
         snprintf(text, size,
             "obstacle[%d]: minimum.%s must be below its maximum %g m, got %g m",

@@ -60,6 +60,14 @@ class HookInverse(Record):
     )
 
 
+class HookFeedforward(HookInverse):
+    """What feedforward gives a crane with hook and sling: velocities as setpoints as well."""
+
+    VELOCITY = field(
+        "velocities of the drives", "m/s", size=3, variables=[f"velocity.{d}" for d in DRIVES]
+    )
+
+
 class HookFrequencies(Record):
     """Natural frequencies of small swings while the carriages rest."""
 

@@ -49,6 +49,11 @@ static operation_arrays carve(double *block, int64_t smoothness, int64_t *used)
     return a;
 }
 
+bool takes_commands(const model *base)
+{
+    return base->integer[V_COMMAND_ENABLED];
+}
+
 size_t operation_size(int64_t smoothness)
 {
     int64_t used = 0;

@@ -1,4 +1,4 @@
-/* GantryFeedforward: the plan is made from the parameters; all outputs are functions of time. */
+/* Planner and flat inverse: the plan is made from the parameters; all outputs are functions of time. */
 #include <math.h>
 #include <string.h>
 
@@ -16,7 +16,7 @@ size_t model_size(const model *base)
     const int64_t smoothness = base->integer[V_PLANNER_SMOOTHNESS];
     const size_t plan = segfmu_plan_size(base->integer[V_WAYPOINT_COUNT], AXES, smoothness);
     const size_t search = base->integer[V_PLANNER_FINDS_LIMITS] ? search_size(base) : 0;
-    const size_t operation = base->integer[V_COMMAND_ENABLED] ? operation_size(smoothness) : 0;
+    const size_t operation = takes_commands(base) ? operation_size(smoothness) : 0;
     /* commands begin when the search is over */
     return sizeof(feedforward) + sizeof(double) * (plan + (search > operation ? search : operation));
 }
@@ -78,7 +78,7 @@ bool model_initialise(model *base, char message[MESSAGE])
     m->pieces = 0;
     m->operates = m->operating = 0;
     if (!feedforward_plan(m, message)
-        || (base->integer[V_COMMAND_ENABLED] && !begin_commands(m, message))) {
+        || (takes_commands(base) && !begin_commands(m, message))) {
         return false;
     }
     base->real[V_PLAN_DURATION] = m->duration;

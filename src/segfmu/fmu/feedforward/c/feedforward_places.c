@@ -1,4 +1,4 @@
-/* GantryFeedforward: the places of the waypoints, their free states, and the work space of a search. */
+/* Planner and flat inverse: the places of the waypoints, their free states, and the work space of a search. */
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* GantryFeedforward: the plan from the parameters, and how the block keeps it. */
+/* Planner and flat inverse: the plan from the parameters, and how the block keeps it. */
 #include <math.h>
 #include <string.h>
 
@@ -70,10 +70,10 @@ static array_double_2d contacts_of(const feedforward *m, int axis)
 static bool note_contacts(feedforward *m, char message[MESSAGE])
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
-    double known[RESISTANCE_SIZE] = {0.0}, work[CONTACT_WORK_SIZE * CONTACT_WORK_COLUMNS];
+    double known[RESISTANCE_SIZE], work[CONTACT_WORK_SIZE * CONTACT_WORK_COLUMNS];
     double fault[SETUP_FAULT_SIZE] = {0.0};
     int64_t longest = 0, rubbing = 0;
-    feed_record(&feeds_resistance, &m->base, known);
+    crane_of(&m->base, known);
     for (int i = 0; i < AXES_SIZE; i++) {
         rubbing += segfmu_resists(vector(known, RESISTANCE_SIZE), i);
     }
@@ -103,8 +103,8 @@ static bool note_contacts(feedforward *m, char message[MESSAGE])
 void measure(feedforward *m, bool exact, double *peaks, double *times)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
-    double known[RESISTANCE_SIZE] = {0.0}, work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
-    feed_record(&feeds_resistance, &m->base, known);
+    double known[RESISTANCE_SIZE], work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
+    crane_of(&m->base, known);
     (exact ? segfmu_demand_peaks : segfmu_demand_samples)(
         timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
         offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
@@ -181,21 +181,6 @@ static void show_limits(model *base, const request *r)
     show_record(&feeds_plan_limits, found, base);
 }
 
-/* Check that the load stays below the trolley, the rope taut, and its length within its range. */
-static bool require_rope(const segfmu_trajectory *t, const model *base, char message[MESSAGE])
-{
-    const int64_t width = 2 * t->smoothness;
-    double space[ROPE_WORK_SIZE * MOST_COLUMNS];
-    double fault[ROPE_FAULT_SIZE], bounds[ROPE_BOUNDS_SIZE];
-    feed_record(&feeds_rope_bounds, base, bounds);
-    int64_t status = segfmu_check_rope(
-        matrix((double *)t->timing, t->pieces, 2),
-        matrix((double *)t->coefficients, t->pieces, width), offsets_of(t),
-        vector(bounds, ROPE_BOUNDS_SIZE), matrix(space, ROPE_WORK_SIZE, 4 * width - 5),
-        vector(fault, ROPE_FAULT_SIZE));
-    return !segfmu_rope_message(status, fault, message, MESSAGE);
-}
-
 bool require_space(feedforward *m, char message[MESSAGE])
 {
     enum { BOXES = SPACE_LIMITS_FACES + SPACE_LIMITS_OBSTACLES };
@@ -241,7 +226,7 @@ bool plan_at(feedforward *m, const request *r, char message[MESSAGE])
     }
     int status = segfmu_plan(&problem, m->space, &found);
     if (segfmu_plan_message(status, found.report, message, MESSAGE)
-        || !require_rope(&found, &m->base, message)) {
+        || !require_taut(&found, &m->base, message)) {
         return false;
     }
     compact(m, &found);

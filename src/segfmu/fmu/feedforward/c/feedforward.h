@@ -1,18 +1,19 @@
-/* GantryFeedforward's block: the plan, at the end of it. */
+/* The block of planner and flat inverse: the plan, at the end of it. Inverse and commands are the
+   model's own. */
 #ifndef SEGFMU_FEEDFORWARD_H
 #define SEGFMU_FEEDFORWARD_H
 
 #include "arrays.h"
 #include "feeds.h"
+#include "flat_inverse.h"
 #include "messages.h"
 #include "model.h"
 #include "records.h"
 #include "segfmu.h"
 
-/* orders of the load's motion that are shown, and derivatives that have a limit */
+/* orders of the load's motion that are inverted, and derivatives that have a limit */
 enum {
-    AXES = VECTOR_SIZE, ORDERS = LOAD_MOTION_SIZE / AXES, LIMITS = LOAD_LIMITS_Y - LOAD_LIMITS_X, MOST_SMOOTHNESS = 6,
-    RESULTS = FEEDFORWARD_SIZE,
+    AXES = VECTOR_SIZE, ORDERS = INVERSE_ORDERS, LIMITS = LOAD_LIMITS_Y - LOAD_LIMITS_X, MOST_SMOOTHNESS = 6,
     MOST_POINTS = MODEL_ROWS,
     MOST_COLUMNS = 8 * MOST_SMOOTHNESS - 5 /* of what `check_rope` works in */
 };
@@ -79,6 +80,9 @@ static bool feedforward_plan(feedforward *m, char message[MESSAGE]);
 /* Plan what is asked for, with a taut rope; false with a message where that cannot be done. */
 static bool plan_at(feedforward *m, const request *r, char message[MESSAGE]);
 
+/* Check that what pulls stays taut, and the rope within its range. */
+static bool require_taut(const segfmu_trajectory *t, const model *base, char message[MESSAGE]);
+
 /* Check that load and rope keep to the workspace and off the obstacles. Works in what the plan has
    left of the block, which is more than this needs; the contacts there are found again. */
 static bool require_space(feedforward *m, char message[MESSAGE]);
@@ -101,7 +105,8 @@ static size_t planned_size(const feedforward *m);
 /* The same with contacts. */
 static size_t mission_size(const feedforward *m);
 
-/* Numbers of the arrays of commands, at a smoothness. */
+/* Whether commands can be followed, and numbers of their arrays, at a smoothness. */
+static bool takes_commands(const model *base);
 static size_t operation_size(int64_t smoothness);
 
 /* Get ready for commands behind the plan; false with a message where that cannot be. */

@@ -1,4 +1,4 @@
-/* GantryFeedforward: reference and setpoints at a time, and their derivatives. */
+/* Planner and flat inverse: reference and setpoints at a time, and their derivatives. */
 #include <math.h>
 #include <string.h>
 
@@ -15,30 +15,18 @@ static void evaluate(const segfmu_trajectory *t, double time, int64_t orders, do
 /* The setpoint of a drive that acts at once but with a lag, or one of its derivatives. */
 static double setpoint(const double results[RESULTS], int i, double lag)
 {
-    return results[FLAT_INVERSE_STATE + STATE_VELOCITY + i]
-        + lag * results[FLAT_INVERSE_ACCELERATION + i];
-}
-
-/* The flat inverse's results at a time since the start. */
-static void invert(feedforward *m, double load[LOAD_MOTION_SIZE], double results[RESULTS])
-{
-    double known[RESISTANCE_SIZE] = {0.0};
-    feed_record(&feeds_resistance, &m->base, known);
-    segfmu_crane_flat_inverse(
-        matrix(load, ORDERS, AXES), vector(known, RESISTANCE_SIZE),
-        vector(results, AXES_SIZE), vector(results + FLAT_INVERSE_STATE, STATE_SIZE),
-        vector(results + FLAT_INVERSE_ACCELERATION, COORDINATES_SIZE));
+    return results[RESULT_VELOCITY + i] + lag * results[RESULT_ACCELERATION + i];
 }
 
 /* Add the friction of a drive to its force, at a time since the start of the plan. */
 static void add_friction(feedforward *m, int i, double time, const double of[RESULTS], double *force)
 {
     if (m->turns[i] > 0) {
-        double known[RESISTANCE_SIZE] = {0.0};
-        feed_record(&feeds_resistance, &m->base, known);
+        double known[RESISTANCE_SIZE];
+        crane_of(&m->base, known);
         *force += segfmu_planned_friction(
-            vector(known, RESISTANCE_SIZE), i, time, of[FLAT_INVERSE_STATE + i],
-            of[FLAT_INVERSE_STATE + STATE_VELOCITY + i], contacts_of(m, i));
+            vector(known, RESISTANCE_SIZE), i, time, of[RESULT_STATE + i],
+            of[RESULT_VELOCITY + i], contacts_of(m, i));
     }
 }
 
@@ -46,29 +34,30 @@ bool model_evaluate(model *base, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
     const segfmu_trajectory trajectory = feedforward_trajectory(m);
-    double load[LOAD_MOTION_SIZE], early[LOAD_MOTION_SIZE], known[COMPENSATION_SIZE];
-    double results[RESULTS], other[RESULTS];
+    double load[ORDERS * AXES], early[ORDERS * AXES], known[COMPENSATION_SIZE];
+    double results[RESULTS], other[RESULTS], crane[RESISTANCE_SIZE];
     begin_lead(m, message);
     memset(m->derived, 0, sizeof m->derived);
     memset(m->moved, 0, sizeof m->moved);
     drives_of(m, known);
+    crane_of(base, crane);
     double time = base->real[V_TIME] - beginning(m);
     evaluate(&trajectory, time, ORDERS, load);
-    invert(m, load, results);
+    invert(crane, load, results);
     for (int i = 0; i < AXES_SIZE; i++) {
         const double *of = results;
         if (known[COMPENSATION_DEAD_TIME + i] > 0.0) {
             evaluate(&trajectory, time + known[COMPENSATION_DEAD_TIME + i], ORDERS, early);
-            invert(m, early, other);
+            invert(crane, early, other);
             of = other;
         }
-        results[FEEDFORWARD_FORCE + i] = of[FEEDFORWARD_FORCE + i];
+        results[RESULT_FORCE + i] = of[RESULT_FORCE + i];
         add_friction(
-            m, i, time + known[COMPENSATION_DEAD_TIME + i], of, &results[FEEDFORWARD_FORCE + i]);
-        results[FEEDFORWARD_VELOCITY + i] = setpoint(of, i, known[COMPENSATION_LAG + i]);
+            m, i, time + known[COMPENSATION_DEAD_TIME + i], of, &results[RESULT_FORCE + i]);
+        results[RESULT_SETPOINT + i] = setpoint(of, i, known[COMPENSATION_LAG + i]);
     }
     show_record(&feeds_load_motion, load, base);
-    show_record(&feeds_feedforward, results, base);
+    show_record(&feeds_results, results, base);
     return true;
 }
 
@@ -92,15 +81,11 @@ static double *motion(feedforward *m, int of, double dead)
    of a drive's setpoints. At a break of the plan, those from then on. */
 static const double *derivatives(feedforward *m, int of, double dead, int64_t order)
 {
-    enum { COLUMNS = MODEL_ORDERS + 3 };
-    double known[RESISTANCE_SIZE] = {0.0};
-    double work[FLAT_SERIES_SIZE * COLUMNS];
+    double known[RESISTANCE_SIZE];
     double *found = m->derivatives[order - 1][of];
     if (!m->derived[order - 1][of]) {
-        feed_record(&feeds_resistance, &m->base, known);
-        segfmu_flat_derivatives(
-            matrix(motion(m, of, dead), ORDERS + order, AXES), order, vector(known, RESISTANCE_SIZE),
-            matrix(work, FLAT_SERIES_SIZE, COLUMNS), vector(found, RESULTS));
+        crane_of(&m->base, known);
+        invert_derivative(known, motion(m, of, dead), order, found);
         m->derived[order - 1][of] = 1;
     }
     return found;
@@ -109,15 +94,15 @@ static const double *derivatives(feedforward *m, int of, double dead, int64_t or
 /* A derivative of the friction of a drive, whose setpoints are those of a dead time later. */
 static double friction_of(feedforward *m, int i, int of, double dead, int64_t order)
 {
-    double known[RESISTANCE_SIZE] = {0.0}, results[RESULTS], path[MODEL_ORDERS + 2];
+    double known[RESISTANCE_SIZE], results[RESULTS], path[MODEL_ORDERS + 2];
     double work[FRICTION_SERIES_SIZE * (MODEL_ORDERS + 1)];
-    invert(m, motion(m, of, dead), results);
-    path[0] = results[FLAT_INVERSE_STATE + i];
-    path[1] = results[FLAT_INVERSE_STATE + STATE_VELOCITY + i];
+    crane_of(&m->base, known);
+    invert(known, motion(m, of, dead), results);
+    path[0] = results[RESULT_STATE + i];
+    path[1] = results[RESULT_VELOCITY + i];
     for (int64_t k = 1; k <= order; k++) {
-        path[k + 1] = derivatives(m, of, dead, k)[FLAT_INVERSE_STATE + STATE_VELOCITY + i];
+        path[k + 1] = derivatives(m, of, dead, k)[RESULT_VELOCITY + i];
     }
-    feed_record(&feeds_resistance, &m->base, known);
     return segfmu_friction_derivative(
         vector(known, RESISTANCE_SIZE), i, m->base.real[V_TIME] - beginning(m) + dead,
         vector(path, MODEL_ORDERS + 2), order, contacts_of(m, i),
@@ -129,7 +114,7 @@ static double derivative_of(feedforward *m, int place, int64_t order)
 {
     double known[COMPENSATION_SIZE];
     drives_of(m, known);
-    int first = place >= FEEDFORWARD_VELOCITY ? FEEDFORWARD_VELOCITY : FEEDFORWARD_FORCE;
+    int first = place >= RESULT_SETPOINT ? RESULT_SETPOINT : RESULT_FORCE;
     int i = place - first;
     if (i >= AXES_SIZE) {
         return derivatives(m, 0, 0.0, order)[place];
@@ -137,7 +122,7 @@ static double derivative_of(feedforward *m, int place, int64_t order)
     double dead = known[COMPENSATION_DEAD_TIME + i];
     int of = dead > 0.0 ? i + 1 : 0;
     const double *found = derivatives(m, of, dead, order);
-    if (first == FEEDFORWARD_VELOCITY) {
+    if (first == RESULT_SETPOINT) {
         return setpoint(found, i, known[COMPENSATION_LAG + i]);
     }
     return m->turns[i] > 0 ? found[place] + friction_of(m, i, of, dead, order) : found[place];
@@ -147,7 +132,7 @@ bool model_output_derivative(model *base, const variable *output, int64_t order,
 {
     feedforward *m = (feedforward *)base;
     int load = feed_place(&feeds_load_motion, output->offset);
-    int place = feed_place(&feeds_feedforward, output->offset);
+    int place = feed_place(&feeds_results, output->offset);
     if (load >= 0) {
         *value = motion(m, 0, 0.0)[(load / AXES + order) * AXES + load % AXES];
         return true;

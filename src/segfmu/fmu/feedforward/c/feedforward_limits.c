@@ -1,4 +1,4 @@
-/* GantryFeedforward: limits of the load from the bounds of the drives. */
+/* Planner and flat inverse: limits of the load from the bounds of the drives. */
 #include <math.h>
 #include <string.h>
 
@@ -51,7 +51,7 @@ static bool pose_search(
     s->chooses = s->strict = chooses;
     s->unknowns = LIMIT_UNKNOWNS + (chooses ? STATE_UNKNOWNS * (s->places - 2) : 0);
     feed_record(&feeds_drive_bounds, &m->base, s->bounds);
-    feed_record(&feeds_resistance, &m->base, s->known);
+    crane_of(&m->base, s->known);
     gather_caps(&m->base, s->caps);
     array_double_2d caps = matrix(s->caps, AXES, LIMIT_ROW_SIZE);
     if (narrow) {

@@ -1,0 +1,1 @@
+"""What the models of planner and flat inverse share, whatever the load hangs on."""

@@ -1,0 +1,1 @@
+"""HookFeedforward: interface, and model in C."""
