@@ -126,6 +126,18 @@ def test_a_shorter_time_than_the_least_is_none() -> None:
     assert speed / 0.5 <= operator.rests_at < speed / 0.5 + swing
 
 
+def test_a_crane_near_full_speed_is_taken_over_and_one_beyond_is_not() -> None:
+    site = SITES["lab"]
+    start = swinging(site, 5.0)
+    # more than the velocities afterwards may use
+    start[6] = 0.9985 * site.bounds.velocity[1]
+    operator = operator_of(site, start)
+    assert np.isfinite(operator.rests_at)
+    start[6] *= 1.002
+    with pytest.raises(InfeasibleError, match="keeps drives"):
+        operator_of(site, start)
+
+
 def test_a_load_that_hangs_still_stays() -> None:
     site = SITES["lab"]
     operator = operator_of(site, swinging(site, 0.0, moving=0.0))
@@ -212,6 +224,9 @@ def test_what_cannot_be_taken_over_is_told() -> None:
     weak = bounds_of(site, acceleration=1e-3)
     with pytest.raises(InfeasibleError, match="keeps drives"):
         operator_of(site, start, bounds=weak)
+    # nothing is integrated that a plan has no room for
+    with pytest.raises(InfeasibleError, match="keeps drives"):
+        operator_of(site, start, bounds=bounds_of(site, acceleration=1e-12))
     narrow = Clearance(minimum=[0.0, 0.0, -0.9], maximum=[0.12, 0.3, -0.1])
     with pytest.raises(InfeasibleError, match="keeps workspace"):
         operator_of(site, start, clearance=narrow)

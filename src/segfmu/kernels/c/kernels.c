@@ -420,7 +420,8 @@ static void begin_controlled(array_double_2d operation);
 static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work);
 static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull);
 static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
-static bool write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool fits_plan(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
+static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static void set_range(double centre, double radius, array_double_1d found);
 static void add_range(double share, array_double_1d a, array_double_1d found);
 static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
@@ -13161,7 +13162,7 @@ static bool is_inside_bounds(int64_t axis, double share, double interval, array_
     fall = most_change(axis, -1.0, share, interval, known);
     for (i = INT64_C(0); i < INT64_C(62); i += INT64_C(1))
     {
-        if (!((-slowest < (*cspan_at(&points, i + INT64_C(1)))) && ((*cspan_at(&points, i + INT64_C(1))) < fastest)))
+        if (!((-slowest < (*cspan_at(&points, i + INT64_C(2)))) && ((*cspan_at(&points, i + INT64_C(2))) < fastest)))
         {
             return 0;
         }
@@ -14804,7 +14805,11 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
         shortest = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
     }
     phase = interval * sqrt(gravity / shortest);
-    return INT64_C(1) + (int64_t)(span_min(phase / longest, 1000000.0));
+    if (!(phase < longest * INT64_C(1000)))
+    {
+        return INT64_C(1000);
+    }
+    return INT64_C(1) + (int64_t)(phase / longest);
 }
 static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull)
 {
@@ -14901,7 +14906,15 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     result = sqrt(found) / (*cspan_at(&ahead, INT64_C(2) + INT64_C(2)));
     return result;
 }
-static bool write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+static bool fits_plan(double interval, array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    double gravity;
+    bool result;
+    gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
+    result = interval_parts(0.2, interval, operation, gravity, work) <= INT64_C(6);
+    return result;
+}
+static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
 {
     double gravity;
     array_double_1d ahead;
@@ -14915,10 +14928,6 @@ static bool write_controlled(double interval, array_double_2d operation, array_d
     int64_t row;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
     ahead = span_row(&operation, INT64_C(27));
-    if (interval_parts(0.2, interval, operation, gravity, work) > INT64_C(6))
-    {
-        return 0;
-    }
     parts = span_min_int(interval_parts(0.05, interval, operation, gravity, work), INT64_C(6));
     begin_controlled(operation);
     step = interval / parts;
@@ -14944,7 +14953,6 @@ static bool write_controlled(double interval, array_double_2d operation, array_d
         }
     }
     gather_axes(rows, count, INT64_C(4), timing, coefficients, offsets);
-    return 1;
 }
 static void set_range(double centre, double radius, array_double_1d found)
 {
@@ -15478,6 +15486,10 @@ static bool calms_within(double duration, double share, array_double_2d operatio
     {
         return 0;
     }
+    if (!fits_plan(interval, operation, known, work))
+    {
+        return 0;
+    }
     before = 1e+300;
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < most_runs(); Dummy_0000 += INT64_C(1))
     {
@@ -15589,10 +15601,7 @@ static int64_t plan_calm(array_double_2d operation, array_double_2d known, array
         {
             return INT64_C(6);
         }
-        if (!write_controlled(duration / INT64_C(62), operation, known, timing, coefficients, offsets, work))
-        {
-            return INT64_C(6);
-        }
+        write_controlled(duration / INT64_C(62), operation, known, timing, coefficients, offsets, work);
         status = prove_crane(INT64_C(12), known, timing, coefficients, offsets, work, stack);
         if (status != INT64_C(6))
         {

@@ -1537,7 +1537,8 @@ enum {
 enum {
     CONTROL_POINTS = 64,
     CONTROL_INTERVALS = 62,
-    CONTROL_STEPS = 6
+    CONTROL_STEPS = 6,
+    CONTROL_MANY = 1000
 };
 
 enum {

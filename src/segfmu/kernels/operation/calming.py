@@ -12,6 +12,7 @@ from math import sqrt
 from segfmu.kernels.crane.records import Demand, DriveBounds, Masses
 from segfmu.kernels.operation.centre import control_bound, decline_line, find_centre, most_change
 from segfmu.kernels.operation.controlled import (
+    fits_plan,
     run_controlled,
     set_control_start,
     swing_frequency,
@@ -58,6 +59,8 @@ def calms_within(
     for axis in range(2):
         decline_line(axis, work)
     if not brake_hoist(share, interval, known, work):
+        return False
+    if not fits_plan(interval, operation, known, work):
         return False
     before = 1e300
     for _ in range(most_runs()):
@@ -152,10 +155,9 @@ def plan_calm(
         duration = seek_calm(share, operation, known, work)
         if duration == 0.0:
             return OperationStatus.DRIVES
-        if not write_controlled(
+        write_controlled(
             duration / Control.INTERVALS, operation, known, timing, coefficients, offsets, work
-        ):
-            return OperationStatus.DRIVES
+        )
         status = prove_crane(Demand.SWAY, known, timing, coefficients, offsets, work, stack)
         if status != OperationStatus.DRIVES:
             return status

@@ -67,14 +67,17 @@ def decline_line(axis: int, work: 'float[:,:]') -> None:
 def is_inside_bounds(
     axis: int, share: float, interval: float, known: 'float[:,:]', work: 'float[:,:]'
 ) -> bool:
-    """Whether the control points from the second one on are inside the bounds."""
+    """Whether the control points and their differences are inside the bounds.
+
+    The first two follow from the state; the proof judges what they do.
+    """
     points = work[OperationWork.CONTROL + axis, :]
     fastest = most_speed(axis, 1.0, share, interval, known, work)
     slowest = most_speed(axis, -1.0, share, interval, known, work)
     rise = most_change(axis, 1.0, share, interval, known)
     fall = most_change(axis, -1.0, share, interval, known)
     for i in range(Control.INTERVALS):
-        if not -slowest < points[i + 1] < fastest:
+        if not -slowest < points[i + 2] < fastest:
             return False
         if not -fall < points[i + 2] - points[i + 1] < rise:
             return False

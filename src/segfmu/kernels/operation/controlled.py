@@ -115,7 +115,18 @@ def interval_parts(
     if not shortest > 0.0:
         shortest = swing[Swing.POSITION + 2]
     phase = interval * sqrt(gravity / shortest)
-    return 1 + int(min(phase / longest, 1e6))
+    # nor has what is no number a few parts
+    if not phase < longest * Control.MANY:
+        return Control.MANY
+    return 1 + int(phase / longest)
+
+
+def fits_plan(
+    interval: float, operation: 'float[:,:]', known: 'float[:,:]', work: 'float[:,:]'
+) -> bool:
+    """Whether a plan has room for the pieces of the motion, before it is known."""
+    gravity = known[Known.CRANE, Masses.GRAVITY]
+    return interval_parts(0.2, interval, operation, gravity, work) <= Control.STEPS
 
 
 def add_moments(
@@ -150,12 +161,10 @@ def add_moments(
 def write_controlled(
     interval: float, operation: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]', work: 'float[:,:]',
-) -> bool:
-    """Write the pieces of the motion into the slot TRIED; False if they are too many."""
+) -> None:
+    """Write the pieces of the motion into the slot TRIED."""
     gravity = known[Known.CRANE, Masses.GRAVITY]
     ahead = operation[Operation.AHEAD, :]
-    if interval_parts(0.2, interval, operation, gravity, work) > Control.STEPS:
-        return False
     parts = min(interval_parts(0.05, interval, operation, gravity, work), Control.STEPS)
     begin_controlled(operation)
     step = interval / parts
@@ -175,4 +184,3 @@ def write_controlled(
             move_swing(0.5 * step, ahead, work)
             count = count + 1
     gather_axes(rows, count, Slot.TRIED, timing, coefficients, offsets)
-    return True

@@ -268,12 +268,13 @@ class SwingTerms(Codes):
 class Control(Codes):
     """A calming motion: control points of a velocity, and intervals between its knots.
 
-    STEPS: most pieces of an interval, so that a plan has room for all of them.
+    STEPS: most pieces of an interval, so that a plan has room for all of them; MANY: far more.
     """
 
     POINTS = 64
     INTERVALS = 62
     STEPS = 6
+    MANY = 1000
 
 
 class ControlPoints(Record):
