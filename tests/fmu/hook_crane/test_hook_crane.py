@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fmpy import simulate_fmu
+from fmpy import extract, read_model_description, simulate_fmu
+from fmpy.fmi2 import FMU2Slave
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
@@ -205,3 +206,36 @@ def test_what_cannot_be_is_told(archives, values, text: str) -> None:
             logger=lambda *m: messages.append(str(m[-1])),
         )
     assert any(re.search(text, m) for m in messages), messages
+
+
+def test_a_saved_state_has_the_estimates(archives, tmp_path: Path) -> None:
+    """With feedback, what follows a restored state is what followed it before, bit for bit."""
+    description = read_model_description(str(archives[2]))
+    references = {v.name: v.valueReference for v in description.modelVariables}
+    unit = FMU2Slave(
+        guid=description.guid, unzipDirectory=extract(str(archives[2]), str(tmp_path)),
+        modelIdentifier=description.coSimulation.modelIdentifier, instanceName="hook",
+    )
+    unit.instantiate()
+    unit.setupExperiment(startTime=0.0)
+    for name, value in (FEEDBACK | ASIDE).items():
+        setter = unit.setBoolean if isinstance(value, bool) else unit.setReal
+        setter([references[name]], [value])
+    unit.enterInitializationMode()
+    unit.exitInitializationMode()
+
+    def go(first: int, last: int) -> list[float]:
+        for i in range(first, last):
+            unit.doStep(0.01 * i, 0.01)
+        found: list[float] = unit.getReal([references[n] for n in NAMES])
+        return found
+
+    go(0, 50)
+    saved = unit.getFMUstate()
+    once = go(50, 100)
+    unit.setFMUstate(saved)
+    assert go(50, 100) == once
+    assert once[4] != 0.0
+    unit.freeFMUstate(saved)
+    unit.terminate()
+    unit.freeInstance()
