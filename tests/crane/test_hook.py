@@ -7,14 +7,18 @@ import pytest
 from scipy.linalg import eigvalsh
 
 from segfmu import (
+    ActuatorBounds,
+    Clearance,
     Crane,
     FlatInverse,
     HookCrane,
     InfeasibleError,
     InputError,
     Limits,
+    Obstacle,
     Waypoint,
     plan,
+    plan_actuated,
 )
 
 CRANE = Crane(2.2, 1.155, 1.0, rope_min=0.2)
@@ -146,3 +150,47 @@ def test_smoothness_is_required() -> None:
         moved(5).force(0.3)
     with pytest.raises(InputError, match="of a HookCrane needs smoothness 5 or more, got 4"):
         moved(4)
+
+
+HALL = HookCrane(Crane(12e3, 3e3, 10e3), 500.0, 4.0)
+BOUNDED = {
+    "lab": (LAB, POINTS, ActuatorBounds(force=[3.0, 2.0, 13.0], velocity=0.6)),
+    "hall": (
+        HALL, [Waypoint([0.0, 0.0, -10.0]), Waypoint([12.0, 6.0, -8.0])],
+        ActuatorBounds(force=[9e3, 6e3, 1.1e5], velocity=[1.0, 0.8, 0.4], sway_angle=0.1),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BOUNDED)
+def test_plans_keep_the_bounds_of_the_drives(name: str) -> None:
+    """Forces, velocities and angles of the inverse, at samples, against what the plan promises."""
+    hook, points, bounds = BOUNDED[name]
+    found = plan_actuated(hook, points, None, bounds, smoothness=6, shape="smoothstep")
+    assert found.passed
+    assert found.active
+    inverse = FlatInverse(hook, found.trajectory)
+    times = np.linspace(0.0, found.trajectory.duration, 4001)
+    peaks = {
+        "force": np.abs(inverse.force(times)).max(axis=0),
+        "velocity": np.abs(inverse.velocity(times)).max(axis=0),
+    }
+    for quantity, most in peaks.items():
+        assert (most <= getattr(bounds, quantity) * (1.0 + 1e-9)).all(), quantity
+    told = {use.name: use for use in found.uses}
+    for i, drive in enumerate(("bridge", "trolley", "hoist")):
+        use = told[f"{drive} force"]
+        assert abs(inverse.force(use.time)[i]) == pytest.approx(abs(use.peak), rel=1e-9), drive
+        assert abs(use.peak) >= peaks["force"][i] * (1.0 - 1e-9), drive
+
+
+def test_plans_need_forces_and_judged_ropes() -> None:
+    hook, points, bounds = BOUNDED["lab"]
+    with pytest.raises(InputError, match="the forces of a HookCrane need smoothness 6, got 5"):
+        plan_actuated(hook, points, None, bounds, smoothness=5)
+    box = Clearance([Obstacle("wall", [3.0, 3.0, -1.0], [4.0, 4.0, 0.0])])
+    with pytest.raises(InputError, match="obstacle 1: the rope above a hook"):
+        plan_actuated(hook, points, None, bounds, smoothness=6, clearance=box)
+    alone = Clearance([Obstacle("wall", [3.0, 3.0, -1.0], [4.0, 4.0, 0.0], rope=False)])
+    assert plan_actuated(hook, points, LIMITS, ActuatorBounds(force=1e3), smoothness=6,
+                         shape="smoothstep", clearance=alone).passed

@@ -19,10 +19,10 @@ from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_below, require_start
 from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import Friction
-from segfmu.crane.flat_models import require_gantry
+from segfmu.crane.flat_models import model_of, require_flat, require_force
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.limit_search import KEPT, Found, LimitSearch
 from segfmu.crane.parameters import Crane
-from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.limits.records import LimitRow
 from segfmu.planning.arrays import FloatArray
@@ -70,7 +70,7 @@ class ActuatedPlan:
 
 
 def plan_actuated(
-    crane: Crane,
+    crane: Crane | HookCrane,
     waypoints: Sequence[Waypoint],
     limits: Limits | None,
     bounds: ActuatorBounds,
@@ -95,7 +95,7 @@ def plan_actuated(
 
     Parameters
     ----------
-    crane : Crane
+    crane : Crane or HookCrane
     waypoints : sequence of Waypoint
         Of the axes x, y, z.
     limits : Limits or None
@@ -103,9 +103,10 @@ def plan_actuated(
     bounds : ActuatorBounds
         Of the drives and, by `ActuatorBounds.tightened`, those that the mission sets itself.
     smoothness, shape, synchronize, sample_time, duration, position_min, position_max, axis_names
-        As for `plan`; smoothness 4 or more.
+        As for `plan`; smoothness 4 or more, with a hook 6.
     clearance : Clearance, optional
-        Workspace and obstacles; the search rejects plans that do not keep off them.
+        Workspace and obstacles; the search rejects plans that do not keep off them. With a hook
+        obstacles must have `rope=False`, as rope and sling are not judged.
     friction : Friction, optional
         Of the axes, which the drives overcome as well; none by default.
     progress : callable, optional
@@ -130,7 +131,8 @@ def plan_actuated(
     request = checked_request(
         waypoints, ANY_LIMITS if limits is None else limits, **options, **timing
     )
-    require_gantry(crane, len(request.axis_names), smoothness)
+    require_flat(crane, len(request.axis_names), smoothness)
+    _require_judged(crane, smoothness, clearance)
     resistance(crane, friction)
     options |= {"position_min": position_min, "position_max": position_max}
     refusal: InfeasibleError | None = None
@@ -152,22 +154,37 @@ def plan_actuated(
     return _measured(crane, bounds, friction, best.trajectory)
 
 
+def _require_judged(
+    crane: Crane | HookCrane, smoothness: int, clearance: Clearance | None
+) -> None:
+    """Refuse what is not judged with a hook: forces that jump, and a rope near obstacles."""
+    require_force(crane, smoothness)
+    if isinstance(crane, HookCrane) and clearance is not None:
+        for number, obstacle in enumerate(clearance.obstacles, 1):
+            if obstacle.rope:
+                raise InputError(
+                    f"obstacle {number}: the rope above a hook, and the sling below it, are not "
+                    "judged; give it rope=False, and a margin that keeps them off"
+                )
+
+
 def bound_uses(
-    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, friction: Friction = NONE
+    crane: Crane | HookCrane, trajectory: Trajectory, bounds: ActuatorBounds,
+    friction: Friction = NONE,
 ) -> tuple[BoundUse, ...]:
     """The exact use of every bound of the drives by a trajectory of x, y and z."""
     return uses(bounds, *peaks(crane, trajectory, friction))
 
 
 def _measured(
-    crane: Crane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
+    crane: Crane | HookCrane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
 ) -> ActuatedPlan:
     return ActuatedPlan(trajectory, bound_uses(crane, trajectory, bounds, friction))
 
 
 def _as_limited(
-    crane: Crane, bounds: ActuatorBounds, friction: Friction, clearance: Clearance | None,
-    made: Callable[[], Trajectory],
+    crane: Crane | HookCrane, bounds: ActuatorBounds, friction: Friction,
+    clearance: Clearance | None, made: Callable[[], Trajectory],
 ) -> tuple[ActuatedPlan | None, InfeasibleError | None]:
     """The plan with the given limits, if nothing needs a slower one; why it was refused, if so."""
     try:
@@ -184,11 +201,11 @@ def _as_limited(
 
 
 def _measured_taut(
-    crane: Crane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
+    crane: Crane | HookCrane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
 ) -> ActuatedPlan | None:
     """A plan as it uses the bounds; None if the rope goes slack, which a slower one may avoid."""
     try:
-        require_rope(crane, trajectory)
+        model_of(crane).require_taut(crane, trajectory)
     except InfeasibleError:
         if bounds.known:
             return None
@@ -197,8 +214,9 @@ def _measured_taut(
 
 
 def _task(
-    crane: Crane, waypoints: tuple[Waypoint, ...], limits: Limits | None, bounds: ActuatorBounds,
-    options: dict[str, Any], clearance: Clearance | None, friction: Friction,
+    crane: Crane | HookCrane, waypoints: tuple[Waypoint, ...], limits: Limits | None,
+    bounds: ActuatorBounds, options: dict[str, Any], clearance: Clearance | None,
+    friction: Friction,
 ) -> Task:
     caps, higher = _caps(limits)
     return Task(crane, waypoints, bounds.record, caps, higher, options, clearance, friction)

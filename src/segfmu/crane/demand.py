@@ -10,6 +10,8 @@ import numpy as np
 from segfmu.crane.bounds import sides
 from segfmu.crane.contacts import NONE, Contacts, resistance
 from segfmu.crane.equipment import Friction
+from segfmu.crane.flat_models import model_of
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory
 from segfmu.kernels import backend
@@ -17,25 +19,28 @@ from segfmu.kernels.crane.records import Axes, Contact, Demand, DemandPeaks, Dem
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.waypoint import Waypoint
 
-ORDERS = 5
 # way [m] behind which every contact slides
 FAR = 1e30
 
 
 def demands(
-    crane: Crane, trajectory: LoadTrajectory, times: FloatArray, friction: Friction = NONE
+    crane: Crane | HookCrane, trajectory: LoadTrajectory, times: FloatArray,
+    friction: Friction = NONE,
 ) -> FloatArray:
     """Rows of the record `Demand` at times, shape (times, 14)."""
-    return _at(Contacts(crane, friction, trajectory), trajectory, times)
+    return _at(model_of(crane).orders, Contacts(crane, friction, trajectory), trajectory, times)
 
 
-def demands_in_state(crane: Crane, point: Waypoint, friction: Friction = NONE) -> FloatArray:
+def demands_in_state(
+    crane: Crane | HookCrane, point: Waypoint, friction: Friction = NONE
+) -> FloatArray:
     """Magnitudes of the demands in the state of a waypoint in both directions, shape (2, 14).
 
     An axis that moves slides; one at rest needs no more than what it carries.
     """
-    flat = np.zeros((1, ORDERS, 3))
-    flat[0] = point.position, point.velocity, point.acceleration, point.jerk, point.snap
+    flat = np.zeros((1, model_of(crane).orders, 3))
+    known_orders = point.position, point.velocity, point.acceleration, point.jerk, point.snap
+    flat[0, : len(known_orders)] = known_orders
     known = resistance(crane, friction)
     rows = np.zeros((Axes.SIZE, 1, Contact.SIZE))
     velocity = _of(flat, np.zeros(1), known, rows)[0, Demand.VELOCITY : Demand.ACCELERATION]
@@ -45,9 +50,11 @@ def demands_in_state(crane: Crane, point: Waypoint, friction: Friction = NONE) -
     return sides(_of(flat, np.zeros(1), known, rows))
 
 
-def _at(contacts: Contacts, trajectory: LoadTrajectory, times: FloatArray) -> FloatArray:
-    flat = np.empty((times.size, ORDERS, 3))
-    for order in range(ORDERS):
+def _at(
+    orders: int, contacts: Contacts, trajectory: LoadTrajectory, times: FloatArray
+) -> FloatArray:
+    flat = np.empty((times.size, orders, 3))
+    for order in range(orders):
         flat[:, order] = trajectory(times, order)
     return _of(flat, times, contacts.resistance, contacts.rows)
 
@@ -62,7 +69,7 @@ def _of(
 
 
 def peaks(
-    crane: Crane, trajectory: LoadTrajectory, friction: Friction = NONE
+    crane: Crane | HookCrane, trajectory: LoadTrajectory, friction: Friction = NONE
 ) -> tuple[FloatArray, FloatArray]:
     """Exact greatest magnitudes of all demands in the positive and in the negative direction.
 

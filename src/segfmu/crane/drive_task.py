@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from segfmu.crane.contacts import resistance
 from segfmu.crane.equipment import Friction
+from segfmu.crane.flat_models import model_of
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.parameters import Crane
-from segfmu.crane.rope import require_rope
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.limits.records import AxisTask, LimitRow
@@ -58,7 +59,7 @@ class Task:
         Whether the load rests where states are free.
     """
 
-    crane: Crane
+    crane: Crane | HookCrane
     waypoints: tuple[Waypoint, ...]
     bounds: FloatArray
     caps: FloatArray
@@ -179,7 +180,7 @@ class Task:
             backend.write_states(unknowns, self.kinds, table, self.place, states)
             points = with_states(self.waypoints, states, self._dwells)
         trajectory = plan(points, self._limits(table), **self.options)
-        require_rope(self.crane, trajectory)
+        model_of(self.crane).require_taut(self.crane, trajectory)
         return trajectory
 
     def _limits(self, table: FloatArray) -> Limits:

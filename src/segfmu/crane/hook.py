@@ -66,6 +66,11 @@ class HookCrane:
         """Mass of the hook [kg] and length of its sling [m]."""
         return self.hook_mass, self.sling
 
+    @property
+    def gravity(self) -> float:
+        """[m/s2], as of a `Crane`."""
+        return self.crane.gravity
+
     def frequencies(self, rope: float) -> FloatArray:
         """Both natural frequencies [rad/s] of small swings, the slower one first, shape (2,).
 

@@ -206,7 +206,7 @@ class FeedforwardSlave(SpecSlave):
             return found.trajectory
         reason = search.reason()
         if reason is None and search.closest is not None:
-            self._keep(*self._uses(task.crane, search.closest.trajectory, task.friction))
+            self._keep(*self._uses(Crane.of(self.value), search.closest.trajectory, task.friction))
         raise reason or AssertionError("a search without a plan and without a refusal")
 
     def _keep(self, status: int, uses: FloatArray, fault: FloatArray) -> None:
