@@ -101,6 +101,16 @@ from segfmu.kernels.operation.records import (
     ReadyFault,
     Slot,
 )
+from segfmu.kernels.passage.records import (
+    Cells,
+    GridRow,
+    Link,
+    Path,
+    Spot,
+    Square,
+    Stretch,
+    Track,
+)
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -129,7 +139,15 @@ from segfmu.kernels.rig.records import (
     StartFault,
 )
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadTask, LeadWork
-from segfmu.kernels.trajectory.records import Brake, Check, Expansion, Judging, MotionWork, Timing
+from segfmu.kernels.trajectory.records import (
+    Brake,
+    Check,
+    Expansion,
+    Judging,
+    MotionWork,
+    Spare,
+    Timing,
+)
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 from tests.problems import packed_axis
 
@@ -144,7 +162,8 @@ def zeros(*shape: int) -> np.ndarray:
 def calls() -> dict[str, Call]:
     """The arguments by the names of the entry points."""
     return (
-        planner_calls() | trajectory_calls() | crane_calls() | limit_calls() | operation_calls()
+        planner_calls() | trajectory_calls() | crane_calls() | limit_calls() | passage_calls()
+        | operation_calls()
         | control_calls() | rig_calls()
     )
 
@@ -406,6 +425,41 @@ def limit_calls() -> dict[str, Call]:
         "next_limits": (5.0, peaks.ravel().copy(), starts, search.copy(), *work),
         "write_best": (0.9, search.copy()),
         "keep_best": (0.9, search.copy()),
+    }
+
+
+def passage_calls() -> dict[str, Call]:
+    """Of the choice of a free waypoint between two at rest."""
+    points, width = 3, 2 * SMOOTHNESS
+    states = zeros(points, 2, WaypointState.SIZE)
+    states[:, :, WaypointState.POSITION] = [[0.0, 0.0], [1.0, 0.4], [2.0, 1.0]]
+    states[1, :, WaypointState.VELOCITY :] = np.nan
+    limits = np.tile([1.0, 1.0, 4.0, 20.0, *[0.0] * (SMOOTHNESS - 3)], (2, 1))
+    bounds = limits, 0.8 * limits[:, : Lower.SIZE]
+    work, path = zeros(MotionWork.SIZE, MotionWork.COLUMNS), zeros(Path.SIZE)
+    work[MotionWork.OPTIONS, : PlanOptions.SIZE] = SMOOTHNESS, 1.0, 1.0, 0.0, 0.0
+    choice, place = zeros(5 * points, 2, WaypointState.SIZE), zeros(points)
+    spots, tracks = zeros(2 * points, Spot.SIZE, Spot.COLUMNS), zeros(2, Track.SIZE)
+    maps = zeros(Cells.ROWS, GridRow.SIZE), zeros(Square.SIZE, Square.COLUMNS)
+    axes = zeros(2, Axis.SIZE)
+    begun = (
+        states, zeros(points), *bounds, choice, place, path, tracks, spots, *maps, axes, work,
+    )
+    backend.begin_choice(*begun)
+    found = path.copy()
+    backend.next_passage(found, spots)
+    rows, links = 2 * Spare.ROWS, 2 * (points - 1)
+    return {
+        "begin_choice": begun,
+        "next_passage": (path.copy(), spots),
+        "choose_passage": (
+            0.25, *bounds, np.tile([-9.0, 9.0], (2, 1)), choice.copy(), found, tracks, spots,
+            zeros(links, Link.SIZE, Link.COLUMNS), zeros(points, Stretch.SIZE), *maps,
+            zeros(4 * points, 9), axes, zeros(links, Cell.SIZE, Cell.COLUMNS),
+            zeros(rows, Timing.SIZE), zeros(rows, width), zeros(RopeWork.SIZE, 4 * width - 5),
+            work.copy(),
+        ),
+        "end_choice": (states.copy(), place, choice),
     }
 
 

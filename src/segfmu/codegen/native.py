@@ -82,6 +82,8 @@ def _spans(text: str) -> str:
          r"span_matrix(\1, \2)"),
         (rf"cspan_slice\(array_double_2d, (&\w+), \{{([^{{}},]+), ([^{{}},]+)\}}, {every}\)",
          r"span_rows(\1, \2, \3)"),
+        (rf"cspan_slice\(array_double_3d, (&\w+), \{{([^{{}},]+), ([^{{}},]+)\}}, {every}, {every}\)",
+         r"span_layers(\1, \2, \3)"),
         (r"cspan_slice\(array_int64_t_1d, (&\w+), \{([^{},]+), ([^{},]+)\}\)",
          r"span_part(\1, \2, \3)"),
         (r"cspan_slice\(array_double_1d, (&\w+), \{([^{},]+), ([^{},]+)\}\)",

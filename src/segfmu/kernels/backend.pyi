@@ -1055,6 +1055,59 @@ def settle_dwells(
     /,
 ) -> int: ...
 
+def begin_choice(
+    states: Floats,
+    dwells: Floats,
+    limits: Floats,
+    lower: Floats,
+    choice: Floats,
+    place: Floats,
+    path: Floats,
+    tracks: Floats,
+    spots: Floats,
+    grid: Floats,
+    square: Floats,
+    axes: Floats,
+    work: Floats,
+    /,
+) -> bool: ...
+
+def next_passage(
+    path: Floats,
+    spots: Floats,
+    /,
+) -> bool: ...
+
+def choose_passage(
+    room: float,
+    limits: Floats,
+    lower: Floats,
+    allowed: Floats,
+    choice: Floats,
+    path: Floats,
+    tracks: Floats,
+    spots: Floats,
+    links: Floats,
+    spans: Floats,
+    grid: Floats,
+    square: Floats,
+    band: Floats,
+    axes: Floats,
+    cells: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    rope: Floats,
+    work: Floats,
+    /,
+) -> None: ...
+
+def end_choice(
+    states: Floats,
+    place: Floats,
+    choice: Floats,
+    /,
+) -> None: ...
+
 def measure_state(
     state: Floats,
     sensors: Floats,

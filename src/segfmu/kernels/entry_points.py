@@ -115,6 +115,16 @@ from segfmu.kernels.operation.records import (
     ReadyFault,
     Slot,
 )
+from segfmu.kernels.passage.records import (
+    Cells,
+    GridRow,
+    Link,
+    Path,
+    Spot,
+    Square,
+    Stretch,
+    Track,
+)
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -143,7 +153,7 @@ from segfmu.kernels.rig.records import (
     Target,
 )
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadWork
-from segfmu.kernels.trajectory.records import Brake, Check, Expansion, MotionWork, Timing
+from segfmu.kernels.trajectory.records import Brake, Check, Expansion, MotionWork, Spare, Timing
 
 Extent = int | str
 
@@ -189,6 +199,13 @@ MOTION: dict[str, Extent | tuple[Extent, ...]] = {
     "cells": ("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
     "timing": ("rows", Timing.SIZE), "coefficients": ("rows", f"2 * {MOTION_SMOOTHNESS}"),
     "offsets": "axes + 1", "times": ("points + 1", "axes"),
+    "work": (MotionWork.SIZE, MotionWork.COLUMNS),
+}
+
+CHOICE: dict[str, Extent | tuple[Extent, ...]] = {
+    "choice": ("5 * points", "axes", WaypointState.SIZE), "path": Path.SIZE,
+    "tracks": ("axes", Track.SIZE), "spots": ("points * axes", Spot.SIZE, Spot.COLUMNS),
+    "grid": (Cells.ROWS, GridRow.SIZE), "square": (Square.SIZE, Square.COLUMNS),
     "work": (MotionWork.SIZE, MotionWork.COLUMNS),
 }
 
@@ -541,6 +558,28 @@ ENTRY_POINTS = (
     entry(
         "limits.places", "unite_waypoints", states=("points", "axes", WaypointState.SIZE),
         place="points",
+    ),
+    entry(
+        "passage.choose", "begin_choice", states=("points", "axes", WaypointState.SIZE),
+        dwells="points", limits=("axes", f"{MOTION_SMOOTHNESS} + 1"), lower=("axes", Lower.SIZE),
+        place="points", axes=("axes", Axis.SIZE), **CHOICE,
+    ),
+    entry(
+        "passage.choose", "next_passage", path=Path.SIZE, spots=("spots", Spot.SIZE, Spot.COLUMNS),
+    ),
+    entry(
+        "passage.choose", "choose_passage", limits=("axes", f"{MOTION_SMOOTHNESS} + 1"),
+        lower=("axes", Lower.SIZE), allowed=("axes", 2), **CHOICE,
+        links=("(points - 1) * axes", Link.SIZE, Link.COLUMNS), spans=("points", Stretch.SIZE),
+        band=("2 * points * axes", "4 * axes + 1"), axes=("axes", Axis.SIZE),
+        cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
+        timing=(2 * Spare.ROWS, Timing.SIZE),
+        coefficients=(2 * Spare.ROWS, f"2 * {MOTION_SMOOTHNESS}"),
+        rope=(RopeWork.SIZE, f"8 * {MOTION_SMOOTHNESS} - 5"),
+    ),
+    entry(
+        "passage.choose", "end_choice", states=("points", "axes", WaypointState.SIZE),
+        place="points", choice=("5 * points", "axes", WaypointState.SIZE),
     ),
     entry(
         "limits.places", "write_free", states=("points", Vector.SIZE, WaypointState.SIZE),

@@ -915,6 +915,77 @@ static void take_plan(int64_t attempt, array_double_2d operation, array_double_3
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
 static int64_t rank(int64_t attempt, array_double_1d aim);
 static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
+static void write_variables(bool step, array_double_1d path, array_double_3d spots, array_double_3d links);
+static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t column, int64_t order, array_double_1d track);
+static void write_scales(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d square);
+static void write_node_shares(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square);
+static double largest_node_share(bool bounded, array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
+static double barrier_of(double share);
+static double state_offset(array_double_2d spot, int64_t row, int64_t field, array_double_1d track);
+static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
+static double path_total(int64_t column, array_double_2d spans);
+static bool band_solve(array_double_2d band);
+static int64_t end_row(int64_t i, int64_t place, int64_t axes);
+static bool write_durations(double theta, array_double_1d path, array_double_3d links, array_double_2d spans);
+static void add_link(int64_t i, int64_t other, int64_t axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band);
+static void write_band(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band);
+static void write_components(int64_t count, array_double_2d link);
+static double write_steps(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, double theta);
+static bool set_axes(array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_2d work);
+static bool plan_alone(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double shortest_of(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells);
+static double least_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static void copy_states(array_double_3d source, array_double_3d target);
+static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double extent(int64_t axis, array_double_3d given);
+static void write_boxes(double room, int64_t first, array_double_3d given, array_double_2d allowed, array_double_1d path, array_double_3d links);
+static bool admit_states(int64_t first, array_double_3d given, array_double_1d path, array_double_3d spots, array_double_3d links);
+static bool is_moving(array_double_3d states);
+static void write_margin(array_double_1d path, array_double_3d links);
+static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double power_over_factorial(double base, int64_t exponent);
+static double control_effect(int64_t order, int64_t derivative, int64_t cell, int64_t node);
+static double end_effect(int64_t derivative, int64_t column, double time);
+static bool is_required(int64_t derivative, int64_t column);
+static void write_least_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
+static void project_out(int64_t unit, int64_t row, array_double_2d basis);
+static void write_free_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
+static void write_grid(int64_t order, array_double_2d grid, array_double_2d square);
+static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links);
+static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells);
+static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells);
+static double tried_length(double known, int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static void polish_state(double step, int64_t point, int64_t axis, int64_t field, double low, double high, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static bool runs_backwards(array_double_2d spans);
+static double polish_states(array_double_3d states, array_double_1d path, array_double_2d limits, array_double_2d lower, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
+static void add_share(int64_t row, int64_t count, double bend, array_double_2d link, array_double_2d grid, array_double_2d square);
+static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
+static int64_t outer_column(int64_t place);
+static void eliminate(int64_t count, array_double_2d link, array_double_2d square);
+static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square);
+static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans);
+static void take_tried(array_double_3d spots, array_double_3d links, array_double_2d spans);
+static double write_step_of(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static bool centre_path(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static void write_times(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
+static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static bool begin_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static double follow_path(double theta, double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static double limit_of(int64_t place, int64_t axis, array_double_2d limits);
+static void write_tracks(array_double_2d limits, array_double_2d lower, array_double_1d path, array_double_2d tracks);
+static double limit_share(int64_t order, double degree, bool smoothstep);
+static void write_box_scale(double first, array_double_2d link);
+static void write_scales_of(bool smoothstep, array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans);
+static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried);
+static double gap_of(int64_t place);
+static bool try_path(array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static bool tighten_path(array_double_2d spans);
+static void search_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
@@ -922,6 +993,13 @@ static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis,
 static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits, array_double_2d lower);
 static bool differ(double before, double value);
 static bool is_same(array_double_2d before, array_double_2d state);
+static void give_states(int64_t point, int64_t count, array_double_3d spots);
+static bool stays(int64_t point, array_double_3d choice);
+static int64_t write_places(array_double_3d states, array_double_1d dwells, array_double_3d choice, array_double_1d place, array_double_3d spots);
+static bool is_given(int64_t point, int64_t count, array_double_3d spots);
+static double searched_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static bool choose_fields(bool all_fields, array_double_3d spots);
+static double fastest_states(array_double_2d limits, array_double_2d lower, array_double_3d given, array_double_3d best, array_double_3d alone, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static int64_t sensing_end(array_double_2d settings);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
@@ -29134,6 +29212,1974 @@ double segfmu_next_operation(array_double_2d operation)
     }
     return following;
 }
+static void write_variables(bool step, array_double_1d path, array_double_3d spots, array_double_3d links)
+{
+    int64_t axes;
+    int64_t source;
+    int64_t target;
+    int64_t i;
+    int64_t field;
+    int64_t end;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    source = INT64_C(5);
+    target = INT64_C(5);
+    if (step)
+    {
+        source = INT64_C(4);
+        target = INT64_C(4);
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            (*cspan_at(&links, i, target, INT64_C(1) + field)) = (*cspan_at(&spots, i, source, field));
+            end = INT64_C(1) + INT64_C(2) + field;
+            (*cspan_at(&links, i, target, end)) = (*cspan_at(&spots, i + axes, source, field));
+        }
+    }
+}
+static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t column, int64_t order, array_double_1d track)
+{
+    int64_t field;
+    if (column == INT64_C(0))
+    {
+        (*result_0_0001) = 1.0;
+        (*result_1_0001) = INT64_C(0);
+        return 0;
+    }
+    if (column >= INT64_C(5))
+    {
+        (*result_0_0001) = (*cspan_at(&track, INT64_C(0) + order - INT64_C(1)));
+        (*result_1_0001) = order;
+        return 0;
+    }
+    field = span_floor_mod((column - INT64_C(1)), INT64_C(2));
+    (*result_0_0001) = (*cspan_at(&track, INT64_C(0) + field));
+    (*result_1_0001) = field + INT64_C(1);
+    return 0;
+}
+static void write_scales(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d square)
+{
+    int64_t order;
+    int64_t j;
+    double unit;
+    int64_t power;
+    int64_t derivative;
+    double scale;
+    order = (int64_t)((*cspan_at(&path, INT64_C(0))));
+    for (j = INT64_C(0); j < (int64_t)(INT64_C(5) + (*cspan_at(&path, INT64_C(1)))); j += INT64_C(1))
+    {
+        unit_of(&unit, &power, j, order, track);
+        (*cspan_at(&square, INT64_C(1), j)) = power;
+        (*cspan_at(&square, INT64_C(0), j)) = unit * exp(power * time);
+        (*cspan_at(&square, INT64_C(2), j)) = (*cspan_at(&link, INT64_C(5), j)) * (*cspan_at(&square, INT64_C(0), j));
+    }
+    for (derivative = INT64_C(0); derivative < order + INT64_C(1); derivative += INT64_C(1))
+    {
+        scale = (*cspan_at(&link, INT64_C(2), derivative)) / (*cspan_at(&path, INT64_C(8)));
+        (*cspan_at(&square, INT64_C(3), derivative)) = scale * exp((-derivative) * time);
+    }
+}
+static void write_node_shares(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square)
+{
+    int64_t count;
+    int64_t i;
+    int64_t derivative;
+    double scale;
+    double total;
+    int64_t j;
+    double where;
+    write_scales(path, track, time, link, square);
+    count = (int64_t)(INT64_C(5) + (*cspan_at(&path, INT64_C(1))));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&path, INT64_C(2)))); i += INT64_C(1))
+    {
+        derivative = (int64_t)((*cspan_at(&grid, i, INT64_C(14))));
+        (*cspan_at(&grid, i, INT64_C(15))) = 0.0;
+        scale = (*cspan_at(&square, INT64_C(3), derivative));
+        if (scale > 0.0)
+        {
+            total = 0.0;
+            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            {
+                total = total + (*cspan_at(&grid, i, INT64_C(0) + j)) * (*cspan_at(&square, INT64_C(2), j));
+            }
+            where = (*cspan_at(&link, INT64_C(1), derivative)) / (*cspan_at(&path, INT64_C(8)));
+            (*cspan_at(&grid, i, INT64_C(15))) = total * scale + where;
+        }
+    }
+}
+static double largest_node_share(bool bounded, array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+{
+    int64_t axes;
+    int64_t i;
+    int64_t axis;
+    double time;
+    int64_t row;
+    double largest;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    largest = 0.0;
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        axis = span_floor_mod(i, axes);
+        time = (*cspan_at(&spans, span_floor_div(i, axes), INT64_C(2)));
+        write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
+        for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
+        {
+            if (((*cspan_at(&grid, row, INT64_C(14))) > 0.5) || (!bounded))
+            {
+                largest = span_max(largest, fabs((*cspan_at(&grid, row, INT64_C(15)))));
+            }
+        }
+    }
+    return largest;
+}
+static double barrier_of(double share)
+{
+    if (!(fabs(share) < 1.0))
+    {
+        return 1e+300;
+    }
+    return -log((1.0 - share) * (1.0 + share));
+}
+static double state_offset(array_double_2d spot, int64_t row, int64_t field, array_double_1d track)
+{
+    double middle;
+    double result;
+    middle = (*cspan_at(&track, INT64_C(4) + field)) / (*cspan_at(&track, INT64_C(0) + field));
+    result = (*cspan_at(&spot, row, field)) - middle;
+    return result;
+}
+static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+{
+    int64_t axes;
+    int64_t i;
+    int64_t axis;
+    int64_t field;
+    double share;
+    double time;
+    int64_t row;
+    double total;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    total = 0.0;
+    for (i = INT64_C(0); i < spans.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        total = total + theta * exp((*cspan_at(&spans, i, INT64_C(2))));
+    }
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        axis = span_floor_mod(i, axes);
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            {
+                share = state_offset(span_matrix(&spots, i), INT64_C(5), field, span_row(&tracks, axis));
+                total = total + barrier_of(share);
+            }
+        }
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        axis = span_floor_mod(i, axes);
+        time = (*cspan_at(&spans, span_floor_div(i, axes), INT64_C(2)));
+        write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
+        for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
+        {
+            total = total + barrier_of((*cspan_at(&grid, row, INT64_C(15))));
+        }
+        if (!(total < 1e+300))
+        {
+            return 1e+300;
+        }
+    }
+    return total;
+}
+static double path_total(int64_t column, array_double_2d spans)
+{
+    int64_t i;
+    double total;
+    total = 0.0;
+    for (i = INT64_C(0); i < spans.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        total = total + exp((*cspan_at(&spans, i, column)));
+    }
+    return total;
+}
+static bool band_solve(array_double_2d band)
+{
+    int64_t width;
+    int64_t i;
+    int64_t j;
+    double total;
+    int64_t k;
+    int64_t step;
+    width = band.shape[INT64_C(1)] - INT64_C(1);
+    for (i = INT64_C(0); i < band.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (j = span_max_int(INT64_C(0), i - width + INT64_C(1)); j < i + INT64_C(1); j += INT64_C(1))
+        {
+            total = (*cspan_at(&band, i, i - j));
+            for (k = span_max_int(INT64_C(0), i - width + INT64_C(1)); k < j; k += INT64_C(1))
+            {
+                total = total - (*cspan_at(&band, i, i - k)) * (*cspan_at(&band, j, j - k));
+            }
+            if (i == j)
+            {
+                if (!(total > 0.0))
+                {
+                    return 0;
+                }
+                (*cspan_at(&band, i, INT64_C(0))) = sqrt(total);
+            }
+            else
+            {
+                (*cspan_at(&band, i, i - j)) = total / (*cspan_at(&band, j, INT64_C(0)));
+            }
+        }
+    }
+    for (i = INT64_C(0); i < band.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        total = (*cspan_at(&band, i, width));
+        for (k = span_max_int(INT64_C(0), i - width + INT64_C(1)); k < i; k += INT64_C(1))
+        {
+            total = total - (*cspan_at(&band, i, i - k)) * (*cspan_at(&band, k, width));
+        }
+        (*cspan_at(&band, i, width)) = total / (*cspan_at(&band, i, INT64_C(0)));
+    }
+    for (step = INT64_C(0); step < band.shape[INT64_C(0)]; step += INT64_C(1))
+    {
+        i = band.shape[INT64_C(0)] - INT64_C(1) - step;
+        total = (*cspan_at(&band, i, width));
+        for (k = i + INT64_C(1); k < span_min_int(i + width, band.shape[INT64_C(0)]); k += INT64_C(1))
+        {
+            total = total - (*cspan_at(&band, k, k - i)) * (*cspan_at(&band, k, width));
+        }
+        (*cspan_at(&band, i, width)) = total / (*cspan_at(&band, i, INT64_C(0)));
+    }
+    return 1;
+}
+static int64_t end_row(int64_t i, int64_t place, int64_t axes)
+{
+    int64_t spot;
+    spot = i + span_floor_div(place, INT64_C(2)) * axes;
+    return spot * INT64_C(2) + span_floor_mod(place, INT64_C(2));
+}
+static bool write_durations(double theta, array_double_1d path, array_double_3d links, array_double_2d spans)
+{
+    int64_t axes;
+    int64_t j;
+    double duration;
+    int64_t axis;
+    array_double_2d link;
+    int64_t last;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        duration = theta * exp((*cspan_at(&spans, j, INT64_C(2))));
+        (*cspan_at(&spans, j, INT64_C(4))) = duration;
+        (*cspan_at(&spans, j, INT64_C(3))) = 2.0 * duration;
+        for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+        {
+            link = span_matrix(&links, j * axes + axis);
+            last = INT64_C(8) + INT64_C(4);
+            (*cspan_at(&spans, j, INT64_C(4))) = (*cspan_at(&spans, j, INT64_C(4))) + (*cspan_at(&link, INT64_C(7), INT64_C(4)));
+            (*cspan_at(&spans, j, INT64_C(3))) = (*cspan_at(&spans, j, INT64_C(3))) + (*cspan_at(&link, last, INT64_C(4)));
+        }
+        if (!((*cspan_at(&spans, j, INT64_C(3))) > 0.0))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static void add_link(int64_t i, int64_t other, int64_t axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band)
+{
+    int64_t width;
+    double pull;
+    double bend;
+    int64_t place;
+    int64_t row;
+    double own;
+    double slope;
+    int64_t beside;
+    int64_t column;
+    double value;
+    width = band.shape[INT64_C(1)] - INT64_C(1);
+    pull = (*cspan_at(&spans, span_floor_div(i, axes), INT64_C(4)));
+    bend = (*cspan_at(&spans, span_floor_div(i, axes), INT64_C(3)));
+    for (place = INT64_C(0); place < INT64_C(4); place += INT64_C(1))
+    {
+        row = end_row(i, place, axes);
+        own = (*cspan_at(&links, i, INT64_C(8) + place, INT64_C(4)));
+        if ((*cspan_at(&spots, span_floor_div(row, INT64_C(2)), INT64_C(2), span_floor_mod(row, INT64_C(2)))) < 0.5)
+        {
+            continue;
+        }
+        if (other == i)
+        {
+            slope = (*cspan_at(&links, i, INT64_C(7), place)) - own * pull / bend;
+            (*cspan_at(&band, row, width)) = (*cspan_at(&band, row, width)) - slope;
+        }
+        for (beside = INT64_C(0); beside < INT64_C(4); beside += INT64_C(1))
+        {
+            column = end_row(other, beside, axes);
+            if ((*cspan_at(&spots, span_floor_div(column, INT64_C(2)), INT64_C(2), span_floor_mod(column, INT64_C(2)))) < 0.5)
+            {
+                continue;
+            }
+            if (column <= row)
+            {
+                value = (-own) * (*cspan_at(&links, other, INT64_C(8) + beside, INT64_C(4))) / bend;
+                if (other == i)
+                {
+                    value = value + (*cspan_at(&links, i, INT64_C(8) + place, beside));
+                }
+                (*cspan_at(&band, row, row - column)) = (*cspan_at(&band, row, row - column)) + value;
+            }
+        }
+    }
+}
+static void write_band(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band)
+{
+    int64_t axes;
+    int64_t width;
+    int64_t i;
+    int64_t j;
+    int64_t place;
+    int64_t axis;
+    int64_t field;
+    double share;
+    double inner;
+    int64_t other;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    width = band.shape[INT64_C(1)] - INT64_C(1);
+    for (i = INT64_C(0); i < band.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < width + INT64_C(1); j += INT64_C(1))
+        {
+            (*cspan_at(&band, i, j)) = 0.0;
+        }
+        place = span_floor_div(i, INT64_C(2));
+        axis = span_floor_mod(place, axes);
+        field = span_floor_mod(i, INT64_C(2));
+        (*cspan_at(&band, i, INT64_C(0))) = 1.0;
+        if ((*cspan_at(&spots, place, INT64_C(2), field)) > 0.5)
+        {
+            share = state_offset(span_matrix(&spots, place), INT64_C(5), field, span_row(&tracks, axis));
+            inner = (1.0 - share) * (1.0 + share);
+            (*cspan_at(&band, i, INT64_C(0))) = 2.0 * (1.0 + share * share) / (inner * inner);
+            (*cspan_at(&band, i, width)) = (-2.0) * share / inner;
+        }
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (other = INT64_C(0); other < axes; other += INT64_C(1))
+        {
+            add_link(i, i - span_floor_mod(i, axes) + other, axes, spots, links, spans, band);
+        }
+    }
+}
+static void write_components(int64_t count, array_double_2d link)
+{
+    int64_t i;
+    double step;
+    int64_t place;
+    for (i = INT64_C(0); i < INT64_C(14) - INT64_C(5); i += INT64_C(1))
+    {
+        step = 0.0;
+        if (i < count)
+        {
+            step = -(*cspan_at(&link, INT64_C(13) + i, INT64_C(5)));
+            for (place = INT64_C(0); place < INT64_C(4); place += INT64_C(1))
+            {
+                step = step - (*cspan_at(&link, INT64_C(13) + i, place)) * (*cspan_at(&link, INT64_C(4), INT64_C(1) + place));
+            }
+            step = step - (*cspan_at(&link, INT64_C(13) + i, INT64_C(4))) * (*cspan_at(&link, INT64_C(4), INT64_C(14)));
+        }
+        (*cspan_at(&link, INT64_C(4), INT64_C(5) + i)) = step;
+    }
+}
+static double write_steps(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, double theta)
+{
+    int64_t axes;
+    double promised;
+    int64_t i;
+    int64_t axis;
+    int64_t field;
+    double step;
+    double share;
+    int64_t j;
+    double total;
+    array_double_2d link;
+    int64_t place;
+    int64_t end;
+    int64_t column;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    promised = 0.0;
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        axis = span_floor_mod(i, axes);
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            step = (*cspan_at(&band, i * INT64_C(2) + field, band.shape[INT64_C(1)] - INT64_C(1)));
+            (*cspan_at(&spots, i, INT64_C(4), field)) = step;
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            {
+                share = state_offset(span_matrix(&spots, i), INT64_C(5), field, span_row(&tracks, axis));
+                promised = promised + 2.0 * share / ((1.0 - share) * (1.0 + share)) * step;
+            }
+        }
+    }
+    write_variables(1, path, spots, links);
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        total = (*cspan_at(&spans, j, INT64_C(4)));
+        for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+        {
+            link = span_matrix(&links, j * axes + axis);
+            for (place = INT64_C(0); place < INT64_C(4); place += INT64_C(1))
+            {
+                end = INT64_C(1) + place;
+                total = total + (*cspan_at(&link, INT64_C(8) + place, INT64_C(4))) * (*cspan_at(&link, INT64_C(4), end));
+            }
+        }
+        (*cspan_at(&spans, j, INT64_C(1))) = (-total) / (*cspan_at(&spans, j, INT64_C(3)));
+        promised = promised + theta * exp((*cspan_at(&spans, j, INT64_C(2)))) * (*cspan_at(&spans, j, INT64_C(1)));
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&links, i, INT64_C(4), INT64_C(14))) = (*cspan_at(&spans, span_floor_div(i, axes), INT64_C(1)));
+        write_components((int64_t)((*cspan_at(&path, INT64_C(1)))), span_matrix(&links, i));
+        for (column = INT64_C(1); column < INT64_C(15); column += INT64_C(1))
+        {
+            promised = promised + (*cspan_at(&links, i, INT64_C(6), column)) * (*cspan_at(&links, i, INT64_C(4), column));
+        }
+    }
+    return -promised;
+}
+static bool set_axes(array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_2d work)
+{
+    array_double_2d planner;
+    int64_t smoothness;
+    int64_t shape;
+    int64_t axis;
+    planner = span_rows(&work, INT64_C(2), INT64_C(242));
+    smoothness = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(0))));
+    shape = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1))));
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        segfmu_axis_limits(smoothness, shape, span_row(&limits, axis), span_row(&axes, axis));
+        set_lower(span_row(&lower, axis), span_row(&axes, axis));
+        if (!segfmu_ramp_parameters(usual_share(span_row(&axes, axis)), span_row(&axes, axis), planner))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool plan_alone(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    array_double_2d cell;
+    array_double_2d planner;
+    int64_t status;
+    double duration;
+    cell = span_matrix(&cells, place * axes.shape[INT64_C(0)] + axis);
+    planner = span_rows(&work, INT64_C(2), INT64_C(242));
+    set_shortest(&status, &duration, cell, span_row(&axes, axis), planner);
+    if (status < INT64_C(0))
+    {
+        return 0;
+    }
+    note_shortest(duration, span_row(&axes, axis), cell);
+    return 1;
+}
+static double shortest_of(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells)
+{
+    int64_t from_cell;
+    double result;
+    from_cell = place * axes.shape[INT64_C(0)] + axis;
+    result = (*cspan_at(&cells, from_cell, INT64_C(67), INT64_C(0)));
+    return result;
+}
+static double least_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t axis;
+    double longest;
+    longest = 0.0;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        if (!plan_alone(place, axis, axes, cells, work))
+        {
+            return 1e+300;
+        }
+        longest = span_max(longest, shortest_of(place, axis, axes, cells));
+    }
+    return longest;
+}
+static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    int64_t first;
+    array_double_2d planner;
+    double found;
+    first = place * axes.shape[INT64_C(0)];
+    planner = span_rows(&work, INT64_C(2), INT64_C(242));
+    found = common_duration(0.0, 0.0, first, first + axes.shape[INT64_C(0)], axes, cells, planner);
+    if (found < 0.0)
+    {
+        return 1e+300;
+    }
+    return found;
+}
+static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work)
+{
+    double total;
+    int64_t j;
+    set_problems(states, cells);
+    total = 0.0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        (*cspan_at(&spans, j, INT64_C(10))) = least_length(j, axes, cells, work);
+        if ((*cspan_at(&spans, j, INT64_C(10))) < 1e+300)
+        {
+            (*cspan_at(&spans, j, INT64_C(10))) = common_length(j, axes, cells, work);
+        }
+        total = total + (*cspan_at(&spans, j, INT64_C(10)));
+    }
+    return span_min(total, 1e+300);
+}
+static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    array_double_2d expansion;
+    int64_t count;
+    int64_t row;
+    double length;
+    double known;
+    (*cspan_at(&cell, INT64_C(68), INT64_C(0))) = first;
+    (*cspan_at(&cell, INT64_C(68), INT64_C(1))) = 0.0;
+    expansion = span_rows(&work, INT64_C(242), INT64_C(246));
+    count = expand_cell(cell, axis, timing, coefficients, INT64_C(0), expansion);
+    known = 0.0;
+    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    {
+        write_room(side, row, 0.0, low, high, coefficients, rope);
+        length = (*cspan_at(&timing, row, INT64_C(1)));
+        known = greatest_lack(coefficients.shape[INT64_C(1)], length, known, rope);
+    }
+    return known;
+}
+static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    int64_t axis;
+    int64_t i;
+    double low;
+    double high;
+    double first;
+    int64_t side;
+    double beyond;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        i = place * axes.shape[INT64_C(0)] + axis;
+        low = (*cspan_at(&links, i, INT64_C(0), INT64_C(0)));
+        high = (*cspan_at(&links, i, INT64_C(0), INT64_C(1)));
+        first = (*cspan_at(&states, place, axis, INT64_C(0)));
+        if (high - low < 1e+300)
+        {
+            for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+            {
+                beyond = farthest_beyond(side, low, high, first, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, rope, work);
+                if (beyond > (*cspan_at(&path, INT64_C(12))))
+                {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+static void copy_states(array_double_3d source, array_double_3d target)
+{
+    int64_t point;
+    int64_t axis;
+    int64_t i;
+    for (point = INT64_C(0); point < source.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < source.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+            {
+                (*cspan_at(&target, point, axis, i)) = (*cspan_at(&source, point, axis, i));
+            }
+        }
+    }
+}
+static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    double total;
+    int64_t j;
+    bool shorter;
+    bool beyond;
+    bool slow;
+    int64_t count;
+    set_problems(tried, cells);
+    total = 0.0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        (*cspan_at(&spans, j, INT64_C(10))) = least_length(j, axes, cells, work);
+        total = total + (*cspan_at(&spans, j, INT64_C(10)));
+    }
+    shorter = total < (*cspan_at(&path, INT64_C(11)));
+    if (shorter)
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+        {
+            (*cspan_at(&spans, j, INT64_C(10))) = common_length(j, axes, cells, work);
+            total = total + (*cspan_at(&spans, j, INT64_C(10)));
+        }
+        shorter = total < (*cspan_at(&path, INT64_C(11)));
+    }
+    count = INT64_C(0);
+    beyond = 0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        slow = !((*cspan_at(&spans, j, INT64_C(10))) <= 1.005 * exp((*cspan_at(&spans, j, INT64_C(0)))));
+        if (shorter && leaves_box(j, tried, path, links, axes, cells, timing, coefficients, rope, work))
+        {
+            slow = 1;
+            beyond = 1;
+        }
+        (*cspan_at(&spans, j, INT64_C(9))) = slow;
+        if (slow)
+        {
+            count = count + INT64_C(1);
+        }
+    }
+    if (shorter && (!beyond))
+    {
+        (*cspan_at(&path, INT64_C(11))) = total;
+        copy_states(tried, best);
+    }
+    return count;
+}
+static double extent(int64_t axis, array_double_3d given)
+{
+    double low;
+    double high;
+    int64_t point;
+    low = (*cspan_at(&given, INT64_C(0), axis, INT64_C(0)));
+    high = low;
+    for (point = INT64_C(0); point < given.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        low = span_min(low, (*cspan_at(&given, point, axis, INT64_C(0))));
+        high = span_max(high, (*cspan_at(&given, point, axis, INT64_C(0))));
+    }
+    return high - low;
+}
+static void write_boxes(double room, int64_t first, array_double_3d given, array_double_2d allowed, array_double_1d path, array_double_3d links)
+{
+    int64_t count;
+    double farthest;
+    int64_t i;
+    int64_t point;
+    int64_t axis;
+    double here;
+    double there;
+    double before;
+    int64_t last;
+    double after;
+    double low;
+    double high;
+    double beyond;
+    double inwards;
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    farthest = 0.0;
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        point = first + span_floor_div(i, count);
+        axis = span_floor_mod(i, count);
+        here = (*cspan_at(&given, point, axis, INT64_C(0)));
+        there = (*cspan_at(&given, point + INT64_C(1), axis, INT64_C(0)));
+        farthest = span_max(farthest, fabs(there - here));
+        before = (*cspan_at(&given, span_max_int(point - INT64_C(1), INT64_C(0)), axis, INT64_C(0)));
+        last = span_min_int(point + INT64_C(2), given.shape[INT64_C(0)] - INT64_C(1));
+        after = (*cspan_at(&given, last, axis, INT64_C(0)));
+        low = span_min(span_min(here, there), span_min(before, after));
+        high = span_max(span_max(here, there), span_max(before, after));
+        beyond = 1.7e+308;
+        if (room < 1e+300)
+        {
+            beyond = room * (high - low);
+        }
+        inwards = 2e-09 * extent(axis, given);
+        low = span_max(low - beyond, (*cspan_at(&allowed, axis, INT64_C(0))) + inwards);
+        high = span_min(high + beyond, (*cspan_at(&allowed, axis, INT64_C(1))) - inwards);
+        (*cspan_at(&links, i, INT64_C(0), INT64_C(0))) = span_min(low, span_min(here, there));
+        (*cspan_at(&links, i, INT64_C(0), INT64_C(1))) = span_max(high, span_max(here, there));
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&links, i, INT64_C(0), INT64_C(2))) = 1e-09 * farthest;
+    }
+}
+static bool admit_states(int64_t first, array_double_3d given, array_double_1d path, array_double_3d spots, array_double_3d links)
+{
+    int64_t count;
+    int64_t i;
+    int64_t axis;
+    bool inner;
+    bool turns;
+    bool fixed;
+    double here;
+    int64_t j;
+    double low;
+    double high;
+    int64_t field;
+    bool admitted;
+    bool found;
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    found = 0;
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        axis = span_floor_mod(i, count);
+        inner = (count <= i) && (i < spots.shape[INT64_C(0)] - count);
+        turns = 0;
+        fixed = 0;
+        if (inner)
+        {
+            here = (*cspan_at(&given, first + span_floor_div(i, count), axis, INT64_C(0)));
+            for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+            {
+                low = (*cspan_at(&links, i - j * count, INT64_C(0), INT64_C(0)));
+                high = (*cspan_at(&links, i - j * count, INT64_C(0), INT64_C(1)));
+                turns = turns || (here == low) || (here == high);
+                fixed = fixed || (low == high);
+            }
+        }
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            admitted = inner && ((*cspan_at(&spots, i, INT64_C(0), field)) > 0.5);
+            if (field == INT64_C(0))
+            {
+                admitted = admitted && (!turns);
+            }
+            else
+            {
+                admitted = admitted && (!fixed);
+            }
+            (*cspan_at(&spots, i, INT64_C(1), field)) = admitted;
+            (*cspan_at(&spots, i, INT64_C(2), field)) = admitted;
+            found = found || admitted;
+        }
+    }
+    return found;
+}
+static bool is_moving(array_double_3d states)
+{
+    int64_t point;
+    int64_t axis;
+    int64_t i;
+    for (point = INT64_C(0); point < states.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            for (i = INT64_C(1); i < INT64_C(3); i += INT64_C(1))
+            {
+                if ((*cspan_at(&states, point, axis, i)) != 0.0)
+                {
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+static void write_margin(array_double_1d path, array_double_3d links)
+{
+    double least;
+    double most;
+    int64_t i;
+    int64_t edge;
+    double value;
+    least = 1e+300;
+    most = -1e+300;
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (edge = INT64_C(0); edge < INT64_C(2); edge += INT64_C(1))
+        {
+            value = (*cspan_at(&links, i, INT64_C(0), edge));
+            if (fabs(value) < 1e+300)
+            {
+                least = span_min(least, value);
+                most = span_max(most, value);
+            }
+        }
+    }
+    (*cspan_at(&path, INT64_C(12))) = 0.0;
+    if (most > least)
+    {
+        (*cspan_at(&path, INT64_C(12))) = 1e-09 * (most - least);
+    }
+}
+static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    int64_t count;
+    bool planned;
+    int64_t i;
+    int64_t axis;
+    double low;
+    double high;
+    double here;
+    int64_t side;
+    double beyond;
+    int64_t edge;
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    if (is_moving(states))
+    {
+        planned = plan_lengths(states, spans, axes, cells, work) < 1e+300;
+        for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            axis = span_floor_mod(i, count);
+            low = (*cspan_at(&links, i, INT64_C(0), INT64_C(0)));
+            high = (*cspan_at(&links, i, INT64_C(0), INT64_C(1)));
+            here = (*cspan_at(&states, span_floor_div(i, count), axis, INT64_C(0)));
+            for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+            {
+                beyond = 1.7e+308;
+                if (planned && (high - low < 1e+300))
+                {
+                    beyond = farthest_beyond(side, low, high, here, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, rope, work);
+                }
+                edge = INT64_C(1) - side;
+                (*cspan_at(&links, i, INT64_C(0), edge)) = (*cspan_at(&links, i, INT64_C(0), edge)) + (1.0 - 2.0 * side) * beyond;
+            }
+        }
+    }
+    write_margin(path, links);
+}
+static double power_over_factorial(double base, int64_t exponent)
+{
+    int64_t i;
+    double value;
+    if (exponent < INT64_C(0))
+    {
+        return 0.0;
+    }
+    value = 1.0;
+    for (i = INT64_C(0); i < exponent; i += INT64_C(1))
+    {
+        value = value * base / (i + INT64_C(1));
+    }
+    return value;
+}
+static double control_effect(int64_t order, int64_t derivative, int64_t cell, int64_t node)
+{
+    double count;
+    double begin;
+    if (node <= cell)
+    {
+        return 0.0;
+    }
+    count = 12.0;
+    begin = power_over_factorial((node - cell) / count, order - derivative);
+    return begin - power_over_factorial((node - cell - INT64_C(1)) / count, order - derivative);
+}
+static double end_effect(int64_t derivative, int64_t column, double time)
+{
+    int64_t state;
+    state = column - INT64_C(0);
+    if ((state == INT64_C(1)) || (state == INT64_C(2)))
+    {
+        return power_over_factorial(time, state - derivative);
+    }
+    return 0.0;
+}
+static bool is_required(int64_t derivative, int64_t column)
+{
+    if (derivative == INT64_C(0))
+    {
+        return column == INT64_C(0);
+    }
+    return (derivative < INT64_C(3)) && (column == INT64_C(1) + derivative + INT64_C(1));
+}
+static void write_least_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square)
+{
+    array_double_2d own;
+    array_double_2d right;
+    int64_t i;
+    int64_t j;
+    int64_t cell;
+    double effect;
+    double total;
+    own = span_rows(&square, INT64_C(22), INT64_C(31));
+    right = span_rows(&square, INT64_C(31), INT64_C(40));
+    for (i = INT64_C(0); i < order; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < order; j += INT64_C(1))
+        {
+            (*cspan_at(&own, i, j)) = 0.0;
+            for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+            {
+                effect = control_effect(order, i, cell, INT64_C(12));
+                (*cspan_at(&own, i, j)) = (*cspan_at(&own, i, j)) + effect * control_effect(order, j, cell, INT64_C(12));
+            }
+        }
+        for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+        {
+            (*cspan_at(&right, i, j)) = -end_effect(i, j, 1.0);
+            if (is_required(i, j))
+            {
+                (*cspan_at(&right, i, j)) = (*cspan_at(&right, i, j)) + 1.0;
+            }
+        }
+    }
+    matrix_solve(order, INT64_C(5), own, right);
+    for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+        {
+            total = 0.0;
+            for (i = INT64_C(0); i < order; i += INT64_C(1))
+            {
+                total = total + control_effect(order, i, cell, INT64_C(12)) * (*cspan_at(&right, i, j));
+            }
+            (*cspan_at(&grid, first + cell, INT64_C(0) + j)) = total;
+        }
+    }
+}
+static void project_out(int64_t unit, int64_t row, array_double_2d basis)
+{
+    double total;
+    int64_t cell;
+    total = 0.0;
+    for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+    {
+        total = total + (*cspan_at(&basis, unit, cell)) * (*cspan_at(&basis, row, cell));
+    }
+    for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+    {
+        (*cspan_at(&basis, row, cell)) = (*cspan_at(&basis, row, cell)) - total * (*cspan_at(&basis, unit, cell));
+    }
+}
+static void write_free_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square)
+{
+    array_double_2d basis;
+    int64_t i;
+    int64_t cell;
+    double value;
+    int64_t k;
+    int64_t sweep;
+    int64_t other;
+    double norm;
+    basis = span_rows(&square, INT64_C(40), INT64_C(49));
+    for (i = INT64_C(0); i < INT64_C(12) - order; i += INT64_C(1))
+    {
+        for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+        {
+            (*cspan_at(&basis, i, cell)) = 0.0;
+        }
+        value = 1.0;
+        for (k = INT64_C(0); k < order + INT64_C(1); k += INT64_C(1))
+        {
+            (*cspan_at(&basis, i, i + k)) = value;
+            value = (-value) * (order - k) / (k + INT64_C(1));
+        }
+        for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
+        {
+            for (other = INT64_C(0); other < i; other += INT64_C(1))
+            {
+                project_out(other, i, basis);
+            }
+        }
+        norm = 0.0;
+        for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+        {
+            norm = norm + (*cspan_at(&basis, i, cell)) * (*cspan_at(&basis, i, cell));
+        }
+        for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
+        {
+            (*cspan_at(&basis, i, cell)) = (*cspan_at(&basis, i, cell)) / sqrt(norm);
+            value = (*cspan_at(&basis, i, cell)) * sqrt(12.0);
+            (*cspan_at(&grid, first + cell, INT64_C(0) + INT64_C(5) + i)) = value;
+        }
+    }
+}
+static void write_grid(int64_t order, array_double_2d grid, array_double_2d square)
+{
+    int64_t first;
+    int64_t i;
+    int64_t j;
+    int64_t derivative;
+    int64_t node;
+    double total;
+    int64_t cell;
+    double effect;
+    first = order * INT64_C(11);
+    for (i = INT64_C(0); i < first + INT64_C(12); i += INT64_C(1))
+    {
+        (*cspan_at(&grid, i, INT64_C(14))) = span_min_int(span_floor_div(i, INT64_C(11)), order);
+        for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
+        {
+            (*cspan_at(&grid, i, INT64_C(0) + j)) = 0.0;
+        }
+    }
+    write_least_controls(order, first, grid, square);
+    write_free_controls(order, first, grid, square);
+    for (i = INT64_C(0); i < first; i += INT64_C(1))
+    {
+        derivative = span_floor_div(i, INT64_C(11));
+        node = span_floor_mod(i, INT64_C(11)) + INT64_C(1);
+        for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
+        {
+            total = end_effect(derivative, j, node / 12.0);
+            for (cell = INT64_C(0); cell < node; cell += INT64_C(1))
+            {
+                effect = control_effect(order, derivative, cell, node);
+                total = total + effect * (*cspan_at(&grid, first + cell, INT64_C(0) + j));
+            }
+            (*cspan_at(&grid, i, INT64_C(0) + j)) = total;
+        }
+    }
+}
+static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links)
+{
+    int64_t place;
+    int64_t i;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        i = place * axes.shape[INT64_C(0)] + axis;
+        if (back)
+        {
+            (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))) = (*cspan_at(&links, i, INT64_C(22), INT64_C(0)));
+            (*cspan_at(&cells, i, INT64_C(67), INT64_C(6))) = (*cspan_at(&links, i, INT64_C(22), INT64_C(1)));
+        }
+        else
+        {
+            (*cspan_at(&links, i, INT64_C(22), INT64_C(0))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(0)));
+            (*cspan_at(&links, i, INT64_C(22), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(6)));
+        }
+    }
+}
+static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells)
+{
+    int64_t place;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        (*cspan_at(&cells, place * axes.shape[INT64_C(0)] + axis, INT64_C(67), INT64_C(4))) = 1.0;
+    }
+}
+static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells)
+{
+    int64_t count;
+    int64_t first;
+    (*cspan_at(&states, point, axis, INT64_C(1) + field)) = value;
+    count = axes.shape[INT64_C(0)];
+    first = (point - INT64_C(1)) * count;
+    set_problems(span_layers(&states, point - INT64_C(1), point + INT64_C(2)), span_layers(&cells, first, first + INT64_C(2) * count));
+}
+static double tried_length(double known, int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    double least;
+    int64_t place;
+    double longest;
+    int64_t other;
+    double total;
+    least = 0.0;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        if (!plan_alone(place, axis, axes, cells, work))
+        {
+            return 1e+300;
+        }
+        longest = 0.0;
+        for (other = INT64_C(0); other < axes.shape[INT64_C(0)]; other += INT64_C(1))
+        {
+            longest = span_max(longest, shortest_of(place, other, axes, cells));
+        }
+        least = least + longest;
+    }
+    if (!(least < known))
+    {
+        return 1e+300;
+    }
+    total = 0.0;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        (*cspan_at(&spans, place, INT64_C(11))) = common_length(place, axes, cells, work);
+        total = total + (*cspan_at(&spans, place, INT64_C(11)));
+    }
+    if (!(total < known))
+    {
+        return 1e+300;
+    }
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        if (leaves_box(place, states, path, links, axes, cells, timing, coefficients, rope, work))
+        {
+            return 1e+300;
+        }
+    }
+    return total;
+}
+static void polish_state(double step, int64_t point, int64_t axis, int64_t field, double low, double high, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    double least;
+    double move;
+    double before;
+    int64_t trial;
+    double here;
+    double value;
+    double found;
+    int64_t place;
+    least = (*cspan_at(&spans, point - INT64_C(1), INT64_C(10))) + (*cspan_at(&spans, point, INT64_C(10)));
+    move = step * 0.5 * (high - low);
+    before = 1e+300;
+    for (trial = INT64_C(0); trial < INT64_C(1000); trial += INT64_C(1))
+    {
+        here = (*cspan_at(&states, point, axis, INT64_C(1) + field));
+        value = span_min(span_max(here + move, low), high);
+        keep_cells(point, axis, 0, axes, cells, links);
+        set_state(value, point, axis, field, states, axes, cells);
+        found = tried_length(least * (1.0 - 1e-06), point, axis, states, path, links, spans, axes, cells, timing, coefficients, rope, work);
+        if ((trial > INT64_C(1)) && (found < 1e+300))
+        {
+            least = found;
+            for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+            {
+                (*cspan_at(&spans, place, INT64_C(10))) = (*cspan_at(&spans, place, INT64_C(11)));
+            }
+            continue;
+        }
+        set_state(here, point, axis, field, states, axes, cells);
+        keep_cells(point, axis, 1, axes, cells, links);
+        forget_profiles(point, axis, axes, cells);
+        if (trial > INT64_C(1))
+        {
+            return;
+        }
+        if (trial == INT64_C(0))
+        {
+            before = found;
+            move = -move;
+        }
+        else if ((before >= 1e+300) && (found >= 1e+300))
+        {
+            return;
+        }
+        else if (before <= found)
+        {
+            move = -move;
+        }
+    }
+}
+static bool runs_backwards(array_double_2d spans)
+{
+    int64_t count;
+    double longest;
+    int64_t j;
+    double ahead;
+    count = spans.shape[INT64_C(0)];
+    longest = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        longest = span_max(longest, (*cspan_at(&spans, j, INT64_C(10))));
+    }
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        ahead = (*cspan_at(&spans, j, INT64_C(10))) - (*cspan_at(&spans, count - INT64_C(1) - j, INT64_C(10)));
+        if (fabs(ahead) > 1e-06 * longest)
+        {
+            return ahead < 0.0;
+        }
+    }
+    return 0;
+}
+static double polish_states(array_double_3d states, array_double_1d path, array_double_2d limits, array_double_2d lower, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    int64_t count;
+    int64_t last;
+    double step;
+    int64_t sweep;
+    bool backwards;
+    int64_t k;
+    int64_t point;
+    int64_t axis;
+    int64_t field;
+    int64_t j;
+    double total;
+    count = axes.shape[INT64_C(0)];
+    last = states.shape[INT64_C(0)] - INT64_C(1);
+    plan_lengths(states, spans, axes, cells, work);
+    step = 0.03;
+    for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
+    {
+        backwards = runs_backwards(spans);
+        for (k = INT64_C(1); k < last; k += INT64_C(1))
+        {
+            point = k;
+            if (backwards)
+            {
+                point = last - k;
+            }
+            for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+            {
+                for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+                {
+                    if ((*cspan_at(&spots, point * count + axis, INT64_C(2), field)) > 0.5)
+                    {
+                        polish_state(step, point, axis, field, -(*cspan_at(&lower, axis, field)), (*cspan_at(&limits, axis, field)), states, path, links, spans, axes, cells, timing, coefficients, rope, work);
+                    }
+                }
+            }
+        }
+        step = 0.32 * step;
+    }
+    total = 0.0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        total = total + (*cspan_at(&spans, j, INT64_C(10)));
+    }
+    return total;
+}
+static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square)
+{
+    int64_t derivative;
+    double slope;
+    int64_t j;
+    double by;
+    double exponent;
+    double part;
+    double bend;
+    derivative = (int64_t)((*cspan_at(&grid, row, INT64_C(14))));
+    slope = 0.0;
+    bend = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        by = (*cspan_at(&square, INT64_C(3), derivative)) * (*cspan_at(&grid, row, INT64_C(0) + j));
+        exponent = (*cspan_at(&square, INT64_C(1), j)) - derivative;
+        part = by * (*cspan_at(&square, INT64_C(2), j)) * exponent;
+        slope = slope + part;
+        bend = bend + part * (exponent + 1.0);
+        (*cspan_at(&square, INT64_C(4), j)) = by * (*cspan_at(&square, INT64_C(0), j));
+    }
+    (*cspan_at(&square, INT64_C(4), INT64_C(14))) = slope;
+    return bend;
+}
+static void add_share(int64_t row, int64_t count, double bend, array_double_2d link, array_double_2d grid, array_double_2d square)
+{
+    double derivative;
+    double share;
+    double inner;
+    double first;
+    double second;
+    int64_t j;
+    double slope;
+    int64_t k;
+    double value;
+    double crossed;
+    int64_t time;
+    derivative = (*cspan_at(&grid, row, INT64_C(14)));
+    share = (*cspan_at(&grid, row, INT64_C(15)));
+    inner = (1.0 - share) * (1.0 + share);
+    first = 2.0 * share / inner;
+    second = 2.0 * (1.0 + share * share) / (inner * inner);
+    for (j = INT64_C(1); j < count; j += INT64_C(1))
+    {
+        slope = (*cspan_at(&square, INT64_C(4), j));
+        (*cspan_at(&link, INT64_C(6), j)) = (*cspan_at(&link, INT64_C(6), j)) + first * slope;
+        for (k = INT64_C(1); k < j + INT64_C(1); k += INT64_C(1))
+        {
+            value = second * slope * (*cspan_at(&square, INT64_C(4), k));
+            (*cspan_at(&square, INT64_C(5) + j, k)) = (*cspan_at(&square, INT64_C(5) + j, k)) + value;
+        }
+        crossed = second * slope * (*cspan_at(&square, INT64_C(4), INT64_C(14)));
+        (*cspan_at(&square, INT64_C(20), j)) = (*cspan_at(&square, INT64_C(20), j)) + crossed;
+        crossed = first * slope * ((*cspan_at(&square, INT64_C(1), j)) - derivative);
+        (*cspan_at(&square, INT64_C(21), j)) = (*cspan_at(&square, INT64_C(21), j)) + crossed;
+    }
+    slope = (*cspan_at(&square, INT64_C(4), INT64_C(14)));
+    time = INT64_C(5) + INT64_C(14);
+    (*cspan_at(&link, INT64_C(6), INT64_C(14))) = (*cspan_at(&link, INT64_C(6), INT64_C(14))) + first * slope;
+    (*cspan_at(&square, time, INT64_C(14))) = (*cspan_at(&square, time, INT64_C(14))) + second * slope * slope;
+    (*cspan_at(&square, INT64_C(21), INT64_C(14))) = (*cspan_at(&square, INT64_C(21), INT64_C(14))) + first * bend;
+}
+static double hessian_entry(int64_t one, int64_t other, array_double_2d square)
+{
+    int64_t first;
+    int64_t second;
+    double result;
+    first = span_max_int(one, other);
+    second = span_min_int(one, other);
+    if ((first == INT64_C(14)) && (second != first))
+    {
+        result = (*cspan_at(&square, INT64_C(20), second)) + (*cspan_at(&square, INT64_C(21), second));
+        return result;
+    }
+    result = (*cspan_at(&square, INT64_C(5) + first, second));
+    return result;
+}
+static int64_t outer_column(int64_t place)
+{
+    if (place == INT64_C(4))
+    {
+        return INT64_C(14);
+    }
+    return (int64_t)(INT64_C(1) + place);
+}
+static void eliminate(int64_t count, array_double_2d link, array_double_2d square)
+{
+    array_double_2d own;
+    array_double_2d right;
+    int64_t i;
+    int64_t j;
+    int64_t column;
+    double slope;
+    double coupled;
+    int64_t k;
+    double value;
+    own = span_rows(&square, INT64_C(22), INT64_C(31));
+    right = span_rows(&square, INT64_C(31), INT64_C(40));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            (*cspan_at(&own, i, j)) = hessian_entry(INT64_C(5) + i, INT64_C(5) + j, square);
+        }
+        for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+        {
+            (*cspan_at(&right, i, j)) = hessian_entry(INT64_C(5) + i, outer_column(j), square);
+        }
+        (*cspan_at(&right, i, INT64_C(5))) = (*cspan_at(&link, INT64_C(6), INT64_C(5) + i));
+    }
+    matrix_solve(count, INT64_C(6), own, right);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(6); j += INT64_C(1))
+        {
+            (*cspan_at(&link, INT64_C(13) + i, j)) = (*cspan_at(&right, i, j));
+        }
+    }
+    for (j = INT64_C(0); j < INT64_C(5); j += INT64_C(1))
+    {
+        column = outer_column(j);
+        slope = (*cspan_at(&link, INT64_C(6), column));
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            coupled = hessian_entry(column, INT64_C(5) + i, square);
+            slope = slope - coupled * (*cspan_at(&right, i, INT64_C(5)));
+        }
+        (*cspan_at(&link, INT64_C(7), j)) = slope;
+        for (k = INT64_C(0); k < INT64_C(5); k += INT64_C(1))
+        {
+            value = hessian_entry(column, outer_column(k), square);
+            for (i = INT64_C(0); i < count; i += INT64_C(1))
+            {
+                coupled = hessian_entry(column, INT64_C(5) + i, square);
+                value = value - coupled * (*cspan_at(&right, i, k));
+            }
+            (*cspan_at(&link, INT64_C(8) + j, k)) = value;
+        }
+    }
+}
+static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square)
+{
+    int64_t j;
+    int64_t k;
+    int64_t count;
+    int64_t i;
+    double bend;
+    double diagonal;
+    int64_t row;
+    write_node_shares(path, track, time, link, grid, square);
+    for (j = INT64_C(0); j < INT64_C(15); j += INT64_C(1))
+    {
+        (*cspan_at(&link, INT64_C(6), j)) = 0.0;
+        (*cspan_at(&square, INT64_C(20), j)) = 0.0;
+        (*cspan_at(&square, INT64_C(21), j)) = 0.0;
+        for (k = INT64_C(0); k < INT64_C(15); k += INT64_C(1))
+        {
+            (*cspan_at(&square, INT64_C(5) + j, k)) = 0.0;
+        }
+    }
+    count = (int64_t)(INT64_C(5) + (*cspan_at(&path, INT64_C(1))));
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&path, INT64_C(2)))); i += INT64_C(1))
+    {
+        if ((*cspan_at(&link, INT64_C(2), (int64_t)((*cspan_at(&grid, i, INT64_C(14)))))) > 0.0)
+        {
+            bend = write_line(i, count, grid, square);
+            add_share(i, count, bend, link, grid, square);
+        }
+    }
+    for (j = INT64_C(1); j < INT64_C(5); j += INT64_C(1))
+    {
+        diagonal = (*cspan_at(&square, INT64_C(5) + j, j));
+        (*cspan_at(&square, INT64_C(5) + j, j)) = (1.0 + ridge) * diagonal;
+    }
+    row = INT64_C(5) + INT64_C(14);
+    (*cspan_at(&square, row, INT64_C(14))) = (1.0 + ridge) * (*cspan_at(&square, row, INT64_C(14)));
+    (*cspan_at(&square, row, INT64_C(14))) = (*cspan_at(&square, row, INT64_C(14))) + (*cspan_at(&square, INT64_C(21), INT64_C(14)));
+    eliminate((int64_t)((*cspan_at(&path, INT64_C(1)))), link, square);
+}
+static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans)
+{
+    int64_t i;
+    int64_t field;
+    double change;
+    int64_t j;
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            change = 0.0;
+            if (share > 0.0)
+            {
+                change = share * (*cspan_at(&spots, i, INT64_C(4), field));
+            }
+            (*cspan_at(&spots, i, INT64_C(5), field)) = (*cspan_at(&spots, i, INT64_C(3), field)) + change;
+        }
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(15); j += INT64_C(1))
+        {
+            change = 0.0;
+            if (share > 0.0)
+            {
+                change = share * (*cspan_at(&links, i, INT64_C(4), j));
+            }
+            (*cspan_at(&links, i, INT64_C(5), j)) = (*cspan_at(&links, i, INT64_C(3), j)) + change;
+        }
+        (*cspan_at(&links, i, INT64_C(5), INT64_C(0))) = (*cspan_at(&links, i, INT64_C(3), INT64_C(0)));
+    }
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        change = 0.0;
+        if (share > 0.0)
+        {
+            change = -log(1.0 - share * (*cspan_at(&spans, j, INT64_C(1))));
+        }
+        (*cspan_at(&spans, j, INT64_C(2))) = (*cspan_at(&spans, j, INT64_C(0))) + change;
+    }
+    write_variables(0, path, spots, links);
+}
+static void take_tried(array_double_3d spots, array_double_3d links, array_double_2d spans)
+{
+    int64_t i;
+    int64_t field;
+    int64_t j;
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            (*cspan_at(&spots, i, INT64_C(3), field)) = (*cspan_at(&spots, i, INT64_C(5), field));
+        }
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(15); j += INT64_C(1))
+        {
+            (*cspan_at(&links, i, INT64_C(3), j)) = (*cspan_at(&links, i, INT64_C(5), j));
+        }
+    }
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        (*cspan_at(&spans, j, INT64_C(0))) = (*cspan_at(&spans, j, INT64_C(2)));
+    }
+}
+static double write_step_of(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
+{
+    int64_t axes;
+    double ridge;
+    int64_t attempt;
+    int64_t i;
+    int64_t axis;
+    double time;
+    double result;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    ridge = 0.0;
+    for (attempt = INT64_C(0); attempt < INT64_C(7); attempt += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            axis = span_floor_mod(i, axes);
+            time = (*cspan_at(&spans, span_floor_div(i, axes), INT64_C(2)));
+            write_model(ridge, path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
+        }
+        if (write_durations(theta, path, links, spans))
+        {
+            write_band(path, tracks, spots, links, spans, band);
+            if (band_solve(band))
+            {
+                result = write_steps(path, tracks, spots, links, spans, band, theta);
+                return result;
+            }
+        }
+        ridge = span_max(10.0 * ridge, 0.1);
+    }
+    return -1e+300;
+}
+static bool centre_path(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
+{
+    int64_t attempt;
+    double decrease;
+    double value;
+    double longest;
+    int64_t j;
+    double share;
+    for (attempt = INT64_C(0); attempt < INT64_C(30); attempt += INT64_C(1))
+    {
+        try_move(0.0, path, spots, links, spans);
+        decrease = write_step_of(theta, path, tracks, spots, links, spans, grid, square, band);
+        if (!((-1e+299 < decrease) && (decrease < 1e+300)))
+        {
+            return 0;
+        }
+        value = barrier_value(theta, path, tracks, spots, links, spans, grid, square);
+        longest = 1e-09;
+        for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+        {
+            longest = span_max(longest, fabs((*cspan_at(&spans, j, INT64_C(1)))));
+        }
+        share = span_min(1.0, 0.6 / longest);
+        try_move(share, path, spots, links, spans);
+        while(!(barrier_value(theta, path, tracks, spots, links, spans, grid, square) <= value - 0.1 * share * decrease))
+        {
+            share = 0.5 * share;
+            if (share < 1e-06)
+            {
+                return 0;
+            }
+            try_move(share, path, spots, links, spans);
+        }
+        take_tried(spots, links, spans);
+        if (decrease < 0.5)
+        {
+            break;
+        }
+    }
+    return 1;
+}
+static void write_times(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+{
+    int64_t axes;
+    double least;
+    double reach;
+    int64_t axis;
+    double limit;
+    int64_t j;
+    double distance;
+    double first;
+    double growth;
+    double fits;
+    int64_t k;
+    double used;
+    array_double_2d link;
+    int64_t row;
+    axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    least = 0.0;
+    reach = 0.0;
+    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    {
+        limit = (*cspan_at(&tracks, axis, INT64_C(0)));
+        least = span_max(least, limit / (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(1))));
+        for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+        {
+            distance = (*cspan_at(&links, j * axes + axis, INT64_C(5), INT64_C(0)));
+            reach = span_max(reach, fabs(distance) / limit);
+        }
+    }
+    first = log(0.001 * least);
+    growth = (log(1000.0 * (least + reach)) - first) / 119.0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        fits = 1e+300;
+        for (k = INT64_C(0); k < INT64_C(120); k += INT64_C(1))
+        {
+            used = 0.0;
+            for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+            {
+                link = span_matrix(&links, j * axes + axis);
+                write_node_shares(path, span_row(&tracks, axis), first + growth * k, link, grid, square);
+                for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
+                {
+                    if ((*cspan_at(&grid, row, INT64_C(14))) > 0.5)
+                    {
+                        used = span_max(used, fabs((*cspan_at(&grid, row, INT64_C(15)))));
+                    }
+                }
+            }
+            if (used < fits)
+            {
+                fits = used;
+                (*cspan_at(&spans, j, INT64_C(2))) = first + growth * k;
+            }
+            if (used <= 0.5)
+            {
+                break;
+            }
+        }
+    }
+}
+static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
+{
+    int64_t attempt;
+    double theta;
+    double used;
+    for (attempt = INT64_C(0); attempt < INT64_C(60); attempt += INT64_C(1))
+    {
+        theta = (*cspan_at(&path, INT64_C(7))) / ((*cspan_at(&path, INT64_C(9))) * path_total(INT64_C(0), spans));
+        if (!centre_path(theta, path, tracks, spots, links, spans, grid, square, band))
+        {
+            return 0;
+        }
+        try_move(0.0, path, spots, links, spans);
+        used = largest_node_share(0, path, tracks, links, spans, grid, square);
+        if (used > 0.999)
+        {
+            return 0;
+        }
+        (*cspan_at(&path, INT64_C(8))) = span_max(1.0, (*cspan_at(&path, INT64_C(8))) * (used + 0.1 * (1.0 - used)));
+        if ((*cspan_at(&path, INT64_C(8))) == 1.0)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static bool begin_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
+{
+    double used;
+    bool result;
+    (*cspan_at(&path, INT64_C(8))) = 1.0;
+    write_variables(0, path, spots, links);
+    write_times(path, tracks, links, spans, grid, square);
+    used = largest_node_share(0, path, tracks, links, spans, grid, square);
+    take_tried(spots, links, spans);
+    if (used < 1.0)
+    {
+        return 1;
+    }
+    (*cspan_at(&path, INT64_C(8))) = 1.5 * used;
+    result = retreat(path, tracks, spots, links, spans, grid, square, band);
+    return result;
+}
+static double follow_path(double theta, double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
+{
+    double reached;
+    reached = 1e+300;
+    while(reached > 1.05 * gap)
+    {
+        if (!centre_path(theta, path, tracks, spots, links, spans, grid, square, band))
+        {
+            return -1.0;
+        }
+        reached = (*cspan_at(&path, INT64_C(7))) / (theta * path_total(INT64_C(0), spans));
+        theta = theta * span_min(4.0, span_max(1.0, reached / gap));
+    }
+    return theta;
+}
+static double limit_of(int64_t place, int64_t axis, array_double_2d limits)
+{
+    double result;
+    if (place < limits.shape[INT64_C(1)])
+    {
+        if ((*cspan_at(&limits, axis, place)) > 0.0)
+        {
+            result = span_min((*cspan_at(&limits, axis, place)), 1e+100);
+            return result;
+        }
+    }
+    return 1e+100;
+}
+static void write_tracks(array_double_2d limits, array_double_2d lower, array_double_1d path, array_double_2d tracks)
+{
+    int64_t axis;
+    int64_t field;
+    double half;
+    double acceleration;
+    double jerk;
+    double snap;
+    double crackle;
+    double pop;
+    (*cspan_at(&path, INT64_C(0))) = 3.0;
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            half = 0.5 * ((*cspan_at(&limits, axis, field)) + (*cspan_at(&lower, axis, field)));
+            (*cspan_at(&tracks, axis, INT64_C(0) + field)) = half;
+            (*cspan_at(&tracks, axis, INT64_C(4) + field)) = (*cspan_at(&limits, axis, field)) - half;
+        }
+        acceleration = (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(1)));
+        jerk = limit_of(INT64_C(2), axis, limits);
+        snap = limit_of(INT64_C(3), axis, limits);
+        crackle = limit_of(INT64_C(4), axis, limits);
+        if (crackle < 1e+100)
+        {
+            snap = span_min(snap, pow((crackle * crackle * acceleration), (1.0 / 3.0)));
+        }
+        pop = limit_of(INT64_C(5), axis, limits);
+        if (pop < 1e+100)
+        {
+            snap = span_min(snap, sqrt(pop * acceleration));
+        }
+        if (snap < 1e+100)
+        {
+            (*cspan_at(&path, INT64_C(0))) = 4.0;
+        }
+        if (jerk < 1e+100)
+        {
+            snap = span_min(snap, 10.0 * jerk * jerk / acceleration);
+        }
+        (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(2))) = jerk;
+        (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(3))) = snap;
+    }
+    (*cspan_at(&path, INT64_C(1))) = INT64_C(12) - (*cspan_at(&path, INT64_C(0)));
+    (*cspan_at(&path, INT64_C(2))) = (*cspan_at(&path, INT64_C(0))) * INT64_C(11) + INT64_C(12);
+}
+static double limit_share(int64_t order, double degree, bool smoothstep)
+{
+    double share;
+    share = 1.0;
+    if (order == INT64_C(3))
+    {
+        share = pow(0.93, degree);
+        if (smoothstep)
+        {
+            share = 0.6 * share;
+        }
+    }
+    else if (order == INT64_C(4))
+    {
+        share = pow(0.75, degree);
+        if (smoothstep)
+        {
+            share = 0.5 * share;
+        }
+    }
+    return share;
+}
+static void write_box_scale(double first, array_double_2d link)
+{
+    double half;
+    double middle;
+    half = 0.5 * ((*cspan_at(&link, INT64_C(0), INT64_C(1))) - (*cspan_at(&link, INT64_C(0), INT64_C(0))));
+    (*cspan_at(&link, INT64_C(2), INT64_C(0))) = 0.0;
+    (*cspan_at(&link, INT64_C(1), INT64_C(0))) = 0.0;
+    if (half < 1e+300)
+    {
+        half = span_max(half, (*cspan_at(&link, INT64_C(0), INT64_C(2))));
+        (*cspan_at(&link, INT64_C(2), INT64_C(0))) = 1.0 / half;
+        middle = 0.5 * ((*cspan_at(&link, INT64_C(0), INT64_C(0))) + (*cspan_at(&link, INT64_C(0), INT64_C(1))));
+        (*cspan_at(&link, INT64_C(1), INT64_C(0))) = (first - middle) / half;
+    }
+}
+static void write_scales_of(bool smoothstep, array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans)
+{
+    int64_t count;
+    int64_t i;
+    int64_t field;
+    double state;
+    int64_t axis;
+    double first;
+    int64_t j;
+    double last;
+    int64_t order;
+    double limit;
+    double share;
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    (*cspan_at(&path, INT64_C(7))) = (*cspan_at(&path, INT64_C(2))) * links.shape[INT64_C(0)];
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            state = (*cspan_at(&given, span_floor_div(i, count), span_floor_mod(i, count), INT64_C(1) + field));
+            (*cspan_at(&spots, i, INT64_C(5), field)) = state / (*cspan_at(&tracks, span_floor_mod(i, count), INT64_C(0) + field));
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            {
+                (*cspan_at(&spots, i, INT64_C(5), field)) = 0.0;
+                (*cspan_at(&path, INT64_C(7))) = (*cspan_at(&path, INT64_C(7))) + 1.0;
+            }
+        }
+    }
+    for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        axis = span_floor_mod(i, count);
+        first = (*cspan_at(&given, span_floor_div(i, count), axis, INT64_C(0)));
+        for (j = INT64_C(0); j < INT64_C(15); j += INT64_C(1))
+        {
+            (*cspan_at(&links, i, INT64_C(5), j)) = 0.0;
+        }
+        last = (*cspan_at(&given, span_floor_div(i, count) + INT64_C(1), axis, INT64_C(0)));
+        (*cspan_at(&links, i, INT64_C(5), INT64_C(0))) = last - first;
+        write_box_scale(first, span_matrix(&links, i));
+        for (order = INT64_C(1); order < (int64_t)((*cspan_at(&path, INT64_C(0)))) + INT64_C(1); order += INT64_C(1))
+        {
+            limit = (*cspan_at(&tracks, axis, INT64_C(0) + order - INT64_C(1)));
+            share = limit_share(order, (*cspan_at(&spans, span_floor_div(i, count), INT64_C(5))), smoothstep);
+            (*cspan_at(&links, i, INT64_C(2), order)) = 0.0;
+            (*cspan_at(&links, i, INT64_C(1), order)) = 0.0;
+            if (limit < 1e+100)
+            {
+                (*cspan_at(&links, i, INT64_C(2), order)) = 1.0 / (limit * share);
+            }
+            if (order < INT64_C(3))
+            {
+                (*cspan_at(&links, i, INT64_C(1), order)) = (-(*cspan_at(&tracks, axis, INT64_C(4) + order - INT64_C(1)))) / limit;
+            }
+        }
+    }
+}
+static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried)
+{
+    int64_t count;
+    int64_t i;
+    int64_t point;
+    int64_t axis;
+    int64_t k;
+    int64_t field;
+    double share;
+    double digits;
+    double state;
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        point = span_floor_div(i, count);
+        axis = span_floor_mod(i, count);
+        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        {
+            (*cspan_at(&tried, point, axis, k)) = (*cspan_at(&given, point, axis, k));
+        }
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            {
+                share = (*cspan_at(&spots, i, INT64_C(3), field));
+                digits = (int64_t)floor(65536.0 * fabs(share) + 0.5) / 65536.0;
+                if (share < 0.0)
+                {
+                    digits = -digits;
+                }
+                state = digits * (*cspan_at(&tracks, axis, INT64_C(0) + field));
+                (*cspan_at(&tried, point, axis, INT64_C(1) + field)) = state;
+            }
+        }
+    }
+}
+static double gap_of(int64_t place)
+{
+    if (place == INT64_C(0))
+    {
+        return 0.3;
+    }
+    if (place == INT64_C(1))
+    {
+        return 0.1;
+    }
+    return 0.03;
+}
+static bool try_path(array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    bool smoothstep;
+    double theta;
+    int64_t fewest;
+    int64_t place;
+    int64_t slow;
+    int64_t j;
+    bool result;
+    smoothstep = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1)))) == INT64_C(0);
+    write_scales_of(smoothstep, given, path, tracks, spots, links, spans);
+    if (!begin_path(path, tracks, spots, links, spans, grid, square, band))
+    {
+        return 0;
+    }
+    theta = (*cspan_at(&path, INT64_C(7))) / ((*cspan_at(&path, INT64_C(9))) * path_total(INT64_C(0), spans));
+    fewest = spans.shape[INT64_C(0)] + INT64_C(1);
+    for (place = INT64_C(0); place < INT64_C(3); place += INT64_C(1))
+    {
+        theta = follow_path(theta, gap_of(place), path, tracks, spots, links, spans, grid, square, band);
+        if (theta < 0.0)
+        {
+            break;
+        }
+        (*cspan_at(&path, INT64_C(10))) = path_total(INT64_C(0), spans);
+        write_tried(given, path, tracks, spots, tried);
+        slow = offer_states(tried, best, path, links, spans, axes, cells, timing, coefficients, rope, work);
+        if (slow < fewest)
+        {
+            fewest = slow;
+            for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+            {
+                (*cspan_at(&spans, j, INT64_C(8))) = (*cspan_at(&spans, j, INT64_C(9)));
+            }
+        }
+    }
+    result = fewest <= spans.shape[INT64_C(0)];
+    return result;
+}
+static bool tighten_path(array_double_2d spans)
+{
+    bool any_slow;
+    int64_t j;
+    double degree;
+    double failed;
+    bool retried;
+    bool changed;
+    any_slow = 0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        if ((*cspan_at(&spans, j, INT64_C(8))) > 0.5)
+        {
+            any_slow = 1;
+            degree = (*cspan_at(&spans, j, INT64_C(5)));
+            (*cspan_at(&spans, j, INT64_C(6))) = span_max((*cspan_at(&spans, j, INT64_C(6))), degree);
+        }
+    }
+    changed = 0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        failed = (*cspan_at(&spans, j, INT64_C(6)));
+        if (!any_slow)
+        {
+            (*cspan_at(&spans, j, INT64_C(7))) = (*cspan_at(&spans, j, INT64_C(5)));
+        }
+        retried = (*cspan_at(&spans, j, INT64_C(8))) > 0.5;
+        if (!any_slow)
+        {
+            retried = (failed >= 0.0) && ((*cspan_at(&spans, j, INT64_C(7))) - failed > 0.4);
+        }
+        if (retried)
+        {
+            changed = 1;
+            (*cspan_at(&spans, j, INT64_C(5))) = 1.0 + 1.25 * failed;
+            if ((*cspan_at(&spans, j, INT64_C(7))) < 1e+300)
+            {
+                (*cspan_at(&spans, j, INT64_C(5))) = 0.5 * (failed + (*cspan_at(&spans, j, INT64_C(7))));
+            }
+        }
+    }
+    return changed;
+}
+static void search_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    int64_t j;
+    int64_t sweep;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        (*cspan_at(&spans, j, INT64_C(5))) = 0.0;
+        (*cspan_at(&spans, j, INT64_C(6))) = -1.0;
+        (*cspan_at(&spans, j, INT64_C(7))) = 1e+300;
+    }
+    for (sweep = INT64_C(0); sweep < INT64_C(10); sweep += INT64_C(1))
+    {
+        if (!try_path(given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work))
+        {
+            return;
+        }
+        if (((*cspan_at(&path, INT64_C(10))) > 1.03 * span_min((*cspan_at(&path, INT64_C(11))), known)) || (!tighten_path(spans)))
+        {
+            return;
+        }
+    }
+}
 static int64_t check_limits(array_double_2d limits, array_double_1d report)
 {
     int64_t axis;
@@ -29393,6 +31439,301 @@ int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells)
         }
     }
     return changed;
+}
+static void give_states(int64_t point, int64_t count, array_double_3d spots)
+{
+    int64_t axis;
+    int64_t field;
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            (*cspan_at(&spots, point * count + axis, INT64_C(0), field)) = 0.0;
+        }
+    }
+}
+static bool stays(int64_t point, array_double_3d choice)
+{
+    int64_t axis;
+    double here;
+    for (axis = INT64_C(0); axis < choice.shape[INT64_C(1)]; axis += INT64_C(1))
+    {
+        here = (*cspan_at(&choice, point, axis, INT64_C(0)));
+        if (here != (*cspan_at(&choice, point - INT64_C(1), axis, INT64_C(0))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static int64_t write_places(array_double_3d states, array_double_1d dwells, array_double_3d choice, array_double_1d place, array_double_3d spots)
+{
+    int64_t count;
+    int64_t point;
+    int64_t own;
+    int64_t axis;
+    int64_t field;
+    bool free;
+    int64_t places;
+    count = states.shape[INT64_C(1)];
+    copy_states(states, span_layers(&choice, INT64_C(0), states.shape[INT64_C(0)]));
+    segfmu_unite_waypoints(span_layers(&choice, INT64_C(0), states.shape[INT64_C(0)]), place);
+    for (point = INT64_C(1); point < states.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        own = (int64_t)((*cspan_at(&place, point)));
+        take_states(1, span_matrix(&choice, point), span_matrix(&choice, own));
+    }
+    places = (int64_t)((*cspan_at(&place, states.shape[INT64_C(0)] - INT64_C(1)))) + INT64_C(1);
+    for (point = INT64_C(0); point < places; point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+        {
+            for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+            {
+                free = is_free((*cspan_at(&choice, point, axis, INT64_C(1) + field)));
+                if (free)
+                {
+                    (*cspan_at(&choice, point, axis, INT64_C(1) + field)) = 0.0;
+                }
+                free = free && (INT64_C(0) < point) && (point < places - INT64_C(1));
+                (*cspan_at(&spots, point * count + axis, INT64_C(0), field)) = free;
+            }
+        }
+    }
+    for (point = INT64_C(0); point < states.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        own = (int64_t)((*cspan_at(&place, point)));
+        if ((*cspan_at(&dwells, point)) > 0.0)
+        {
+            give_states(own, count, spots);
+        }
+        if ((INT64_C(0) < own) && stays(own, choice))
+        {
+            give_states(own - INT64_C(1), count, spots);
+            give_states(own, count, spots);
+        }
+    }
+    return places;
+}
+bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_3d choice, array_double_1d place, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_2d grid, array_double_2d square, array_double_2d axes, array_double_2d work)
+{
+    int64_t count;
+    int64_t places;
+    array_double_3d given;
+    int64_t axis;
+    int64_t order;
+    double reached;
+    bool result;
+    count = states.shape[INT64_C(1)];
+    places = write_places(states, dwells, choice, place, spots);
+    given = span_layers(&choice, INT64_C(0), places);
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    {
+        for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+        {
+            if (!((*cspan_at(&lower, axis, order)) > 0.0))
+            {
+                (*cspan_at(&lower, axis, order)) = (*cspan_at(&limits, axis, order));
+            }
+        }
+    }
+    for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+    {
+        reached = 4.0 * segfmu_motion_scale(order, given, limits);
+        for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+        {
+            if (reached > 0.0)
+            {
+                (*cspan_at(&limits, axis, order)) = span_min((*cspan_at(&limits, axis, order)), reached);
+                (*cspan_at(&lower, axis, order)) = span_min((*cspan_at(&lower, axis, order)), reached);
+            }
+        }
+    }
+    (*cspan_at(&path, INT64_C(3))) = count;
+    (*cspan_at(&path, INT64_C(4))) = places;
+    (*cspan_at(&path, INT64_C(6))) = 0.0;
+    write_tracks(limits, lower, path, tracks);
+    write_grid((int64_t)((*cspan_at(&path, INT64_C(0)))), grid, square);
+    result = set_axes(limits, lower, axes, work);
+    return result;
+}
+static bool is_given(int64_t point, int64_t count, array_double_3d spots)
+{
+    int64_t axis;
+    int64_t field;
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    {
+        for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+        {
+            if ((*cspan_at(&spots, point * count + axis, INT64_C(0), field)) > 0.5)
+            {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+bool segfmu_next_passage(array_double_1d path, array_double_3d spots)
+{
+    int64_t count;
+    int64_t end;
+    int64_t first;
+    int64_t last;
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    end = (int64_t)((*cspan_at(&path, INT64_C(4)))) - INT64_C(1);
+    first = (int64_t)((*cspan_at(&path, INT64_C(6))));
+    while((first < end) && is_given(first + INT64_C(1), count, spots))
+    {
+        first = first + INT64_C(1);
+    }
+    last = first + INT64_C(1);
+    while((last < end) && (!is_given(last, count, spots)))
+    {
+        last = last + INT64_C(1);
+    }
+    (*cspan_at(&path, INT64_C(5))) = first;
+    (*cspan_at(&path, INT64_C(6))) = last;
+    return last <= end;
+}
+static double searched_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    int64_t attempts;
+    int64_t attempt;
+    double result;
+    copy_states(given, best);
+    (*cspan_at(&path, INT64_C(11))) = plan_lengths(given, spans, axes, cells, work);
+    (*cspan_at(&path, INT64_C(9))) = 10.0;
+    attempts = INT64_C(1);
+    if (is_moving(given))
+    {
+        (*cspan_at(&path, INT64_C(9))) = 3.0;
+        attempts = INT64_C(2);
+    }
+    for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))
+    {
+        search_states(known, given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work);
+        (*cspan_at(&path, INT64_C(9))) = 100.0;
+    }
+    result = (*cspan_at(&path, INT64_C(11)));
+    return result;
+}
+static bool choose_fields(bool all_fields, array_double_3d spots)
+{
+    int64_t i;
+    double admitted;
+    bool found;
+    found = 0;
+    for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        found = found || ((*cspan_at(&spots, i, INT64_C(1), INT64_C(1))) > 0.5);
+        (*cspan_at(&spots, i, INT64_C(2), INT64_C(1))) = 0.0;
+        if (all_fields)
+        {
+            admitted = (*cspan_at(&spots, i, INT64_C(1), INT64_C(1)));
+            (*cspan_at(&spots, i, INT64_C(2), INT64_C(1))) = admitted;
+        }
+    }
+    return found;
+}
+static double fastest_states(array_double_2d limits, array_double_2d lower, array_double_3d given, array_double_3d best, array_double_3d alone, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    double total;
+    double least;
+    total = searched_states(1e+300, given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work);
+    least = 1e+300;
+    if (choose_fields(0, spots))
+    {
+        least = searched_states(total, given, alone, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work);
+        if (least < total)
+        {
+            copy_states(alone, best);
+        }
+        least = polish_states(alone, path, limits, lower, spots, links, spans, axes, cells, timing, coefficients, rope, work);
+    }
+    choose_fields(1, spots);
+    total = polish_states(best, path, limits, lower, spots, links, spans, axes, cells, timing, coefficients, rope, work);
+    if (least < total)
+    {
+        copy_states(alone, best);
+        return least;
+    }
+    return total;
+}
+void segfmu_choose_passage(double room, array_double_2d limits, array_double_2d lower, array_double_2d allowed, array_double_3d choice, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+{
+    int64_t first;
+    int64_t last;
+    int64_t places;
+    int64_t count;
+    int64_t size;
+    array_double_3d given;
+    array_double_3d part;
+    array_double_3d kept;
+    array_double_3d own_spots;
+    array_double_3d own_links;
+    array_double_2d own_spans;
+    array_double_3d own_cells;
+    array_double_2d own_band;
+    double least;
+    int64_t attempt;
+    double share;
+    array_double_3d best;
+    array_double_3d alone;
+    array_double_3d tried;
+    double found;
+    first = (int64_t)((*cspan_at(&path, INT64_C(5))));
+    last = (int64_t)((*cspan_at(&path, INT64_C(6))));
+    places = (int64_t)((*cspan_at(&path, INT64_C(4))));
+    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
+    size = span_floor_div(choice.shape[INT64_C(0)], INT64_C(5));
+    given = span_layers(&choice, INT64_C(0), places);
+    part = span_layers(&choice, first, last + INT64_C(1));
+    kept = span_layers(&choice, INT64_C(4) * size + first, INT64_C(4) * size + last + INT64_C(1));
+    own_spots = span_layers(&spots, first * count, (last + INT64_C(1)) * count);
+    own_links = span_layers(&links, first * count, last * count);
+    own_spans = span_rows(&spans, first, last);
+    own_cells = span_layers(&cells, first * count, last * count);
+    own_band = span_rows(&band, INT64_C(0), INT64_C(2) * count * (last + INT64_C(1) - first));
+    least = 1e+300;
+    copy_states(part, kept);
+    for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
+    {
+        share = room;
+        if (attempt == INT64_C(1))
+        {
+            share = 0.25;
+            if (room <= 0.25)
+            {
+                break;
+            }
+        }
+        write_boxes(share, first, given, allowed, path, own_links);
+        if (!admit_states(first, given, path, own_spots, own_links))
+        {
+            continue;
+        }
+        widen_boxes(part, path, own_links, own_spans, axes, own_cells, timing, coefficients, rope, work);
+        best = span_layers(&choice, size + first, size + last + INT64_C(1));
+        alone = span_layers(&choice, INT64_C(2) * size + first, INT64_C(2) * size + last + INT64_C(1));
+        tried = span_layers(&choice, INT64_C(3) * size + first, INT64_C(3) * size + last + INT64_C(1));
+        found = fastest_states(limits, lower, part, best, alone, tried, path, tracks, own_spots, own_links, own_spans, grid, square, own_band, axes, own_cells, timing, coefficients, rope, work);
+        if (found < least)
+        {
+            least = found;
+            copy_states(best, kept);
+        }
+    }
+    copy_states(kept, part);
+}
+void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice)
+{
+    int64_t point;
+    int64_t own;
+    for (point = INT64_C(0); point < states.shape[INT64_C(0)]; point += INT64_C(1))
+    {
+        own = (int64_t)((*cspan_at(&place, point)));
+        take_states(0, span_matrix(&choice, own), span_matrix(&states, point));
+    }
 }
 static int64_t sensing_rows(double sample_time, double dead_time)
 {

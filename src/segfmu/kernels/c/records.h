@@ -1581,6 +1581,124 @@ enum {
     OPERATION_WORK_COLUMNS = 64
 };
 
+/* kernels/passage/records.py */
+
+enum {
+    CELLS_COUNT = 12,
+    CELLS_INNER = 11,
+    CELLS_ROWS = 56
+};
+
+enum {
+    PATH_ORDER = 0,
+    PATH_COMPONENTS = 1,
+    PATH_ROWS = 2,
+    PATH_AXES = 3,
+    PATH_PLACES = 4,
+    PATH_FIRST = 5,
+    PATH_LAST = 6,
+    PATH_TERMS = 7,
+    PATH_ROOM = 8,
+    PATH_START = 9,
+    PATH_TOTAL = 10,
+    PATH_BEST = 11,
+    PATH_MARGIN = 12,
+    PATH_SIZE = 13
+};
+
+enum {
+    TRACK_LIMIT = 0,
+    TRACK_MIDDLE = 4,
+    TRACK_SIZE = 6
+};
+
+enum {
+    FREE_VELOCITY = 0,
+    FREE_ACCELERATION = 1,
+    FREE_SIZE = 2
+};
+
+enum {
+    SPOT_FREE = 0,
+    SPOT_ADMITTED = 1,
+    SPOT_CHOSEN = 2,
+    SPOT_SHARE = 3,
+    SPOT_STEP = 4,
+    SPOT_TRIAL = 5,
+    SPOT_SIZE = 6,
+    SPOT_COLUMNS = 2
+};
+
+enum {
+    GRID_COLUMN_DISTANCE = 0,
+    GRID_COLUMN_ENDS = 1,
+    GRID_COLUMN_COMPONENTS = 5,
+    GRID_COLUMN_TIME = 14,
+    GRID_COLUMN_SIZE = 15
+};
+
+enum {
+    GRID_ROW_BY = 0,
+    GRID_ROW_ORDER = 14,
+    GRID_ROW_SHARE = 15,
+    GRID_ROW_SIZE = 16
+};
+
+enum {
+    LINK_BOX = 0,
+    LINK_WHERE = 1,
+    LINK_SCALE = 2,
+    LINK_POINT = 3,
+    LINK_STEP = 4,
+    LINK_TRIAL = 5,
+    LINK_GRADIENT = 6,
+    LINK_SLOPE = 7,
+    LINK_CURVE = 8,
+    LINK_SOLVED = 13,
+    LINK_KEPT = 22,
+    LINK_SIZE = 23,
+    LINK_COLUMNS = 15
+};
+
+enum {
+    STRETCH_TIME = 0,
+    STRETCH_STEP = 1,
+    STRETCH_TRIAL = 2,
+    STRETCH_BEND = 3,
+    STRETCH_PULL = 4,
+    STRETCH_DEGREE = 5,
+    STRETCH_FAILED = 6,
+    STRETCH_GOOD = 7,
+    STRETCH_SLOW = 8,
+    STRETCH_TRIED_SLOW = 9,
+    STRETCH_LENGTH = 10,
+    STRETCH_TRIED = 11,
+    STRETCH_SIZE = 12
+};
+
+enum {
+    SQUARE_UNIT = 0,
+    SQUARE_POWER = 1,
+    SQUARE_PART = 2,
+    SQUARE_SCALE = 3,
+    SQUARE_LINE = 4,
+    SQUARE_HESSIAN = 5,
+    SQUARE_CROSS = 20,
+    SQUARE_BENT = 21,
+    SQUARE_OWN = 22,
+    SQUARE_RIGHT = 31,
+    SQUARE_BASIS = 40,
+    SQUARE_SIZE = 49,
+    SQUARE_COLUMNS = 15
+};
+
+enum {
+    SOLVED_ENDS = 0,
+    SOLVED_TIME = 4,
+    SOLVED_ALONE = 5,
+    SOLVED_SIZE = 6
+};
+
 /* kernels/planner/records.py */
 
 enum {

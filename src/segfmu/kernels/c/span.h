@@ -44,6 +44,14 @@ static inline array_double_2d span_rows(const array_double_2d *a, int64_t first,
     return rows;
 }
 
+/* a[first:last, :, :] */
+static inline array_double_3d span_layers(const array_double_3d *a, int64_t first, int64_t last)
+{
+    const int64_t size = a->shape[1] * a->shape[2];
+    array_double_3d layers = {a->data + first * size, {last - first, a->shape[1], a->shape[2]}};
+    return layers;
+}
+
 /* a[first:last] */
 static inline array_double_1d span_piece(const array_double_1d *a, int64_t first, int64_t last)
 {

@@ -6,32 +6,11 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from segfmu.planning.central import CentralPath
-from segfmu.planning.grid import CELLS, grid
-from segfmu.planning.point import Point
+from segfmu.kernels.passage.grid import write_grid
+from segfmu.kernels.passage.records import Cells, GridRow, Square
+from tests.kernels.passage.missions import LIMITS, PLACES, Mission
 
-LIMITS = np.array([[1.0, 0.8, 2.0, 15.0], [0.6, 0.7, 3.0, 10.0]])
-PLACES = np.array([[0.0, 0.0], [0.6, 0.2], [0.9, 0.9], [1.8, 0.7]])
-EVERYWHERE = np.broadcast_to([-np.inf, np.inf], (3, 2, 2))
-
-
-def mission(box: np.ndarray = EVERYWHERE) -> CentralPath:
-    free = np.ones((4, 2, 2), dtype=np.bool_)
-    free[[0, -1]] = False
-    centre = np.zeros((2, 2))
-    return CentralPath(PLACES, np.zeros((4, 2, 2)), free, LIMITS, centre, np.ones((3, 4)), box)
-
-
-def followed(path: CentralPath, gap: float) -> Point:
-    point = path.start(10.0)
-    assert point is not None
-    theta = 0.1 * path.constraints / point.total
-    while path.constraints / (theta * point.total) > gap:
-        centred = path.centre(point, theta)
-        assert centred is not None
-        point = centred
-        theta *= 3.0
-    return point
+CELLS = Cells.COUNT
 
 
 def chain(order: int, start: tuple[float, float], control: np.ndarray, duration: float):
@@ -51,35 +30,37 @@ def chain(order: int, start: tuple[float, float], control: np.ndarray, duration:
 @pytest.mark.parametrize("order", [3, 4])
 def test_motions_on_the_grid_arrive_and_have_the_derivatives_it_says(order: int) -> None:
     random = np.random.default_rng(order)
-    maps = grid(order)
+    rows = 11 * order + CELLS
+    grid = np.zeros((Cells.ROWS, GridRow.SIZE))
+    write_grid(order, grid, np.zeros((Square.SIZE, Square.COLUMNS)))
+    orders = grid[:rows, GridRow.ORDER]
     distance, v, a, w, b = random.normal(size=5)
     duration = 1.7
     ends = [distance, v * duration, a * duration**2, w * duration, b * duration**2]
-    values = maps.rows @ np.array([*ends, *random.normal(size=maps.rows.shape[1] - 5)])
-    control = values[maps.orders == order] / duration**order
+    variables = np.array([*ends, *random.normal(size=CELLS - order)])
+    values = grid[:rows, : len(variables)] @ variables
+    control = values[orders == order] / duration**order
     states = chain(order, (v, a), control, duration)
     assert states[-1, :3] == pytest.approx([distance, w, b], abs=1e-9)
     assert states[-1, 3:] == pytest.approx(0.0, abs=1e-8)
     for d in range(order):
         scaled = states[1:-1, d] * duration**d
-        assert values[maps.orders == d] == pytest.approx(scaled, abs=1e-8)
+        assert values[orders == d] == pytest.approx(scaled, abs=1e-8)
 
 
 def test_steps_promise_the_slope_of_the_barrier() -> None:
-    path = mission()
-    point = followed(path, 3.0)
+    mission = Mission().followed(3.0)
     theta = 50.0
-    step, decrease = path._step(point, theta)
-    up, down = (path._value(point.moved(step, e), theta) for e in (1e-6, -1e-6))
+    decrease = mission.step(theta)
+    up, down = (mission.value(theta, e) for e in (1e-6, -1e-6))
     assert (down - up) / 2e-6 == pytest.approx(decrease, rel=1e-5)
 
 
 def test_the_end_of_the_path_cannot_be_shortened() -> None:
     """For durations that are 1 % shorter in all intervals a linear program finds no motion."""
-    path = mission()
-    point = followed(path, 1e-3)
-    assert shortest_slack(np.exp(point.times)) >= -1e-9
-    assert shortest_slack(0.99 * np.exp(point.times)) < 0.0
+    times = Mission().followed(1e-3).times
+    assert shortest_slack(times) >= -1e-9
+    assert shortest_slack(0.99 * times) < 0.0
 
 
 def shortest_slack(times: np.ndarray) -> float:
@@ -124,8 +105,7 @@ def axis_slack(times: np.ndarray, axis: int) -> float:
 def test_positions_keep_their_range() -> None:
     box = np.stack([np.minimum(PLACES[:-1], PLACES[1:]) - 0.02,
                     np.maximum(PLACES[:-1], PLACES[1:]) + 0.02], axis=2)
-    path, bound = mission(), mission(box)
-    free, kept = followed(path, 0.01), followed(bound, 0.01)
+    free, kept = Mission().followed(0.01), Mission(box).followed(0.01)
     # the same motions, judged by the range: the free one leaves it and is shorter
-    assert np.abs(bound._shares(free)).max() > 1.0 > np.abs(bound._shares(kept)).max()
-    assert free.total < kept.total
+    assert Mission(box).used(free) > 1.0 > Mission(box).used(kept)
+    assert free.times.sum() < kept.times.sum()

@@ -1,0 +1,179 @@
+"""The planner's durations with states, and whether it leaves the boxes.
+
+Cells, axes and work as for `plan_motion`; all axes meet in the waypoints. timing (rows, Timing) and
+coefficients (rows, 2 n) hold the pieces of a cell and the spare rows, rope (RopeWork, 8 n - 5) is
+work space. Rises are the usual ones: steeper ones would be those of the whole axis.
+"""
+
+from math import exp
+
+from segfmu.kernels.clearance.excursion import greatest_lack, write_room
+from segfmu.kernels.passage.records import Link, Path, Stretch
+from segfmu.kernels.planner.intervals import common_duration, set_shortest
+from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
+from segfmu.kernels.planner.plan import set_problems
+from segfmu.kernels.planner.plan_axis import note_shortest
+from segfmu.kernels.planner.records import Cell, Interval, Place, PlanOptions, WaypointState
+from segfmu.kernels.planner.sides import set_lower
+from segfmu.kernels.trajectory.expand import expand_cell
+from segfmu.kernels.trajectory.records import MotionWork, Timing
+
+
+def set_axes(
+    limits: 'float[:,:]', lower: 'float[:,:]', axes: 'float[:,:]', work: 'float[:,:]'
+) -> bool:
+    """Write the parameters of all axes; False if a ramp has no limit."""
+    planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
+    smoothness = int(work[MotionWork.OPTIONS, PlanOptions.SMOOTHNESS])
+    shape = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE])
+    for axis in range(axes.shape[0]):
+        axis_limits(smoothness, shape, limits[axis, :], axes[axis, :])
+        set_lower(lower[axis, :], axes[axis, :])
+        if not ramp_parameters(usual_share(axes[axis, :]), axes[axis, :], planner):
+            return False
+    return True
+
+
+def plan_alone(
+    place: int, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> bool:
+    """Write the shortest profile of an axis in an interval; False if it has none."""
+    cell = cells[place * axes.shape[0] + axis, :, :]
+    planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
+    status, duration = set_shortest(cell, axes[axis, :], planner)
+    if status < 0:
+        return False
+    note_shortest(duration, axes[axis, :], cell)
+    return True
+
+
+def least_length(
+    place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> float:
+    """The longest of the axes' shortest durations in an interval [s]; 1e300: one has none."""
+    longest = 0.0
+    for axis in range(axes.shape[0]):
+        if not plan_alone(place, axis, axes, cells, work):
+            return 1e300
+        longest = max(longest, shortest_of(place, axis, axes, cells))
+    return longest
+
+
+def common_length(
+    place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> float:
+    """The duration of an interval [s], whose shortest ones are known; 1e300: none."""
+    first = place * axes.shape[0]
+    planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
+    found = common_duration(0.0, 0.0, first, first + axes.shape[0], axes, cells, planner)
+    if found < 0.0:
+        return 1e300
+    return found
+
+
+def plan_lengths(
+    states: 'float[:,:,:]', spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
+    work: 'float[:,:]',
+) -> float:
+    """Write the durations of all intervals with states; their sum [s], or 1e300."""
+    set_problems(states, cells)
+    total = 0.0
+    for j in range(spans.shape[0]):
+        spans[j, Stretch.LENGTH] = least_length(j, axes, cells, work)
+        if spans[j, Stretch.LENGTH] < 1e300:
+            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
+        total = total + spans[j, Stretch.LENGTH]
+    return min(total, 1e300)
+
+
+def farthest_beyond(
+    side: int, low: float, high: float, first: float, cell: 'float[:,:]', axis: 'float[:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+) -> float:
+    """How far a planned cell, which begins at `first` [m], leaves a range above (0) or below."""
+    cell[Cell.PLACE, Place.POSITION] = first
+    cell[Cell.PLACE, Place.START] = 0.0
+    expansion = work[MotionWork.EXPANSION:MotionWork.CHECK, :]
+    count = expand_cell(cell, axis, timing, coefficients, 0, expansion)
+    known = 0.0
+    for row in range(count):
+        write_room(side, row, 0.0, low, high, coefficients, rope)
+        length = timing[row, Timing.LENGTH]
+        known = greatest_lack(coefficients.shape[1], length, known, rope)
+    return known
+
+
+def leaves_box(
+    place: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
+    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
+    rope: 'float[:,:]', work: 'float[:,:]',
+) -> bool:
+    """Whether a planned interval leaves its boxes by more than the margin."""
+    for axis in range(axes.shape[0]):
+        i = place * axes.shape[0] + axis
+        low = links[i, Link.BOX, 0]
+        high = links[i, Link.BOX, 1]
+        first = states[place, axis, WaypointState.POSITION]
+        if high - low < 1e300:
+            for side in range(2):
+                beyond = farthest_beyond(
+                    side, low, high, first, cells[i, :, :], axes[axis, :], timing, coefficients,
+                    rope, work,
+                )
+                if beyond > path[Path.MARGIN]:
+                    return True
+    return False
+
+
+def offer_states(
+    tried: 'float[:,:,:]', best: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+) -> int:
+    """Take states if their plan is shorter; writes which intervals are slow, and counts them.
+
+    An interval is slow if its plan takes longer than the path, or leaves its box.
+    """
+    set_problems(tried, cells)
+    total = 0.0
+    for j in range(spans.shape[0]):
+        spans[j, Stretch.LENGTH] = least_length(j, axes, cells, work)
+        total = total + spans[j, Stretch.LENGTH]
+    shorter = total < path[Path.BEST]
+    if shorter:
+        total = 0.0
+        for j in range(spans.shape[0]):
+            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
+            total = total + spans[j, Stretch.LENGTH]
+        shorter = total < path[Path.BEST]
+    count = 0
+    beyond = False
+    for j in range(spans.shape[0]):
+        # a profile keeps up with the path if it takes at most this much longer
+        slow = not spans[j, Stretch.LENGTH] <= 1.005 * exp(spans[j, Stretch.TIME])
+        if shorter and leaves_box(
+            j, tried, path, links, axes, cells, timing, coefficients, rope, work
+        ):
+            slow = True
+            beyond = True
+        spans[j, Stretch.TRIED_SLOW] = slow
+        if slow:
+            count = count + 1
+    if shorter and not beyond:
+        path[Path.BEST] = total
+        copy_states(tried, best)
+    return count
+
+
+def copy_states(source: 'float[:,:,:]', target: 'float[:,:,:]') -> None:
+    """target = source."""
+    for point in range(source.shape[0]):
+        for axis in range(source.shape[1]):
+            for i in range(WaypointState.SIZE):
+                target[point, axis, i] = source[point, axis, i]
+
+
+def shortest_of(place: int, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> float:
+    """The shortest duration of an axis in an interval, which is planned [s]."""
+    from_cell = place * axes.shape[0] + axis
+    return cells[from_cell, Cell.RESULT, Interval.SHORTEST]

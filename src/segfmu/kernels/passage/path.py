@@ -1,0 +1,219 @@
+"""The central path of a passage: free states and durations from an interior-point method.
+
+Towards the shortest total time within the limits at all nodes, Newton's method follows the central
+path: it minimises theta * (sum of durations) - sum of log(1 - share^2) for rising theta (Boyd and
+Vandenberghe, Convex Optimization, ch. 11). The conditions at the waypoints hold by construction, so
+every point is a motion. Axes that have time to spare stay in the middle of what they can do. Arrays
+as in barrier.py, band as in band.py.
+"""
+
+from math import log
+
+from segfmu.kernels.passage.band import band_solve, write_band, write_durations, write_steps
+from segfmu.kernels.passage.barrier import (
+    barrier_value,
+    largest_node_share,
+    path_total,
+    write_node_shares,
+    write_variables,
+)
+from segfmu.kernels.passage.model import write_model
+from segfmu.kernels.passage.records import (
+    GridColumn,
+    Free,
+    GridRow,
+    Link,
+    Path,
+    Spot,
+    Stretch,
+    Track,
+)
+
+
+def try_move(
+    share: float, path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]',
+) -> None:
+    """Write the tried point: the point of the path plus a share of the step."""
+    for i in range(spots.shape[0]):
+        for field in range(Free.SIZE):
+            change = 0.0
+            if share > 0.0:
+                change = share * spots[i, Spot.STEP, field]
+            spots[i, Spot.TRIAL, field] = spots[i, Spot.SHARE, field] + change
+    for i in range(links.shape[0]):
+        for j in range(GridColumn.SIZE):
+            change = 0.0
+            if share > 0.0:
+                change = share * links[i, Link.STEP, j]
+            links[i, Link.TRIAL, j] = links[i, Link.POINT, j] + change
+        links[i, Link.TRIAL, GridColumn.DISTANCE] = links[i, Link.POINT, GridColumn.DISTANCE]
+    for j in range(spans.shape[0]):
+        change = 0.0
+        if share > 0.0:
+            change = -log(1.0 - share * spans[j, Stretch.STEP])
+        spans[j, Stretch.TRIAL] = spans[j, Stretch.TIME] + change
+    write_variables(False, path, spots, links)
+
+
+def take_tried(spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]') -> None:
+    """Make the tried point that of the path."""
+    for i in range(spots.shape[0]):
+        for field in range(Free.SIZE):
+            spots[i, Spot.SHARE, field] = spots[i, Spot.TRIAL, field]
+    for i in range(links.shape[0]):
+        for j in range(GridColumn.SIZE):
+            links[i, Link.POINT, j] = links[i, Link.TRIAL, j]
+    for j in range(spans.shape[0]):
+        spans[j, Stretch.TIME] = spans[j, Stretch.TRIAL]
+
+
+def write_step_of(
+    theta: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
+    band: 'float[:,:]',
+) -> float:
+    """Write Newton's step at the tried point; the decrease it promises, below -1e299: none.
+
+    Where the barrier is not convex, a share is added to the diagonal.
+    """
+    axes = int(path[Path.AXES])
+    ridge = 0.0
+    for attempt in range(7):
+        for i in range(links.shape[0]):
+            axis = i % axes
+            time = spans[i // axes, Stretch.TRIAL]
+            write_model(ridge, path, tracks[axis, :], time, links[i, :, :], grid, square)
+        if write_durations(theta, path, links, spans):
+            write_band(path, tracks, spots, links, spans, band)
+            if band_solve(band):
+                return write_steps(path, tracks, spots, links, spans, band, theta)
+        # 0.1, 1, .. 1e4
+        ridge = max(10.0 * ridge, 0.1)
+    return -1e300
+
+
+def centre_path(
+    theta: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
+    band: 'float[:,:]',
+) -> bool:
+    """Go to the minimum of the barrier function, to about half a unit; False if none is found."""
+    for attempt in range(30):
+        try_move(0.0, path, spots, links, spans)
+        decrease = write_step_of(
+            theta, path, tracks, spots, links, spans, grid, square, band
+        )
+        if not -1e299 < decrease < 1e300:
+            return False
+        value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
+        longest = 1e-9
+        for j in range(spans.shape[0]):
+            longest = max(longest, abs(spans[j, Stretch.STEP]))
+        share = min(1.0, 0.6 / longest)
+        try_move(share, path, spots, links, spans)
+        while not (
+            barrier_value(theta, path, tracks, spots, links, spans, grid, square)
+            <= value - 0.1 * share * decrease
+        ):
+            share = 0.5 * share
+            if share < 1e-6:
+                return False
+            try_move(share, path, spots, links, spans)
+        take_tried(spots, links, spans)
+        if decrease < 0.5:
+            break
+    return True
+
+
+def begin_path(
+    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]',
+) -> bool:
+    """Begin at rest in the free states, with durations that keep half of the limits, or nearly.
+
+    If given states exceed the limits there, a point within them is found; False if there is none.
+    """
+    path[Path.ROOM] = 1.0
+    write_variables(False, path, spots, links)
+    write_times(path, tracks, links, spans, grid, square)
+    used = largest_node_share(False, path, tracks, links, spans, grid, square)
+    take_tried(spots, links, spans)
+    if used < 1.0:
+        return True
+    path[Path.ROOM] = 1.5 * used
+    return retreat(path, tracks, spots, links, spans, grid, square, band)
+
+
+def write_times(
+    path: 'float[:]', tracks: 'float[:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
+    grid: 'float[:,:]', square: 'float[:,:]',
+) -> None:
+    """Write durations of the tried point: the least that keeps half of the limits, of 120."""
+    axes = int(path[Path.AXES])
+    least = 0.0
+    reach = 0.0
+    for axis in range(axes):
+        limit = tracks[axis, Track.LIMIT]
+        least = max(least, limit / tracks[axis, Track.LIMIT + 1])
+        for j in range(spans.shape[0]):
+            distance = links[j * axes + axis, Link.TRIAL, GridColumn.DISTANCE]
+            reach = max(reach, abs(distance) / limit)
+    first = log(1e-3 * least)
+    growth = (log(1e3 * (least + reach)) - first) / 119.0
+    for j in range(spans.shape[0]):
+        fits = 1e300
+        for k in range(120):
+            used = 0.0
+            for axis in range(axes):
+                link = links[j * axes + axis, :, :]
+                write_node_shares(path, tracks[axis, :], first + growth * k, link, grid, square)
+                for row in range(int(path[Path.ROWS])):
+                    if grid[row, GridRow.ORDER] > 0.5:
+                        used = max(used, abs(grid[row, GridRow.SHARE]))
+            if used < fits:
+                fits = used
+                spans[j, Stretch.TRIAL] = first + growth * k
+            if used <= 0.5:
+                break
+
+
+def retreat(
+    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]',
+) -> bool:
+    """Take back step by step what given states exceed the limits by; False if that fails.
+
+    Where time counts much, short durations push against the limits, and what can be taken back
+    gets small. Where it counts little, the motion may turn into a detour.
+    """
+    for attempt in range(60):
+        theta = path[Path.TERMS] / (path[Path.START] * path_total(Stretch.TIME, spans))
+        if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
+            return False
+        try_move(0.0, path, spots, links, spans)
+        used = largest_node_share(False, path, tracks, links, spans, grid, square)
+        if used > 0.999:
+            return False
+        path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + 0.1 * (1.0 - used)))
+        if path[Path.ROOM] == 1.0:
+            return True
+    return False
+
+
+def follow_path(
+    theta: float, gap: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
+    band: 'float[:,:]',
+) -> float:
+    """Follow the path until its duration exceeds the shortest one by `gap`; the theta there.
+
+    -1 where it ends.
+    """
+    reached = 1e300
+    while reached > 1.05 * gap:
+        if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
+            return -1.0
+        reached = path[Path.TERMS] / (theta * path_total(Stretch.TIME, spans))
+        theta = theta * min(4.0, max(1.0, reached / gap))
+    return theta

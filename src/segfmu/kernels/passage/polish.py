@@ -1,0 +1,169 @@
+"""The last search: one free state after the other is moved while its two intervals get shorter.
+
+Arrays as in judge.py. A move changes the profiles of one axis in two intervals; the others stay.
+"""
+
+from segfmu.kernels.passage.judge import (
+    common_length,
+    leaves_box,
+    plan_alone,
+    plan_lengths,
+    shortest_of,
+)
+from segfmu.kernels.passage.records import Free, Link, Spot, Stretch
+from segfmu.kernels.planner.plan import set_problems
+from segfmu.kernels.planner.records import Cell, Interval, WaypointState
+
+
+def keep_cells(
+    point: int, axis: int, back: bool, axes: 'float[:,:]', cells: 'float[:,:,:]',
+    links: 'float[:,:,:]',
+) -> None:
+    """Keep what is known of an axis in the intervals beside a waypoint, or bring it back."""
+    for place in range(point - 1, point + 1):
+        i = place * axes.shape[0] + axis
+        if back:
+            cells[i, Cell.RESULT, Interval.SHORTEST] = links[i, Link.KEPT, 0]
+            cells[i, Cell.RESULT, Interval.PASSING] = links[i, Link.KEPT, 1]
+        else:
+            links[i, Link.KEPT, 0] = cells[i, Cell.RESULT, Interval.SHORTEST]
+            links[i, Link.KEPT, 1] = cells[i, Cell.RESULT, Interval.PASSING]
+
+
+def forget_profiles(point: int, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> None:
+    """Mark the phases of an axis beside a waypoint as those of other states (`set_stretched`)."""
+    for place in range(point - 1, point + 1):
+        cells[place * axes.shape[0] + axis, Cell.RESULT, Interval.ABOVE_COUNT] = 1.0
+
+
+def set_state(
+    value: float, point: int, axis: int, field: int, states: 'float[:,:,:]', axes: 'float[:,:]',
+    cells: 'float[:,:,:]',
+) -> None:
+    """Write a state, and the boundary problems beside it."""
+    states[point, axis, WaypointState.VELOCITY + field] = value
+    count = axes.shape[0]
+    first = (point - 1) * count
+    set_problems(states[point - 1:point + 2, :, :], cells[first:first + 2 * count, :, :])
+
+
+def tried_length(
+    known: float, point: int, axis: int, states: 'float[:,:,:]', path: 'float[:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+) -> float:
+    """Duration of the two intervals beside a waypoint [s] after a state of an axis has changed.
+
+    1e300 if that is no less than `known`, or leaves a box.
+    """
+    least = 0.0
+    for place in range(point - 1, point + 1):
+        if not plan_alone(place, axis, axes, cells, work):
+            return 1e300
+        longest = 0.0
+        for other in range(axes.shape[0]):
+            longest = max(longest, shortest_of(place, other, axes, cells))
+        least = least + longest
+    if not least < known:
+        return 1e300
+    total = 0.0
+    for place in range(point - 1, point + 1):
+        spans[place, Stretch.TRIED] = common_length(place, axes, cells, work)
+        total = total + spans[place, Stretch.TRIED]
+    if not total < known:
+        return 1e300
+    for place in range(point - 1, point + 1):
+        if leaves_box(
+            place, states, path, links, axes, cells, timing, coefficients, rope, work
+        ):
+            return 1e300
+    return total
+
+
+def polish_state(
+    step: float, point: int, axis: int, field: int, low: float, high: float,
+    states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]', spans: 'float[:,:]',
+    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+) -> None:
+    """Move a state within low .. high in the direction that gains more, as long as it gains."""
+    least = spans[point - 1, Stretch.LENGTH] + spans[point, Stretch.LENGTH]
+    move = step * 0.5 * (high - low)
+    before = 1e300
+    # both directions first, then the better one
+    for trial in range(1000):
+        here = states[point, axis, WaypointState.VELOCITY + field]
+        value = min(max(here + move, low), high)
+        keep_cells(point, axis, False, axes, cells, links)
+        set_state(value, point, axis, field, states, axes, cells)
+        # a millionth less is no gain
+        found = tried_length(
+            least * (1.0 - 1e-6), point, axis, states, path, links, spans, axes, cells, timing,
+            coefficients, rope, work,
+        )
+        if trial > 1 and found < 1e300:
+            least = found
+            for place in range(point - 1, point + 1):
+                spans[place, Stretch.LENGTH] = spans[place, Stretch.TRIED]
+            continue
+        set_state(here, point, axis, field, states, axes, cells)
+        keep_cells(point, axis, True, axes, cells, links)
+        forget_profiles(point, axis, axes, cells)
+        if trial > 1:
+            return
+        if trial == 0:
+            before = found
+            move = -move
+        elif before >= 1e300 and found >= 1e300:
+            return
+        elif before <= found:
+            move = -move
+
+
+def runs_backwards(spans: 'float[:,:]') -> bool:
+    """Whether the last intervals are longer than the first ones, by more than a millionth."""
+    count = spans.shape[0]
+    longest = 0.0
+    for j in range(count):
+        longest = max(longest, spans[j, Stretch.LENGTH])
+    for j in range(count):
+        ahead = spans[j, Stretch.LENGTH] - spans[count - 1 - j, Stretch.LENGTH]
+        if abs(ahead) > 1e-6 * longest:
+            return ahead < 0.0
+    return False
+
+
+def polish_states(
+    states: 'float[:,:,:]', path: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
+    spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]', axes: 'float[:,:]',
+    cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
+    rope: 'float[:,:]', work: 'float[:,:]',
+) -> float:
+    """Move all states that are chosen, by smaller and smaller steps; the duration then [s].
+
+    The points come in the order of the longer first interval, so that a path and its reverse end
+    alike.
+    """
+    count = axes.shape[0]
+    last = states.shape[0] - 1
+    plan_lengths(states, spans, axes, cells, work)
+    step = 0.03
+    for sweep in range(4):
+        backwards = runs_backwards(spans)
+        for k in range(1, last):
+            point = k
+            if backwards:
+                point = last - k
+            for axis in range(count):
+                for field in range(Free.SIZE):
+                    if spots[point * count + axis, Spot.CHOSEN, field] > 0.5:
+                        polish_state(
+                            step, point, axis, field, -lower[axis, field], limits[axis, field],
+                            states, path, links, spans, axes, cells, timing, coefficients, rope,
+                            work,
+                        )
+        step = 0.32 * step
+    total = 0.0
+    for j in range(spans.shape[0]):
+        total = total + spans[j, Stretch.LENGTH]
+    return total

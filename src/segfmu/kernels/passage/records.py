@@ -1,0 +1,128 @@
+"""Records of the choice of free states."""
+
+from segfmu.kernels.records import Codes, Record, field
+
+
+class Cells(Codes):
+    """Between two waypoints: cells of constant control, nodes within, and rows of a grid."""
+
+    COUNT = 12
+    INNER = 11
+    ROWS = 56
+
+
+class Path(Record):
+    """What a central path is of, and how far it has come."""
+
+    ORDER = field("of the derivative that is the control: 3 or 4")
+    COMPONENTS = field("of the control, which change nothing at the ends")
+    ROWS = field("of the grid")
+    AXES = field("that meet in the waypoints")
+    PLACES = field("of the waypoints")
+    FIRST = field("place at which the passage begins")
+    LAST = field("place at which it ends; 0: there is none yet")
+    TERMS = field("of the barrier")
+    ROOM = field("1; more while given states exceed the limits' shares")
+    START = field("gap at the first point")
+    TOTAL = field("duration of the last point", "s")
+    BEST = field("duration of the best plan, of states that are kept; 1e300: none", "s")
+    MARGIN = field("by which a plan may leave its box", "m")
+
+
+class Track(Record):
+    """What an axis may do."""
+
+    LIMIT = field("half ranges of velocity and acceleration, limits of jerk and snap", size=4)
+    MIDDLE = field("of the ranges of velocity and acceleration", "m/s, m/s2", size=2)
+
+
+class Free(Record):
+    """Velocity and acceleration of an axis at a waypoint, or what belongs to them."""
+
+    VELOCITY = field("velocity")
+    ACCELERATION = field("acceleration")
+
+
+class Spot(Record):
+    """An axis at a waypoint: rows for its state over the limits."""
+
+    FREE = field("1 where it is free to be chosen", of=Free)
+    ADMITTED = field("1 where a motion may have it within its boxes", of=Free)
+    CHOSEN = field("1 where it is chosen now", of=Free)
+    SHARE = field("at the point of the path", of=Free)
+    STEP = field("Newton's step", of=Free)
+    TRIAL = field("at the point that is tried", of=Free)
+
+
+class GridColumn(Record):
+    """What a derivative at a node depends on."""
+
+    DISTANCE = field("distance between the waypoints", "m")
+    ENDS = field("velocity and acceleration at both ends, over their limits", size=4)
+    COMPONENTS = field("of the control, over its limit", size=9)
+    TIME = field("logarithm of the duration, in the barrier's model")
+
+
+class GridRow(Record):
+    """A derivative at a node, or the control in a cell."""
+
+    BY = field("its dependence on each `GridColumn`", size=GridColumn.TIME)
+    ORDER = field("of the derivative")
+    SHARE = field("its value over its limit")
+
+
+class Link(Record):
+    """An axis between two waypoints."""
+
+    BOX = field("range of the positions; beyond 1e300: none", "m")
+    WHERE = field("range of the derivatives less what the middle is, by order, over half of it")
+    SCALE = field("one over half of the range of each order")
+    POINT = field("variables of the point of the path", of=GridColumn)
+    STEP = field("Newton's step", of=GridColumn)
+    TRIAL = field("variables of the point that is tried", of=GridColumn)
+    GRADIENT = field("of the barrier", of=GridColumn)
+    SLOPE = field("of the barrier without the components", of=GridColumn)
+    CURVE = field("its curvature", size=5, of=GridColumn)
+    SOLVED = field("components by what is around them, see Solved", size=9, of=GridColumn)
+    KEPT = field("shortest duration and its kind (Interval), before a state is moved")
+
+
+class Stretch(Record):
+    """An interval between two waypoints."""
+
+    TIME = field("logarithm of the duration at the point of the path")
+    STEP = field("Newton's step, of one over the duration")
+    TRIAL = field("logarithm of the duration at the point that is tried")
+    BEND = field("curvature by the duration")
+    PULL = field("slope by the duration")
+    DEGREE = field("how tight the limits are")
+    FAILED = field("highest degree at which the planner took longer; -1: none")
+    GOOD = field("degree at which all kept up; 1e300: none")
+    SLOW = field("1: the planner takes longer than the path, or leaves the box")
+    TRIED_SLOW = field("the same with the states that were tried last")
+    LENGTH = field("duration of the plan; 1e300: none", "s")
+    TRIED = field("the same with a state that is moved", "s")
+
+
+class Square(Record):
+    """Rows of work space: small matrices."""
+
+    UNIT = field("of each column, with its power of the duration", of=GridColumn)
+    POWER = field("of the duration", of=GridColumn)
+    PART = field("the column's variable in this unit", of=GridColumn)
+    SCALE = field("of a derivative, by its order: what makes it a share")
+    LINE = field("its slopes", of=GridColumn)
+    HESSIAN = field("of the barrier, its lower half", size=GridColumn.SIZE, of=GridColumn)
+    CROSS = field("by a variable and the duration: of products of slopes", of=GridColumn)
+    BENT = field("the same, of the shares' own curvature", of=GridColumn)
+    OWN = field("its part of the components", size=9, of=GridColumn)
+    RIGHT = field("right-hand sides", size=9, of=GridColumn)
+    BASIS = field("orthogonal controls that change nothing at the ends", size=9, of=GridColumn)
+
+
+class Solved(Record):
+    """Columns of `Link.SOLVED`, by which the components change."""
+
+    ENDS = field("states at the ends", size=4)
+    TIME = field("logarithm of the duration")
+    ALONE = field("without a change of these")

@@ -1,0 +1,247 @@
+"""States on central paths that the planner can keep up with.
+
+The states of the central path are nearly optimal, but the planner's profiles are not all motions:
+between some states they take longer than the path. Where they do, the path is found again with
+smaller shares of the jerk and snap limits in that interval, until the planner keeps up. What counts
+is the planner's own duration. Arrays as in path.py and judge.py.
+"""
+
+from math import floor, sqrt
+
+from segfmu.kernels.passage.judge import offer_states
+from segfmu.kernels.passage.path import begin_path, follow_path, path_total
+from segfmu.kernels.passage.records import (
+    Cells,
+    GridColumn,
+    Free,
+    Link,
+    Path,
+    Spot,
+    Stretch,
+    Track,
+)
+from segfmu.kernels.planner.records import PlanOptions, Shape, WaypointState
+from segfmu.kernels.trajectory.records import MotionWork
+
+
+def write_tracks(
+    limits: 'float[:,:]', lower: 'float[:,:]', path: 'float[:]', tracks: 'float[:,:]'
+) -> None:
+    """Write limits up to the order of the control.
+
+    If a limit above the snap alone bounds it, the snap is about what the ramp to the acceleration
+    limit needs.
+    """
+    path[Path.ORDER] = 3.0
+    for axis in range(limits.shape[0]):
+        for field in range(Free.SIZE):
+            half = 0.5 * (limits[axis, field] + lower[axis, field])
+            tracks[axis, Track.LIMIT + field] = half
+            tracks[axis, Track.MIDDLE + field] = limits[axis, field] - half
+        acceleration = tracks[axis, Track.LIMIT + 1]
+        jerk = limit_of(2, axis, limits)
+        snap = limit_of(3, axis, limits)
+        crackle = limit_of(4, axis, limits)
+        if crackle < 1e100:
+            snap = min(snap, (crackle * crackle * acceleration) ** (1.0 / 3.0))
+        pop = limit_of(5, axis, limits)
+        if pop < 1e100:
+            snap = min(snap, sqrt(pop * acceleration))
+        if snap < 1e100:
+            path[Path.ORDER] = 4.0
+        if jerk < 1e100:
+            snap = min(snap, 10.0 * jerk * jerk / acceleration)
+        tracks[axis, Track.LIMIT + 2] = jerk
+        tracks[axis, Track.LIMIT + 3] = snap
+    path[Path.COMPONENTS] = Cells.COUNT - path[Path.ORDER]
+    path[Path.ROWS] = path[Path.ORDER] * Cells.INNER + Cells.COUNT
+
+
+def limit_of(place: int, axis: int, limits: 'float[:,:]') -> float:
+    """A limit, from the velocity on; 1e100 where there is none."""
+    if place < limits.shape[1]:
+        if limits[axis, place] > 0.0:
+            return min(limits[axis, place], 1e100)
+    return 1e100
+
+
+def limit_share(order: int, degree: float, smoothstep: bool) -> float:
+    """Share of a limit that a path may use in an interval, for a degree of tightness."""
+    share = 1.0
+    if order == 3:
+        share = 0.93**degree
+        # what smoothsteps use of the limits, about
+        if smoothstep:
+            share = 0.6 * share
+    elif order == 4:
+        share = 0.75**degree
+        if smoothstep:
+            share = 0.5 * share
+    return share
+
+
+def write_scales_of(
+    smoothstep: bool, given: 'float[:,:,:]', path: 'float[:]', tracks: 'float[:,:]',
+    spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
+) -> None:
+    """Write what the links are measured in, and the tried point: rest in the free states."""
+    count = int(path[Path.AXES])
+    path[Path.TERMS] = path[Path.ROWS] * links.shape[0]
+    for i in range(spots.shape[0]):
+        for field in range(Free.SIZE):
+            state = given[i // count, i % count, WaypointState.VELOCITY + field]
+            spots[i, Spot.TRIAL, field] = state / tracks[i % count, Track.LIMIT + field]
+            if spots[i, Spot.CHOSEN, field] > 0.5:
+                spots[i, Spot.TRIAL, field] = 0.0
+                path[Path.TERMS] = path[Path.TERMS] + 1.0
+    for i in range(links.shape[0]):
+        axis = i % count
+        first = given[i // count, axis, WaypointState.POSITION]
+        for j in range(GridColumn.SIZE):
+            links[i, Link.TRIAL, j] = 0.0
+        last = given[i // count + 1, axis, WaypointState.POSITION]
+        links[i, Link.TRIAL, GridColumn.DISTANCE] = last - first
+        write_box_scale(first, links[i, :, :])
+        for order in range(1, int(path[Path.ORDER]) + 1):
+            limit = tracks[axis, Track.LIMIT + order - 1]
+            share = limit_share(order, spans[i // count, Stretch.DEGREE], smoothstep)
+            links[i, Link.SCALE, order] = 0.0
+            links[i, Link.WHERE, order] = 0.0
+            if limit < 1e100:
+                links[i, Link.SCALE, order] = 1.0 / (limit * share)
+            if order < 3:
+                links[i, Link.WHERE, order] = -tracks[axis, Track.MIDDLE + order - 1] / limit
+
+
+def write_box_scale(first: float, link: 'float[:,:]') -> None:
+    """Write what positions are measured in; those of a link begin at `first` [m]."""
+    half = 0.5 * (link[Link.BOX, 1] - link[Link.BOX, 0])
+    link[Link.SCALE, 0] = 0.0
+    link[Link.WHERE, 0] = 0.0
+    if half < 1e300:
+        # an axis that may not move has a range all the same, of no size to speak of
+        half = max(half, link[Link.BOX, 2])
+        link[Link.SCALE, 0] = 1.0 / half
+        middle = 0.5 * (link[Link.BOX, 0] + link[Link.BOX, 1])
+        link[Link.WHERE, 0] = (first - middle) / half
+
+
+def write_tried(
+    given: 'float[:,:,:]', path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
+    tried: 'float[:,:,:]',
+) -> None:
+    """Write the states of the path, multiples of the limit over 2^16.
+
+    Their last digits depend on the processor; without these, all plan the same.
+    """
+    count = int(path[Path.AXES])
+    for i in range(spots.shape[0]):
+        point = i // count
+        axis = i % count
+        for k in range(WaypointState.SIZE):
+            tried[point, axis, k] = given[point, axis, k]
+        for field in range(Free.SIZE):
+            if spots[i, Spot.CHOSEN, field] > 0.5:
+                share = spots[i, Spot.SHARE, field]
+                digits = floor(65536.0 * abs(share) + 0.5) / 65536.0
+                if share < 0.0:
+                    digits = -digits
+                state = digits * tracks[axis, Track.LIMIT + field]
+                tried[point, axis, WaypointState.VELOCITY + field] = state
+
+
+def gap_of(place: int) -> float:
+    """By how much the duration of a point may exceed the shortest one, at most."""
+    if place == 0:
+        return 0.3
+    if place == 1:
+        return 0.1
+    return 0.03
+
+
+def try_path(
+    given: 'float[:,:,:]', best: 'float[:,:,:]', tried: 'float[:,:,:]', path: 'float[:]',
+    tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
+    grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]', axes: 'float[:,:]',
+    cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
+    rope: 'float[:,:]', work: 'float[:,:]',
+) -> bool:
+    """Offer the states on a path; writes the intervals in which the best of them are slow.
+
+    False if the path has none.
+    """
+    smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
+    write_scales_of(smoothstep, given, path, tracks, spots, links, spans)
+    if not begin_path(path, tracks, spots, links, spans, grid, square, band):
+        return False
+    theta = path[Path.TERMS] / (path[Path.START] * path_total(int(Stretch.TIME), spans))
+    fewest = spans.shape[0] + 1
+    for place in range(3):
+        theta = follow_path(
+            theta, gap_of(place), path, tracks, spots, links, spans, grid, square, band
+        )
+        if theta < 0.0:
+            break
+        path[Path.TOTAL] = path_total(int(Stretch.TIME), spans)
+        write_tried(given, path, tracks, spots, tried)
+        slow = offer_states(
+            tried, best, path, links, spans, axes, cells, timing, coefficients, rope, work
+        )
+        if slow < fewest:
+            fewest = slow
+            for j in range(spans.shape[0]):
+                spans[j, Stretch.SLOW] = spans[j, Stretch.TRIED_SLOW]
+    return fewest <= spans.shape[0]
+
+
+def search_states(
+    known: float, given: 'float[:,:,:]', best: 'float[:,:,:]', tried: 'float[:,:,:]',
+    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]',
+    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+) -> None:
+    """Offer the states of paths that are as tight as they need to be, until none can be faster.
+
+    known: duration of a plan beside which others are of interest [s].
+    """
+    for j in range(spans.shape[0]):
+        spans[j, Stretch.DEGREE] = 0.0
+        spans[j, Stretch.FAILED] = -1.0
+        spans[j, Stretch.GOOD] = 1e300
+    for sweep in range(10):
+        if not try_path(
+            given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes,
+            cells, timing, coefficients, rope, work,
+        ):
+            return
+        # a path this much longer than the best plan holds nothing faster
+        if path[Path.TOTAL] > 1.03 * min(path[Path.BEST], known) or not tighten_path(spans):
+            return
+
+
+def tighten_path(spans: 'float[:,:]') -> bool:
+    """Set the degrees of the next path; False if there is none to try.
+
+    An interval that was slow gets tighter; if none was, those that once were get looser.
+    """
+    any_slow = False
+    for j in range(spans.shape[0]):
+        if spans[j, Stretch.SLOW] > 0.5:
+            any_slow = True
+            degree = spans[j, Stretch.DEGREE]
+            spans[j, Stretch.FAILED] = max(spans[j, Stretch.FAILED], degree)
+    changed = False
+    for j in range(spans.shape[0]):
+        failed = spans[j, Stretch.FAILED]
+        if not any_slow:
+            spans[j, Stretch.GOOD] = spans[j, Stretch.DEGREE]
+        retried = spans[j, Stretch.SLOW] > 0.5
+        if not any_slow:
+            retried = failed >= 0.0 and spans[j, Stretch.GOOD] - failed > 0.4
+        if retried:
+            changed = True
+            spans[j, Stretch.DEGREE] = 1.0 + 1.25 * failed
+            if spans[j, Stretch.GOOD] < 1e300:
+                spans[j, Stretch.DEGREE] = 0.5 * (failed + spans[j, Stretch.GOOD])
+    return changed
