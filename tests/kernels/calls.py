@@ -101,16 +101,7 @@ from segfmu.kernels.operation.records import (
     ReadyFault,
     Slot,
 )
-from segfmu.kernels.passage.records import (
-    Cells,
-    GridRow,
-    Link,
-    Path,
-    Spot,
-    Square,
-    Stretch,
-    Track,
-)
+from segfmu.kernels.passage.records import Block, Link, Path, Spot, Stretch, Tools, Track
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -435,28 +426,26 @@ def passage_calls() -> dict[str, Call]:
     states[:, :, WaypointState.POSITION] = [[0.0, 0.0], [1.0, 0.4], [2.0, 1.0]]
     states[1, :, WaypointState.VELOCITY :] = np.nan
     limits = np.tile([1.0, 1.0, 4.0, 20.0, *[0.0] * (SMOOTHNESS - 3)], (2, 1))
-    bounds = limits, 0.8 * limits[:, : Lower.SIZE]
-    work, path = zeros(MotionWork.SIZE, MotionWork.COLUMNS), zeros(Path.SIZE)
+    work, tools = zeros(MotionWork.SIZE, MotionWork.COLUMNS), zeros(Tools.SIZE, Tools.COLUMNS)
     work[MotionWork.OPTIONS, : PlanOptions.SIZE] = SMOOTHNESS, 1.0, 1.0, 0.0, 0.0
-    choice, place = zeros(5 * points, 2, WaypointState.SIZE), zeros(points)
-    spots, tracks = zeros(2 * points, Spot.SIZE, Spot.COLUMNS), zeros(2, Track.SIZE)
-    maps = zeros(Cells.ROWS, GridRow.SIZE), zeros(Square.SIZE, Square.COLUMNS)
-    axes = zeros(2, Axis.SIZE)
+    tools[Tools.PATH, Path.SHARE] = 0.25
+    choice, place = zeros(Block.COUNT * points, 2, WaypointState.SIZE), zeros(points)
+    axes, spots = zeros(2, Track.SIZE), zeros(2 * points, Spot.SIZE, Spot.COLUMNS)
     begun = (
-        states, zeros(points), *bounds, choice, place, path, tracks, spots, *maps, axes, work,
+        states, zeros(points), limits, 0.8 * limits[:, : Lower.SIZE],
+        np.tile([-9.0, 9.0], (2, 1)), choice, place, tools, axes, spots, work,
     )
     backend.begin_choice(*begun)
-    found = path.copy()
+    found = tools.copy()
     backend.next_passage(found, spots)
     rows, links = 2 * Spare.ROWS, 2 * (points - 1)
     return {
         "begin_choice": begun,
-        "next_passage": (path.copy(), spots),
+        "next_passage": (tools.copy(), spots),
         "choose_passage": (
-            0.25, *bounds, np.tile([-9.0, 9.0], (2, 1)), choice.copy(), found, tracks, spots,
-            zeros(links, Link.SIZE, Link.COLUMNS), zeros(points, Stretch.SIZE), *maps,
-            zeros(4 * points, 9), axes, zeros(links, Cell.SIZE, Cell.COLUMNS),
-            zeros(rows, Timing.SIZE), zeros(rows, width), zeros(RopeWork.SIZE, 4 * width - 5),
+            choice.copy(), found, axes, spots, zeros(links, Link.SIZE, Link.COLUMNS),
+            zeros(points, Stretch.SIZE), zeros(4 * points, 9),
+            zeros(links, Cell.SIZE, Cell.COLUMNS), zeros(rows, Timing.SIZE), zeros(rows, width),
             work.copy(),
         ),
         "end_choice": (states.copy(), place, choice),

@@ -76,15 +76,16 @@ def _spans(text: str) -> str:
     """Replace the slices and the minima by the functions of span.h."""
     every = r"\{c_ALL\}"
     index = r"\{([^{},]+)\}"
+    part = r"\{([^{},]+), ([^{},]+)\}"
     rules = (
         (rf"cspan_slice\(array_double_1d, (&\w+), {index}, {every}\)", r"span_row(\1, \2)"),
         (rf"cspan_slice\(array_double_2d, (&\w+), {index}, {every}, {every}\)",
          r"span_matrix(\1, \2)"),
-        (rf"cspan_slice\(array_double_2d, (&\w+), \{{([^{{}},]+), ([^{{}},]+)\}}, {every}\)",
+        (rf"cspan_slice\(array_double_2d, (&\w+), {part}, {every}\)",
          r"span_rows(\1, \2, \3)"),
-        (rf"cspan_slice\(array_double_3d, (&\w+), \{{([^{{}},]+), ([^{{}},]+)\}}, {every}, {every}\)",
+        (rf"cspan_slice\(array_double_3d, (&\w+), {part}, {every}, {every}\)",
          r"span_layers(\1, \2, \3)"),
-        (r"cspan_slice\(array_int64_t_1d, (&\w+), \{([^{},]+), ([^{},]+)\}\)",
+        (rf"cspan_slice\(array_int64_t_1d, (&\w+), {part}\)",
          r"span_part(\1, \2, \3)"),
         (r"cspan_slice\(array_double_1d, (&\w+), \{([^{},]+), ([^{},]+)\}\)",
          r"span_piece(\1, \2, \3)"),

@@ -115,16 +115,7 @@ from segfmu.kernels.operation.records import (
     ReadyFault,
     Slot,
 )
-from segfmu.kernels.passage.records import (
-    Cells,
-    GridRow,
-    Link,
-    Path,
-    Spot,
-    Square,
-    Stretch,
-    Track,
-)
+from segfmu.kernels.passage.records import Block, Link, Spot, Stretch, Tools, Track
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
@@ -203,9 +194,9 @@ MOTION: dict[str, Extent | tuple[Extent, ...]] = {
 }
 
 CHOICE: dict[str, Extent | tuple[Extent, ...]] = {
-    "choice": ("5 * points", "axes", WaypointState.SIZE), "path": Path.SIZE,
-    "tracks": ("axes", Track.SIZE), "spots": ("points * axes", Spot.SIZE, Spot.COLUMNS),
-    "grid": (Cells.ROWS, GridRow.SIZE), "square": (Square.SIZE, Square.COLUMNS),
+    "choice": (f"{Block.COUNT} * points", "axes", WaypointState.SIZE),
+    "tools": (Tools.SIZE, Tools.COLUMNS), "axes": ("axes", Track.SIZE),
+    "spots": ("points * axes", Spot.SIZE, Spot.COLUMNS),
     "work": (MotionWork.SIZE, MotionWork.COLUMNS),
 }
 
@@ -562,20 +553,18 @@ ENTRY_POINTS = (
     entry(
         "passage.choose", "begin_choice", states=("points", "axes", WaypointState.SIZE),
         dwells="points", limits=("axes", f"{MOTION_SMOOTHNESS} + 1"), lower=("axes", Lower.SIZE),
-        place="points", axes=("axes", Axis.SIZE), **CHOICE,
+        allowed=("axes", 2), place="points", **CHOICE,
     ),
     entry(
-        "passage.choose", "next_passage", path=Path.SIZE, spots=("spots", Spot.SIZE, Spot.COLUMNS),
+        "passage.choose", "next_passage", tools=(Tools.SIZE, Tools.COLUMNS),
+        spots=("spots", Spot.SIZE, Spot.COLUMNS),
     ),
     entry(
-        "passage.choose", "choose_passage", limits=("axes", f"{MOTION_SMOOTHNESS} + 1"),
-        lower=("axes", Lower.SIZE), allowed=("axes", 2), **CHOICE,
-        links=("(points - 1) * axes", Link.SIZE, Link.COLUMNS), spans=("points", Stretch.SIZE),
-        band=("2 * points * axes", "4 * axes + 1"), axes=("axes", Axis.SIZE),
+        "passage.choose", "choose_passage", links=("(points - 1) * axes", Link.SIZE, Link.COLUMNS),
+        spans=("points", Stretch.SIZE), band=("2 * points * axes", "4 * axes + 1"),
         cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
         timing=(2 * Spare.ROWS, Timing.SIZE),
-        coefficients=(2 * Spare.ROWS, f"2 * {MOTION_SMOOTHNESS}"),
-        rope=(RopeWork.SIZE, f"8 * {MOTION_SMOOTHNESS} - 5"),
+        coefficients=(2 * Spare.ROWS, f"2 * {MOTION_SMOOTHNESS}"), **CHOICE,
     ),
     entry(
         "passage.choose", "end_choice", states=("points", "axes", WaypointState.SIZE),

@@ -8,18 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import RopeWork
-from segfmu.kernels.passage.records import (
-    Cells,
-    GridRow,
-    Link,
-    Path,
-    Spot,
-    Square,
-    Stretch,
-    Track,
-)
-from segfmu.kernels.planner.records import Axis, Cell, WaypointState
+from segfmu.kernels.passage.records import Block, Link, Path, Spot, Stretch, Tools, Track
+from segfmu.kernels.planner.records import Cell, WaypointState
 from segfmu.kernels.trajectory.records import MotionWork, Spare, Timing
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.problem import Problem
@@ -82,45 +72,39 @@ class _Choice:
         points, count = self.states.shape[:2]
         width = 2 * problem.options.smoothness
         self._place = np.zeros(points)
-        self._limits = problem.limits[axes].copy(), problem.lower[axes].copy()
-        self._room = min(overshoot, EVERYWHERE)
-        self._allowed = np.clip(allowed[axes], -EVERYWHERE, EVERYWHERE)
-        self._choice = np.zeros((5 * points, count, WaypointState.SIZE))
-        self._path, self._tracks = np.zeros(Path.SIZE), np.zeros((count, Track.SIZE))
+        self._tools = np.zeros((Tools.SIZE, Tools.COLUMNS))
+        self._tools[Tools.PATH, Path.SHARE] = min(overshoot, EVERYWHERE)
+        self._choice = np.zeros((Block.COUNT * points, count, WaypointState.SIZE))
+        self._axes = np.zeros((count, Track.SIZE))
         self._spots = np.zeros((points * count, Spot.SIZE, Spot.COLUMNS))
-        self._links = np.zeros(((points - 1) * count, Link.SIZE, Link.COLUMNS))
-        self._spans = np.zeros((points, Stretch.SIZE))
-        self._grid = np.zeros((Cells.ROWS, GridRow.SIZE))
-        self._square = np.zeros((Square.SIZE, Square.COLUMNS))
-        self._band = np.zeros((2 * points * count, 4 * count + 1))
-        self._axes = np.zeros((count, Axis.SIZE))
-        self._cells = np.zeros(((points - 1) * count, Cell.SIZE, Cell.COLUMNS))
-        self._timing = np.zeros((2 * Spare.ROWS, Timing.SIZE))
-        self._coefficients = np.zeros((2 * Spare.ROWS, width))
-        self._rope = np.zeros((RopeWork.SIZE, 4 * width - 5))
         self._work = np.zeros((MotionWork.SIZE, MotionWork.COLUMNS))
         options = replace(problem.options, synchronize="waypoints", sample_time=0.0, duration=0.0)
         self._work[MotionWork.OPTIONS, : len(options.vector)] = options.vector
-        self._going_on = backend.begin_choice(
-            self.states, problem.dwells, *self._limits, self._choice, self._place, self._path,
-            self._tracks, self._spots, self._grid, self._square, self._axes, self._work,
+        self._bounded = backend.begin_choice(
+            self.states, problem.dwells, problem.limits[axes].copy(), problem.lower[axes].copy(),
+            np.clip(allowed[axes], -EVERYWHERE, EVERYWHERE), self._choice, self._place,
+            self._tools, self._axes, self._spots, self._work,
+        )
+        self._room = (
+            np.zeros(((points - 1) * count, Link.SIZE, Link.COLUMNS)),
+            np.zeros((points, Stretch.SIZE)), np.zeros((2 * points * count, 4 * count + 1)),
+            np.zeros(((points - 1) * count, Cell.SIZE, Cell.COLUMNS)),
+            np.zeros((2 * Spare.ROWS, Timing.SIZE)), np.zeros((2 * Spare.ROWS, width)),
         )
 
     @property
     def passages(self) -> int:
         """How many passages there are."""
-        path, found = self._path.copy(), 0
-        while backend.next_passage(path, self._spots):
+        tools, found = self._tools.copy(), 0
+        while backend.next_passage(tools, self._spots):
             found += 1
         return found
 
     def choose_next(self) -> bool:
         """Choose the states of the next passage; False if there is none."""
-        if self._going_on and backend.next_passage(self._path, self._spots):
+        if self._bounded and backend.next_passage(self._tools, self._spots):
             backend.choose_passage(
-                self._room, *self._limits, self._allowed, self._choice, self._path, self._tracks,
-                self._spots, self._links, self._spans, self._grid, self._square, self._band,
-                self._axes, self._cells, self._timing, self._coefficients, self._rope, self._work,
+                self._choice, self._tools, self._axes, self._spots, *self._room, self._work
             )
             return True
         backend.end_choice(self.states, self._place, self._choice)

@@ -937,16 +937,16 @@ static double shortest_of(int64_t place, int64_t axis, array_double_2d axes, arr
 static double least_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
-static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static void copy_states(array_double_3d source, array_double_3d target);
-static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static double extent(int64_t axis, array_double_3d given);
-static void write_boxes(double room, int64_t first, array_double_3d given, array_double_2d allowed, array_double_1d path, array_double_3d links);
-static bool admit_states(int64_t first, array_double_3d given, array_double_1d path, array_double_3d spots, array_double_3d links);
+static void write_boxes(double room, int64_t first, array_double_3d given, array_double_1d path, array_double_2d axes, array_double_3d links);
+static bool admit_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links);
 static bool is_moving(array_double_3d states);
 static void write_margin(array_double_1d path, array_double_3d links);
-static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static double power_over_factorial(double base, int64_t exponent);
 static double control_effect(int64_t order, int64_t derivative, int64_t cell, int64_t node);
 static double end_effect(int64_t derivative, int64_t column, double time);
@@ -958,10 +958,10 @@ static void write_grid(int64_t order, array_double_2d grid, array_double_2d squa
 static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links);
 static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells);
 static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells);
-static double tried_length(double known, int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
-static void polish_state(double step, int64_t point, int64_t axis, int64_t field, double low, double high, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool runs_backwards(array_double_2d spans);
-static double polish_states(array_double_3d states, array_double_1d path, array_double_2d limits, array_double_2d lower, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
 static void add_share(int64_t row, int64_t count, double bend, array_double_2d link, array_double_2d grid, array_double_2d square);
 static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
@@ -983,9 +983,10 @@ static void write_box_scale(double first, array_double_2d link);
 static void write_scales_of(bool smoothstep, array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans);
 static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried);
 static double gap_of(int64_t place);
-static bool try_path(array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice);
+static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool tighten_path(array_double_2d spans);
-static void search_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static void search_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
@@ -997,9 +998,9 @@ static void give_states(int64_t point, int64_t count, array_double_3d spots);
 static bool stays(int64_t point, array_double_3d choice);
 static int64_t write_places(array_double_3d states, array_double_1d dwells, array_double_3d choice, array_double_1d place, array_double_3d spots);
 static bool is_given(int64_t point, int64_t count, array_double_3d spots);
-static double searched_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool choose_fields(bool all_fields, array_double_3d spots);
-static double fastest_states(array_double_2d limits, array_double_2d lower, array_double_3d given, array_double_3d best, array_double_3d alone, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work);
+static double fastest_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static int64_t sensing_rows(double sample_time, double dead_time);
 static int64_t sensing_end(array_double_2d settings);
 static double next_sample(array_double_1d sensors, array_double_2d memory);
@@ -29249,12 +29250,12 @@ static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t co
     }
     if (column >= INT64_C(5))
     {
-        (*result_0_0001) = (*cspan_at(&track, INT64_C(0) + order - INT64_C(1)));
+        (*result_0_0001) = (*cspan_at(&track, INT64_C(50) + order - INT64_C(1)));
         (*result_1_0001) = order;
         return 0;
     }
     field = span_floor_mod((column - INT64_C(1)), INT64_C(2));
-    (*result_0_0001) = (*cspan_at(&track, INT64_C(0) + field));
+    (*result_0_0001) = (*cspan_at(&track, INT64_C(50) + field));
     (*result_1_0001) = field + INT64_C(1);
     return 0;
 }
@@ -29345,7 +29346,7 @@ static double state_offset(array_double_2d spot, int64_t row, int64_t field, arr
 {
     double middle;
     double result;
-    middle = (*cspan_at(&track, INT64_C(4) + field)) / (*cspan_at(&track, INT64_C(0) + field));
+    middle = (*cspan_at(&track, INT64_C(54) + field)) / (*cspan_at(&track, INT64_C(50) + field));
     result = (*cspan_at(&spot, row, field)) - middle;
     return result;
 }
@@ -29583,6 +29584,7 @@ static void write_components(int64_t count, array_double_2d link)
     int64_t i;
     double step;
     int64_t place;
+    double change;
     for (i = INT64_C(0); i < INT64_C(14) - INT64_C(5); i += INT64_C(1))
     {
         step = 0.0;
@@ -29591,7 +29593,8 @@ static void write_components(int64_t count, array_double_2d link)
             step = -(*cspan_at(&link, INT64_C(13) + i, INT64_C(5)));
             for (place = INT64_C(0); place < INT64_C(4); place += INT64_C(1))
             {
-                step = step - (*cspan_at(&link, INT64_C(13) + i, place)) * (*cspan_at(&link, INT64_C(4), INT64_C(1) + place));
+                change = (*cspan_at(&link, INT64_C(4), INT64_C(1) + place));
+                step = step - (*cspan_at(&link, INT64_C(13) + i, place)) * change;
             }
             step = step - (*cspan_at(&link, INT64_C(13) + i, INT64_C(4))) * (*cspan_at(&link, INT64_C(4), INT64_C(14)));
         }
@@ -29746,10 +29749,11 @@ static double plan_lengths(array_double_3d states, array_double_2d spans, array_
     }
     return span_min(total, 1e+300);
 }
-static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     array_double_2d expansion;
     int64_t count;
+    array_double_2d hulls;
     int64_t row;
     double length;
     double known;
@@ -29757,16 +29761,17 @@ static double farthest_beyond(int64_t side, double low, double high, double firs
     (*cspan_at(&cell, INT64_C(68), INT64_C(1))) = 0.0;
     expansion = span_rows(&work, INT64_C(242), INT64_C(246));
     count = expand_cell(cell, axis, timing, coefficients, INT64_C(0), expansion);
+    hulls = span_rows(&work, INT64_C(2), INT64_C(242));
     known = 0.0;
     for (row = INT64_C(0); row < count; row += INT64_C(1))
     {
-        write_room(side, row, 0.0, low, high, coefficients, rope);
+        write_room(side, row, 0.0, low, high, coefficients, hulls);
         length = (*cspan_at(&timing, row, INT64_C(1)));
-        known = greatest_lack(coefficients.shape[INT64_C(1)], length, known, rope);
+        known = greatest_lack(coefficients.shape[INT64_C(1)], length, known, hulls);
     }
     return known;
 }
-static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     int64_t axis;
     int64_t i;
@@ -29785,8 +29790,8 @@ static bool leaves_box(int64_t place, array_double_3d states, array_double_1d pa
         {
             for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
             {
-                beyond = farthest_beyond(side, low, high, first, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, rope, work);
-                if (beyond > (*cspan_at(&path, INT64_C(12))))
+                beyond = farthest_beyond(side, low, high, first, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, work);
+                if (beyond > (*cspan_at(&path, INT64_C(16))))
                 {
                     return 1;
                 }
@@ -29811,7 +29816,7 @@ static void copy_states(array_double_3d source, array_double_3d target)
         }
     }
 }
-static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     double total;
     int64_t j;
@@ -29842,7 +29847,7 @@ static int64_t offer_states(array_double_3d tried, array_double_3d best, array_d
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
     {
         slow = !((*cspan_at(&spans, j, INT64_C(10))) <= 1.005 * exp((*cspan_at(&spans, j, INT64_C(0)))));
-        if (shorter && leaves_box(j, tried, path, links, axes, cells, timing, coefficients, rope, work))
+        if (shorter && leaves_box(j, tried, path, links, axes, cells, timing, coefficients, work))
         {
             slow = 1;
             beyond = 1;
@@ -29874,7 +29879,7 @@ static double extent(int64_t axis, array_double_3d given)
     }
     return high - low;
 }
-static void write_boxes(double room, int64_t first, array_double_3d given, array_double_2d allowed, array_double_1d path, array_double_3d links)
+static void write_boxes(double room, int64_t first, array_double_3d given, array_double_1d path, array_double_2d axes, array_double_3d links)
 {
     int64_t count;
     double farthest;
@@ -29904,14 +29909,14 @@ static void write_boxes(double room, int64_t first, array_double_3d given, array
         after = (*cspan_at(&given, last, axis, INT64_C(0)));
         low = span_min(span_min(here, there), span_min(before, after));
         high = span_max(span_max(here, there), span_max(before, after));
-        beyond = 1.7e+308;
+        beyond = 1e+307;
         if (room < 1e+300)
         {
             beyond = room * (high - low);
         }
         inwards = 2e-09 * extent(axis, given);
-        low = span_max(low - beyond, (*cspan_at(&allowed, axis, INT64_C(0))) + inwards);
-        high = span_min(high + beyond, (*cspan_at(&allowed, axis, INT64_C(1))) - inwards);
+        low = span_max(low - beyond, (*cspan_at(&axes, axis, INT64_C(56))) + inwards);
+        high = span_min(high + beyond, (*cspan_at(&axes, axis, INT64_C(56) + INT64_C(1))) - inwards);
         (*cspan_at(&links, i, INT64_C(0), INT64_C(0))) = span_min(low, span_min(here, there));
         (*cspan_at(&links, i, INT64_C(0), INT64_C(1))) = span_max(high, span_max(here, there));
     }
@@ -29920,7 +29925,7 @@ static void write_boxes(double room, int64_t first, array_double_3d given, array
         (*cspan_at(&links, i, INT64_C(0), INT64_C(2))) = 1e-09 * farthest;
     }
 }
-static bool admit_states(int64_t first, array_double_3d given, array_double_1d path, array_double_3d spots, array_double_3d links)
+static bool admit_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links)
 {
     int64_t count;
     int64_t i;
@@ -29945,7 +29950,7 @@ static bool admit_states(int64_t first, array_double_3d given, array_double_1d p
         fixed = 0;
         if (inner)
         {
-            here = (*cspan_at(&given, first + span_floor_div(i, count), axis, INT64_C(0)));
+            here = (*cspan_at(&states, span_floor_div(i, count), axis, INT64_C(0)));
             for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
             {
                 low = (*cspan_at(&links, i - j * count, INT64_C(0), INT64_C(0)));
@@ -30013,13 +30018,13 @@ static void write_margin(array_double_1d path, array_double_3d links)
             }
         }
     }
-    (*cspan_at(&path, INT64_C(12))) = 0.0;
+    (*cspan_at(&path, INT64_C(16))) = 0.0;
     if (most > least)
     {
-        (*cspan_at(&path, INT64_C(12))) = 1e-09 * (most - least);
+        (*cspan_at(&path, INT64_C(16))) = 1e-09 * (most - least);
     }
 }
-static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     int64_t count;
     bool planned;
@@ -30043,10 +30048,10 @@ static void widen_boxes(array_double_3d states, array_double_1d path, array_doub
             here = (*cspan_at(&states, span_floor_div(i, count), axis, INT64_C(0)));
             for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
             {
-                beyond = 1.7e+308;
+                beyond = 1e+307;
                 if (planned && (high - low < 1e+300))
                 {
-                    beyond = farthest_beyond(side, low, high, here, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, rope, work);
+                    beyond = farthest_beyond(side, low, high, here, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, work);
                 }
                 edge = INT64_C(1) - side;
                 (*cspan_at(&links, i, INT64_C(0), edge)) = (*cspan_at(&links, i, INT64_C(0), edge)) + (1.0 - 2.0 * side) * beyond;
@@ -30275,7 +30280,7 @@ static void set_state(double value, int64_t point, int64_t axis, int64_t field, 
     first = (point - INT64_C(1)) * count;
     set_problems(span_layers(&states, point - INT64_C(1), point + INT64_C(2)), span_layers(&cells, first, first + INT64_C(2) * count));
 }
-static double tried_length(double known, int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     double least;
     int64_t place;
@@ -30296,7 +30301,7 @@ static double tried_length(double known, int64_t point, int64_t axis, array_doub
         }
         least = least + longest;
     }
-    if (!(least < known))
+    if (!(least < (*cspan_at(&path, INT64_C(12)))))
     {
         return 1e+300;
     }
@@ -30306,21 +30311,25 @@ static double tried_length(double known, int64_t point, int64_t axis, array_doub
         (*cspan_at(&spans, place, INT64_C(11))) = common_length(place, axes, cells, work);
         total = total + (*cspan_at(&spans, place, INT64_C(11)));
     }
-    if (!(total < known))
+    if (!(total < (*cspan_at(&path, INT64_C(12)))))
     {
         return 1e+300;
     }
     for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
     {
-        if (leaves_box(place, states, path, links, axes, cells, timing, coefficients, rope, work))
+        if (leaves_box(place, states, path, links, axes, cells, timing, coefficients, work))
         {
             return 1e+300;
         }
     }
     return total;
 }
-static void polish_state(double step, int64_t point, int64_t axis, int64_t field, double low, double high, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
+    int64_t point;
+    int64_t axis;
+    double high;
+    double low;
     double least;
     double move;
     double before;
@@ -30329,8 +30338,12 @@ static void polish_state(double step, int64_t point, int64_t axis, int64_t field
     double value;
     double found;
     int64_t place;
+    point = span_floor_div(spot, axes.shape[INT64_C(0)]);
+    axis = span_floor_mod(spot, axes.shape[INT64_C(0)]);
+    high = (*cspan_at(&axes, axis, INT64_C(2) + field));
+    low = -(*cspan_at(&axes, axis, INT64_C(9) + field));
     least = (*cspan_at(&spans, point - INT64_C(1), INT64_C(10))) + (*cspan_at(&spans, point, INT64_C(10)));
-    move = step * 0.5 * (high - low);
+    move = (*cspan_at(&path, INT64_C(14))) * 0.5 * (high - low);
     before = 1e+300;
     for (trial = INT64_C(0); trial < INT64_C(1000); trial += INT64_C(1))
     {
@@ -30338,7 +30351,8 @@ static void polish_state(double step, int64_t point, int64_t axis, int64_t field
         value = span_min(span_max(here + move, low), high);
         keep_cells(point, axis, 0, axes, cells, links);
         set_state(value, point, axis, field, states, axes, cells);
-        found = tried_length(least * (1.0 - 1e-06), point, axis, states, path, links, spans, axes, cells, timing, coefficients, rope, work);
+        (*cspan_at(&path, INT64_C(12))) = least * (1.0 - 1e-06);
+        found = tried_length(point, axis, states, path, links, spans, axes, cells, timing, coefficients, work);
         if ((trial > INT64_C(1)) && (found < 1e+300))
         {
             least = found;
@@ -30392,23 +30406,22 @@ static bool runs_backwards(array_double_2d spans)
     }
     return 0;
 }
-static double polish_states(array_double_3d states, array_double_1d path, array_double_2d limits, array_double_2d lower, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     int64_t count;
     int64_t last;
-    double step;
     int64_t sweep;
     bool backwards;
     int64_t k;
     int64_t point;
-    int64_t axis;
+    int64_t spot;
     int64_t field;
     int64_t j;
     double total;
     count = axes.shape[INT64_C(0)];
     last = states.shape[INT64_C(0)] - INT64_C(1);
     plan_lengths(states, spans, axes, cells, work);
-    step = 0.03;
+    (*cspan_at(&path, INT64_C(14))) = 0.03;
     for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
     {
         backwards = runs_backwards(spans);
@@ -30419,18 +30432,18 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
             {
                 point = last - k;
             }
-            for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+            for (spot = point * count; spot < (point + INT64_C(1)) * count; spot += INT64_C(1))
             {
                 for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
                 {
-                    if ((*cspan_at(&spots, point * count + axis, INT64_C(2), field)) > 0.5)
+                    if ((*cspan_at(&spots, spot, INT64_C(2), field)) > 0.5)
                     {
-                        polish_state(step, point, axis, field, -(*cspan_at(&lower, axis, field)), (*cspan_at(&limits, axis, field)), states, path, links, spans, axes, cells, timing, coefficients, rope, work);
+                        polish_state(spot, field, states, path, links, spans, axes, cells, timing, coefficients, work);
                     }
                 }
             }
         }
-        step = 0.32 * step;
+        (*cspan_at(&path, INT64_C(14))) = 0.32 * (*cspan_at(&path, INT64_C(14)));
     }
     total = 0.0;
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
@@ -30614,8 +30627,8 @@ static void write_model(double ridge, array_double_1d path, array_double_1d trac
         (*cspan_at(&square, INT64_C(5) + j, j)) = (1.0 + ridge) * diagonal;
     }
     row = INT64_C(5) + INT64_C(14);
-    (*cspan_at(&square, row, INT64_C(14))) = (1.0 + ridge) * (*cspan_at(&square, row, INT64_C(14)));
-    (*cspan_at(&square, row, INT64_C(14))) = (*cspan_at(&square, row, INT64_C(14))) + (*cspan_at(&square, INT64_C(21), INT64_C(14)));
+    diagonal = (1.0 + ridge) * (*cspan_at(&square, row, INT64_C(14)));
+    (*cspan_at(&square, row, INT64_C(14))) = diagonal + (*cspan_at(&square, INT64_C(21), INT64_C(14)));
     eliminate((int64_t)((*cspan_at(&path, INT64_C(1)))), link, square);
 }
 static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans)
@@ -30778,8 +30791,8 @@ static void write_times(array_double_1d path, array_double_2d tracks, array_doub
     reach = 0.0;
     for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
     {
-        limit = (*cspan_at(&tracks, axis, INT64_C(0)));
-        least = span_max(least, limit / (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(1))));
+        limit = (*cspan_at(&tracks, axis, INT64_C(50)));
+        least = span_max(least, limit / (*cspan_at(&tracks, axis, INT64_C(50) + INT64_C(1))));
         for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
         {
             distance = (*cspan_at(&links, j * axes + axis, INT64_C(5), INT64_C(0)));
@@ -30905,10 +30918,10 @@ static void write_tracks(array_double_2d limits, array_double_2d lower, array_do
         for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
         {
             half = 0.5 * ((*cspan_at(&limits, axis, field)) + (*cspan_at(&lower, axis, field)));
-            (*cspan_at(&tracks, axis, INT64_C(0) + field)) = half;
-            (*cspan_at(&tracks, axis, INT64_C(4) + field)) = (*cspan_at(&limits, axis, field)) - half;
+            (*cspan_at(&tracks, axis, INT64_C(50) + field)) = half;
+            (*cspan_at(&tracks, axis, INT64_C(54) + field)) = (*cspan_at(&limits, axis, field)) - half;
         }
-        acceleration = (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(1)));
+        acceleration = (*cspan_at(&tracks, axis, INT64_C(50) + INT64_C(1)));
         jerk = limit_of(INT64_C(2), axis, limits);
         snap = limit_of(INT64_C(3), axis, limits);
         crackle = limit_of(INT64_C(4), axis, limits);
@@ -30929,8 +30942,8 @@ static void write_tracks(array_double_2d limits, array_double_2d lower, array_do
         {
             snap = span_min(snap, 10.0 * jerk * jerk / acceleration);
         }
-        (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(2))) = jerk;
-        (*cspan_at(&tracks, axis, INT64_C(0) + INT64_C(3))) = snap;
+        (*cspan_at(&tracks, axis, INT64_C(52))) = jerk;
+        (*cspan_at(&tracks, axis, INT64_C(53))) = snap;
     }
     (*cspan_at(&path, INT64_C(1))) = INT64_C(12) - (*cspan_at(&path, INT64_C(0)));
     (*cspan_at(&path, INT64_C(2))) = (*cspan_at(&path, INT64_C(0))) * INT64_C(11) + INT64_C(12);
@@ -30992,7 +31005,7 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
         for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
         {
             state = (*cspan_at(&given, span_floor_div(i, count), span_floor_mod(i, count), INT64_C(1) + field));
-            (*cspan_at(&spots, i, INT64_C(5), field)) = state / (*cspan_at(&tracks, span_floor_mod(i, count), INT64_C(0) + field));
+            (*cspan_at(&spots, i, INT64_C(5), field)) = state / (*cspan_at(&tracks, span_floor_mod(i, count), INT64_C(50) + field));
             if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
             {
                 (*cspan_at(&spots, i, INT64_C(5), field)) = 0.0;
@@ -31013,7 +31026,7 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
         write_box_scale(first, span_matrix(&links, i));
         for (order = INT64_C(1); order < (int64_t)((*cspan_at(&path, INT64_C(0)))) + INT64_C(1); order += INT64_C(1))
         {
-            limit = (*cspan_at(&tracks, axis, INT64_C(0) + order - INT64_C(1)));
+            limit = (*cspan_at(&tracks, axis, INT64_C(50) + order - INT64_C(1)));
             share = limit_share(order, (*cspan_at(&spans, span_floor_div(i, count), INT64_C(5))), smoothstep);
             (*cspan_at(&links, i, INT64_C(2), order)) = 0.0;
             (*cspan_at(&links, i, INT64_C(1), order)) = 0.0;
@@ -31023,7 +31036,7 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
             }
             if (order < INT64_C(3))
             {
-                (*cspan_at(&links, i, INT64_C(1), order)) = (-(*cspan_at(&tracks, axis, INT64_C(4) + order - INT64_C(1)))) / limit;
+                (*cspan_at(&links, i, INT64_C(1), order)) = (-(*cspan_at(&tracks, axis, INT64_C(54) + order - INT64_C(1)))) / limit;
             }
         }
     }
@@ -31058,7 +31071,7 @@ static void write_tried(array_double_3d given, array_double_1d path, array_doubl
                 {
                     digits = -digits;
                 }
-                state = digits * (*cspan_at(&tracks, axis, INT64_C(0) + field));
+                state = digits * (*cspan_at(&tracks, axis, INT64_C(50) + field));
                 (*cspan_at(&tried, point, axis, INT64_C(1) + field)) = state;
             }
         }
@@ -31076,8 +31089,24 @@ static double gap_of(int64_t place)
     }
     return 0.03;
 }
-static bool try_path(array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice)
 {
+    int64_t begin;
+    begin = block * (span_floor_div(choice.shape[INT64_C(0)], INT64_C(5)));
+    (*result_0_0001) = begin + (int64_t)((*cspan_at(&path, INT64_C(5))));
+    (*result_1_0001) = begin + (int64_t)((*cspan_at(&path, INT64_C(6)))) + INT64_C(1);
+    return 0;
+}
+static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
+{
+    array_double_1d path;
+    array_double_2d grid;
+    array_double_2d square;
+    int64_t begin;
+    int64_t end;
+    array_double_3d given;
+    array_double_3d tried;
+    array_double_3d best;
     bool smoothstep;
     double theta;
     int64_t fewest;
@@ -31085,9 +31114,18 @@ static bool try_path(array_double_3d given, array_double_3d best, array_double_3
     int64_t slow;
     int64_t j;
     bool result;
+    path = span_row(&tools, INT64_C(0));
+    grid = span_rows(&tools, INT64_C(1), INT64_C(57));
+    square = span_rows(&tools, INT64_C(57), INT64_C(106));
+    block_rows(&begin, &end, INT64_C(0), path, choice);
+    given = span_layers(&choice, begin, end);
+    block_rows(&begin, &end, INT64_C(3), path, choice);
+    tried = span_layers(&choice, begin, end);
+    block_rows(&begin, &end, (int64_t)((*cspan_at(&path, INT64_C(13)))), path, choice);
+    best = span_layers(&choice, begin, end);
     smoothstep = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1)))) == INT64_C(0);
-    write_scales_of(smoothstep, given, path, tracks, spots, links, spans);
-    if (!begin_path(path, tracks, spots, links, spans, grid, square, band))
+    write_scales_of(smoothstep, given, path, axes, spots, links, spans);
+    if (!begin_path(path, axes, spots, links, spans, grid, square, band))
     {
         return 0;
     }
@@ -31095,14 +31133,14 @@ static bool try_path(array_double_3d given, array_double_3d best, array_double_3
     fewest = spans.shape[INT64_C(0)] + INT64_C(1);
     for (place = INT64_C(0); place < INT64_C(3); place += INT64_C(1))
     {
-        theta = follow_path(theta, gap_of(place), path, tracks, spots, links, spans, grid, square, band);
+        theta = follow_path(theta, gap_of(place), path, axes, spots, links, spans, grid, square, band);
         if (theta < 0.0)
         {
             break;
         }
         (*cspan_at(&path, INT64_C(10))) = path_total(INT64_C(0), spans);
-        write_tried(given, path, tracks, spots, tried);
-        slow = offer_states(tried, best, path, links, spans, axes, cells, timing, coefficients, rope, work);
+        write_tried(given, path, axes, spots, tried);
+        slow = offer_states(tried, best, path, links, spans, axes, cells, timing, coefficients, work);
         if (slow < fewest)
         {
             fewest = slow;
@@ -31158,10 +31196,12 @@ static bool tighten_path(array_double_2d spans)
     }
     return changed;
 }
-static void search_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static void search_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
+    array_double_1d path;
     int64_t j;
     int64_t sweep;
+    path = span_row(&tools, INT64_C(0));
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
     {
         (*cspan_at(&spans, j, INT64_C(5))) = 0.0;
@@ -31170,11 +31210,15 @@ static void search_states(double known, array_double_3d given, array_double_3d b
     }
     for (sweep = INT64_C(0); sweep < INT64_C(10); sweep += INT64_C(1))
     {
-        if (!try_path(given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work))
+        if (!try_path(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work))
         {
             return;
         }
-        if (((*cspan_at(&path, INT64_C(10))) > 1.03 * span_min((*cspan_at(&path, INT64_C(11))), known)) || (!tighten_path(spans)))
+        if ((*cspan_at(&path, INT64_C(10))) > 1.03 * span_min((*cspan_at(&path, INT64_C(11))), (*cspan_at(&path, INT64_C(12)))))
+        {
+            return;
+        }
+        if (!tighten_path(spans))
         {
             return;
         }
@@ -31515,19 +31559,18 @@ static int64_t write_places(array_double_3d states, array_double_1d dwells, arra
     }
     return places;
 }
-bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_3d choice, array_double_1d place, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_2d grid, array_double_2d square, array_double_2d axes, array_double_2d work)
+bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d allowed, array_double_3d choice, array_double_1d place, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_2d work)
 {
-    int64_t count;
+    array_double_1d path;
     int64_t places;
-    array_double_3d given;
     int64_t axis;
     int64_t order;
     double reached;
+    array_double_2d square;
     bool result;
-    count = states.shape[INT64_C(1)];
+    path = span_row(&tools, INT64_C(0));
     places = write_places(states, dwells, choice, place, spots);
-    given = span_layers(&choice, INT64_C(0), places);
-    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
         {
@@ -31535,12 +31578,13 @@ bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_d
             {
                 (*cspan_at(&lower, axis, order)) = (*cspan_at(&limits, axis, order));
             }
+            (*cspan_at(&axes, axis, INT64_C(56) + order)) = (*cspan_at(&allowed, axis, order));
         }
     }
     for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
     {
-        reached = 4.0 * segfmu_motion_scale(order, given, limits);
-        for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+        reached = 4.0 * segfmu_motion_scale(order, span_layers(&choice, INT64_C(0), places), limits);
+        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
         {
             if (reached > 0.0)
             {
@@ -31549,11 +31593,12 @@ bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_d
             }
         }
     }
-    (*cspan_at(&path, INT64_C(3))) = count;
+    (*cspan_at(&path, INT64_C(3))) = axes.shape[INT64_C(0)];
     (*cspan_at(&path, INT64_C(4))) = places;
     (*cspan_at(&path, INT64_C(6))) = 0.0;
-    write_tracks(limits, lower, path, tracks);
-    write_grid((int64_t)((*cspan_at(&path, INT64_C(0)))), grid, square);
+    write_tracks(limits, lower, path, axes);
+    square = span_rows(&tools, INT64_C(57), INT64_C(106));
+    write_grid((int64_t)((*cspan_at(&path, INT64_C(0)))), span_rows(&tools, INT64_C(1), INT64_C(57)), square);
     result = set_axes(limits, lower, axes, work);
     return result;
 }
@@ -31573,12 +31618,14 @@ static bool is_given(int64_t point, int64_t count, array_double_3d spots)
     }
     return 1;
 }
-bool segfmu_next_passage(array_double_1d path, array_double_3d spots)
+bool segfmu_next_passage(array_double_2d tools, array_double_3d spots)
 {
+    array_double_1d path;
     int64_t count;
     int64_t end;
     int64_t first;
     int64_t last;
+    path = span_row(&tools, INT64_C(0));
     count = (int64_t)((*cspan_at(&path, INT64_C(3))));
     end = (int64_t)((*cspan_at(&path, INT64_C(4)))) - INT64_C(1);
     first = (int64_t)((*cspan_at(&path, INT64_C(6))));
@@ -31595,12 +31642,20 @@ bool segfmu_next_passage(array_double_1d path, array_double_3d spots)
     (*cspan_at(&path, INT64_C(6))) = last;
     return last <= end;
 }
-static double searched_states(double known, array_double_3d given, array_double_3d best, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static double searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
+    array_double_1d path;
+    int64_t begin;
+    int64_t end;
+    array_double_3d given;
     int64_t attempts;
     int64_t attempt;
     double result;
-    copy_states(given, best);
+    path = span_row(&tools, INT64_C(0));
+    block_rows(&begin, &end, INT64_C(0), path, choice);
+    given = span_layers(&choice, begin, end);
+    block_rows(&begin, &end, (int64_t)((*cspan_at(&path, INT64_C(13)))), path, choice);
+    copy_states(given, span_layers(&choice, begin, end));
     (*cspan_at(&path, INT64_C(11))) = plan_lengths(given, spans, axes, cells, work);
     (*cspan_at(&path, INT64_C(9))) = 10.0;
     attempts = INT64_C(1);
@@ -31611,7 +31666,7 @@ static double searched_states(double known, array_double_3d given, array_double_
     }
     for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))
     {
-        search_states(known, given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work);
+        search_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
         (*cspan_at(&path, INT64_C(9))) = 100.0;
     }
     result = (*cspan_at(&path, INT64_C(11)));
@@ -31635,23 +31690,37 @@ static bool choose_fields(bool all_fields, array_double_3d spots)
     }
     return found;
 }
-static double fastest_states(array_double_2d limits, array_double_2d lower, array_double_3d given, array_double_3d best, array_double_3d alone, array_double_3d tried, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+static double fastest_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
+    array_double_1d path;
+    int64_t begin;
+    int64_t end;
+    array_double_3d best;
+    array_double_3d alone;
     double total;
     double least;
-    total = searched_states(1e+300, given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work);
+    path = span_row(&tools, INT64_C(0));
+    block_rows(&begin, &end, INT64_C(1), path, choice);
+    best = span_layers(&choice, begin, end);
+    block_rows(&begin, &end, INT64_C(2), path, choice);
+    alone = span_layers(&choice, begin, end);
+    (*cspan_at(&path, INT64_C(12))) = 1e+300;
+    (*cspan_at(&path, INT64_C(13))) = INT64_C(1);
+    total = searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
     least = 1e+300;
     if (choose_fields(0, spots))
     {
-        least = searched_states(total, given, alone, tried, path, tracks, spots, links, spans, grid, square, band, axes, cells, timing, coefficients, rope, work);
+        (*cspan_at(&path, INT64_C(12))) = total;
+        (*cspan_at(&path, INT64_C(13))) = INT64_C(2);
+        least = searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
         if (least < total)
         {
             copy_states(alone, best);
         }
-        least = polish_states(alone, path, limits, lower, spots, links, spans, axes, cells, timing, coefficients, rope, work);
+        least = polish_states(alone, path, spots, links, spans, axes, cells, timing, coefficients, work);
     }
     choose_fields(1, spots);
-    total = polish_states(best, path, limits, lower, spots, links, spans, axes, cells, timing, coefficients, rope, work);
+    total = polish_states(best, path, spots, links, spans, axes, cells, timing, coefficients, work);
     if (least < total)
     {
         copy_states(alone, best);
@@ -31659,64 +31728,67 @@ static double fastest_states(array_double_2d limits, array_double_2d lower, arra
     }
     return total;
 }
-void segfmu_choose_passage(double room, array_double_2d limits, array_double_2d lower, array_double_2d allowed, array_double_3d choice, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d rope, array_double_2d work)
+void segfmu_choose_passage(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
+    array_double_1d path;
     int64_t first;
     int64_t last;
-    int64_t places;
-    int64_t count;
-    int64_t size;
-    array_double_3d given;
+    int64_t begin;
+    int64_t end;
     array_double_3d part;
+    array_double_3d best;
     array_double_3d kept;
+    int64_t low;
+    int64_t high;
+    int64_t beyond;
+    int64_t size;
     array_double_3d own_spots;
     array_double_3d own_links;
     array_double_2d own_spans;
     array_double_3d own_cells;
-    array_double_2d own_band;
     double least;
-    int64_t attempt;
     double share;
-    array_double_3d best;
-    array_double_3d alone;
-    array_double_3d tried;
+    int64_t attempt;
+    int64_t places;
     double found;
+    path = span_row(&tools, INT64_C(0));
     first = (int64_t)((*cspan_at(&path, INT64_C(5))));
     last = (int64_t)((*cspan_at(&path, INT64_C(6))));
-    places = (int64_t)((*cspan_at(&path, INT64_C(4))));
-    count = (int64_t)((*cspan_at(&path, INT64_C(3))));
-    size = span_floor_div(choice.shape[INT64_C(0)], INT64_C(5));
-    given = span_layers(&choice, INT64_C(0), places);
-    part = span_layers(&choice, first, last + INT64_C(1));
-    kept = span_layers(&choice, INT64_C(4) * size + first, INT64_C(4) * size + last + INT64_C(1));
-    own_spots = span_layers(&spots, first * count, (last + INT64_C(1)) * count);
-    own_links = span_layers(&links, first * count, last * count);
+    block_rows(&begin, &end, INT64_C(0), path, choice);
+    part = span_layers(&choice, begin, end);
+    block_rows(&begin, &end, INT64_C(1), path, choice);
+    best = span_layers(&choice, begin, end);
+    block_rows(&begin, &end, INT64_C(4), path, choice);
+    kept = span_layers(&choice, begin, end);
+    low = first * axes.shape[INT64_C(0)];
+    high = last * axes.shape[INT64_C(0)];
+    beyond = high + axes.shape[INT64_C(0)];
+    size = INT64_C(2) * (beyond - low);
+    own_spots = span_layers(&spots, low, beyond);
+    own_links = span_layers(&links, low, high);
     own_spans = span_rows(&spans, first, last);
-    own_cells = span_layers(&cells, first * count, last * count);
-    own_band = span_rows(&band, INT64_C(0), INT64_C(2) * count * (last + INT64_C(1) - first));
+    own_cells = span_layers(&cells, low, high);
     least = 1e+300;
     copy_states(part, kept);
+    share = (*cspan_at(&path, INT64_C(15)));
     for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
     {
-        share = room;
         if (attempt == INT64_C(1))
         {
-            share = 0.25;
-            if (room <= 0.25)
+            if (share <= 0.25)
             {
                 break;
             }
+            share = 0.25;
         }
-        write_boxes(share, first, given, allowed, path, own_links);
-        if (!admit_states(first, given, path, own_spots, own_links))
+        places = (int64_t)((*cspan_at(&path, INT64_C(4))));
+        write_boxes(share, first, span_layers(&choice, INT64_C(0), places), path, axes, own_links);
+        if (!admit_states(part, path, own_spots, own_links))
         {
             continue;
         }
-        widen_boxes(part, path, own_links, own_spans, axes, own_cells, timing, coefficients, rope, work);
-        best = span_layers(&choice, size + first, size + last + INT64_C(1));
-        alone = span_layers(&choice, INT64_C(2) * size + first, INT64_C(2) * size + last + INT64_C(1));
-        tried = span_layers(&choice, INT64_C(3) * size + first, INT64_C(3) * size + last + INT64_C(1));
-        found = fastest_states(limits, lower, part, best, alone, tried, path, tracks, own_spots, own_links, own_spans, grid, square, own_band, axes, own_cells, timing, coefficients, rope, work);
+        widen_boxes(part, path, own_links, own_spans, axes, own_cells, timing, coefficients, work);
+        found = fastest_states(choice, tools, axes, own_spots, own_links, own_spans, span_rows(&band, INT64_C(0), size), own_cells, timing, coefficients, work);
         if (found < least)
         {
             least = found;

@@ -4107,53 +4107,46 @@ static PyObject *call_begin_choice(
     Py_buffer *in_dwells;
     Py_buffer *in_limits;
     Py_buffer *in_lower;
+    Py_buffer *in_allowed;
     Py_buffer *in_choice;
     Py_buffer *in_place;
-    Py_buffer *in_path;
-    Py_buffer *in_tracks;
-    Py_buffer *in_spots;
-    Py_buffer *in_grid;
-    Py_buffer *in_square;
+    Py_buffer *in_tools;
     Py_buffer *in_axes;
+    Py_buffer *in_spots;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 13)
+    if (take_count(&call, count, 11)
         && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
         && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_limits = take_array(&call, 2, 2, 'd', true)) != NULL
         && (in_lower = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_choice = take_array(&call, 4, 3, 'd', true)) != NULL
-        && (in_place = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_path = take_array(&call, 6, 1, 'd', true)) != NULL
-        && (in_tracks = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_spots = take_array(&call, 8, 3, 'd', true)) != NULL
-        && (in_grid = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_square = take_array(&call, 10, 2, 'd', true)) != NULL
-        && (in_axes = take_array(&call, 11, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 12, 2, 'd', true)) != NULL
+        && (in_allowed = take_array(&call, 4, 2, 'd', false)) != NULL
+        && (in_choice = take_array(&call, 5, 3, 'd', true)) != NULL
+        && (in_place = take_array(&call, 6, 1, 'd', true)) != NULL
+        && (in_tools = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_axes = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_spots = take_array(&call, 9, 3, 'd', true)) != NULL
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 0, in_states->shape[0], 1)
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
         && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
         && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
         && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
+        && has_extent(&call, "allowed", 0, in_allowed->shape[0], in_states->shape[1])
         && has_extent(&call, "choice", 1, in_choice->shape[1], in_states->shape[1])
         && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
-        && has_extent(&call, "tracks", 0, in_tracks->shape[0], in_states->shape[1])
         && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
         && has_at_least(&call, "states", 2, in_states->shape[2], 3)
         && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "allowed", 1, in_allowed->shape[1], 2)
         && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
         && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-        && has_at_least(&call, "path", 0, in_path->shape[0], 13)
-        && has_at_least(&call, "tracks", 1, in_tracks->shape[1], 6)
+        && has_at_least(&call, "tools", 0, in_tools->shape[0], 106)
+        && has_at_least(&call, "tools", 1, in_tools->shape[1], 17)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 58)
         && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_states->shape[0] * in_states->shape[1]))
         && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
         && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)
-        && has_at_least(&call, "grid", 0, in_grid->shape[0], 56)
-        && has_at_least(&call, "grid", 1, in_grid->shape[1], 16)
-        && has_at_least(&call, "square", 0, in_square->shape[0], 49)
-        && has_at_least(&call, "square", 1, in_square->shape[1], 15)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
         && has_at_least(&call, "work", 0, in_work->shape[0], 294)
         && has_at_least(&call, "work", 1, in_work->shape[1], 50)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))) {
@@ -4162,14 +4155,12 @@ static PyObject *call_begin_choice(
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
             (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
             (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_double_2d){in_allowed->buf, {in_allowed->shape[0], in_allowed->shape[1]}},
             (array_double_3d){in_choice->buf, {in_choice->shape[0], in_choice->shape[1], in_choice->shape[2]}},
             (array_double_1d){in_place->buf, {in_place->shape[0]}},
-            (array_double_1d){in_path->buf, {in_path->shape[0]}},
-            (array_double_2d){in_tracks->buf, {in_tracks->shape[0], in_tracks->shape[1]}},
-            (array_double_3d){in_spots->buf, {in_spots->shape[0], in_spots->shape[1], in_spots->shape[2]}},
-            (array_double_2d){in_grid->buf, {in_grid->shape[0], in_grid->shape[1]}},
-            (array_double_2d){in_square->buf, {in_square->shape[0], in_square->shape[1]}},
+            (array_double_2d){in_tools->buf, {in_tools->shape[0], in_tools->shape[1]}},
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_3d){in_spots->buf, {in_spots->shape[0], in_spots->shape[1], in_spots->shape[2]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
     }
     release_arguments(&call);
@@ -4181,18 +4172,19 @@ static PyObject *call_next_passage(
 {
     arguments call = {.function = "next_passage", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_path;
+    Py_buffer *in_tools;
     Py_buffer *in_spots;
     (void)self;
     if (take_count(&call, count, 2)
-        && (in_path = take_array(&call, 0, 1, 'd', true)) != NULL
+        && (in_tools = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_spots = take_array(&call, 1, 3, 'd', false)) != NULL
         && has_at_least(&call, "spots", 0, in_spots->shape[0], 1)
-        && has_at_least(&call, "path", 0, in_path->shape[0], 13)
+        && has_at_least(&call, "tools", 0, in_tools->shape[0], 106)
+        && has_at_least(&call, "tools", 1, in_tools->shape[1], 17)
         && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
         && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)) {
         answer = PyBool_FromLong(segfmu_next_passage(
-            (array_double_1d){in_path->buf, {in_path->shape[0]}},
+            (array_double_2d){in_tools->buf, {in_tools->shape[0], in_tools->shape[1]}},
             (array_double_3d){in_spots->buf, {in_spots->shape[0], in_spots->shape[1], in_spots->shape[2]}}));
     }
     release_arguments(&call);
@@ -4204,104 +4196,67 @@ static PyObject *call_choose_passage(
 {
     arguments call = {.function = "choose_passage", .values = values};
     PyObject *answer = NULL;
-    double in_room;
-    Py_buffer *in_limits;
-    Py_buffer *in_lower;
-    Py_buffer *in_allowed;
     Py_buffer *in_choice;
-    Py_buffer *in_path;
-    Py_buffer *in_tracks;
+    Py_buffer *in_tools;
+    Py_buffer *in_axes;
     Py_buffer *in_spots;
     Py_buffer *in_links;
     Py_buffer *in_spans;
-    Py_buffer *in_grid;
-    Py_buffer *in_square;
     Py_buffer *in_band;
-    Py_buffer *in_axes;
     Py_buffer *in_cells;
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
-    Py_buffer *in_rope;
     Py_buffer *in_work;
     (void)self;
-    if (take_count(&call, count, 19)
-        && take_float(&call, 0, &in_room)
-        && (in_limits = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_lower = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_allowed = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_choice = take_array(&call, 4, 3, 'd', true)) != NULL
-        && (in_path = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_tracks = take_array(&call, 6, 2, 'd', false)) != NULL
-        && (in_spots = take_array(&call, 7, 3, 'd', true)) != NULL
-        && (in_links = take_array(&call, 8, 3, 'd', true)) != NULL
-        && (in_spans = take_array(&call, 9, 2, 'd', true)) != NULL
-        && (in_grid = take_array(&call, 10, 2, 'd', false)) != NULL
-        && (in_square = take_array(&call, 11, 2, 'd', false)) != NULL
-        && (in_band = take_array(&call, 12, 2, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 13, 2, 'd', true)) != NULL
-        && (in_cells = take_array(&call, 14, 3, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 15, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 16, 2, 'd', true)) != NULL
-        && (in_rope = take_array(&call, 17, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 18, 2, 'd', true)) != NULL
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
+    if (take_count(&call, count, 11)
+        && (in_choice = take_array(&call, 0, 3, 'd', true)) != NULL
+        && (in_tools = take_array(&call, 1, 2, 'd', true)) != NULL
+        && (in_axes = take_array(&call, 2, 2, 'd', true)) != NULL
+        && (in_spots = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_links = take_array(&call, 4, 3, 'd', true)) != NULL
+        && (in_spans = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_band = take_array(&call, 6, 2, 'd', false)) != NULL
+        && (in_cells = take_array(&call, 7, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL
+        && has_at_least(&call, "choice", 1, in_choice->shape[1], 1)
         && has_at_least(&call, "spans", 0, in_spans->shape[0], 1)
-        && has_extent(&call, "lower", 0, in_lower->shape[0], in_limits->shape[0])
-        && has_extent(&call, "allowed", 0, in_allowed->shape[0], in_limits->shape[0])
-        && has_extent(&call, "choice", 1, in_choice->shape[1], in_limits->shape[0])
-        && has_extent(&call, "tracks", 0, in_tracks->shape[0], in_limits->shape[0])
-        && has_extent(&call, "axes", 0, in_axes->shape[0], in_limits->shape[0])
-        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "allowed", 1, in_allowed->shape[1], 2)
+        && has_extent(&call, "axes", 0, in_axes->shape[0], in_choice->shape[1])
         && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_spans->shape[0]))
         && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-        && has_at_least(&call, "path", 0, in_path->shape[0], 13)
-        && has_at_least(&call, "tracks", 1, in_tracks->shape[1], 6)
-        && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_spans->shape[0] * in_limits->shape[0]))
+        && has_at_least(&call, "tools", 0, in_tools->shape[0], 106)
+        && has_at_least(&call, "tools", 1, in_tools->shape[1], 17)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 58)
+        && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_spans->shape[0] * in_choice->shape[1]))
         && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
         && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)
-        && has_at_least(&call, "links", 0, in_links->shape[0], ((in_spans->shape[0] - 1) * in_limits->shape[0]))
+        && has_at_least(&call, "links", 0, in_links->shape[0], ((in_spans->shape[0] - 1) * in_choice->shape[1]))
         && has_at_least(&call, "links", 1, in_links->shape[1], 23)
         && has_at_least(&call, "links", 2, in_links->shape[2], 15)
         && has_at_least(&call, "spans", 1, in_spans->shape[1], 12)
-        && has_at_least(&call, "grid", 0, in_grid->shape[0], 56)
-        && has_at_least(&call, "grid", 1, in_grid->shape[1], 16)
-        && has_at_least(&call, "square", 0, in_square->shape[0], 49)
-        && has_at_least(&call, "square", 1, in_square->shape[1], 15)
-        && has_at_least(&call, "band", 0, in_band->shape[0], ((2 * in_spans->shape[0]) * in_limits->shape[0]))
-        && has_at_least(&call, "band", 1, in_band->shape[1], ((4 * in_limits->shape[0]) + 1))
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_spans->shape[0] - 1) * in_limits->shape[0]))
+        && has_at_least(&call, "band", 0, in_band->shape[0], ((2 * in_spans->shape[0]) * in_choice->shape[1]))
+        && has_at_least(&call, "band", 1, in_band->shape[1], ((4 * in_choice->shape[1]) + 1))
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_spans->shape[0] - 1) * in_choice->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1620)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1620)
-        && has_at_least(&call, "rope", 0, in_rope->shape[0], 52)
         && has_at_least(&call, "work", 0, in_work->shape[0], 294)
         && has_at_least(&call, "work", 1, in_work->shape[1], 50)
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))
-        && has_at_least(&call, "rope", 1, in_rope->shape[1], ((8 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]) - 5))) {
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
         segfmu_choose_passage(
-            in_room,
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
-            (array_double_2d){in_allowed->buf, {in_allowed->shape[0], in_allowed->shape[1]}},
             (array_double_3d){in_choice->buf, {in_choice->shape[0], in_choice->shape[1], in_choice->shape[2]}},
-            (array_double_1d){in_path->buf, {in_path->shape[0]}},
-            (array_double_2d){in_tracks->buf, {in_tracks->shape[0], in_tracks->shape[1]}},
+            (array_double_2d){in_tools->buf, {in_tools->shape[0], in_tools->shape[1]}},
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_spots->buf, {in_spots->shape[0], in_spots->shape[1], in_spots->shape[2]}},
             (array_double_3d){in_links->buf, {in_links->shape[0], in_links->shape[1], in_links->shape[2]}},
             (array_double_2d){in_spans->buf, {in_spans->shape[0], in_spans->shape[1]}},
-            (array_double_2d){in_grid->buf, {in_grid->shape[0], in_grid->shape[1]}},
-            (array_double_2d){in_square->buf, {in_square->shape[0], in_square->shape[1]}},
             (array_double_2d){in_band->buf, {in_band->shape[0], in_band->shape[1]}},
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
             (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_double_2d){in_rope->buf, {in_rope->shape[0], in_rope->shape[1]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}});
         answer = Py_NewRef(Py_None);
     }

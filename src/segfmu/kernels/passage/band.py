@@ -7,7 +7,7 @@ are those of the matrix from the diagonal to the left, and the right-hand side i
 from math import exp, sqrt
 
 from segfmu.kernels.passage.barrier import state_offset, write_variables
-from segfmu.kernels.passage.records import GridColumn, Free, Link, Path, Solved, Spot, Stretch
+from segfmu.kernels.passage.records import Free, GridColumn, Link, Path, Solved, Spot, Stretch
 
 
 def band_solve(band: 'float[:,:]') -> bool:
@@ -154,6 +154,7 @@ def write_components(count: int, link: 'float[:,:]') -> None:
         if i < count:
             step = -link[Link.SOLVED + i, Solved.ALONE]
             for place in range(Solved.TIME):
-                step = step - link[Link.SOLVED + i, place] * link[Link.STEP, GridColumn.ENDS + place]
+                change = link[Link.STEP, GridColumn.ENDS + place]
+                step = step - link[Link.SOLVED + i, place] * change
             step = step - link[Link.SOLVED + i, Solved.TIME] * link[Link.STEP, GridColumn.TIME]
         link[Link.STEP, GridColumn.COMPONENTS + i] = step

@@ -8,8 +8,8 @@ passage of m waypoints and k axes: path (Path,), tracks (k, Track), spots (m k, 
 from math import exp, log
 
 from segfmu.kernels.passage.records import (
-    GridColumn,
     Free,
+    GridColumn,
     GridRow,
     Link,
     Path,

@@ -4,17 +4,17 @@ links and spots are those of a passage, whose first waypoint is `first` of all `
 """
 
 from segfmu.kernels.passage.judge import farthest_beyond, plan_lengths
-from segfmu.kernels.passage.records import Free, Link, Path, Spot
+from segfmu.kernels.passage.records import Free, Link, Path, Spot, Track
 from segfmu.kernels.planner.records import WaypointState
 
 
 def write_boxes(
-    room: float, first: int, given: 'float[:,:,:]', allowed: 'float[:,:]', path: 'float[:]',
+    room: float, first: int, given: 'float[:,:,:]', path: 'float[:]', axes: 'float[:,:]',
     links: 'float[:,:,:]',
 ) -> None:
     """Write the range of two waypoints, the one before and the one after them, and `room` of it.
 
-    allowed (axes, 2): range of the positions [m]; the waypoints are inside all the same.
+    The waypoints are inside, whatever range is allowed.
     """
     count = int(path[Path.AXES])
     farthest = 0.0
@@ -34,8 +34,8 @@ def write_boxes(
             beyond = room * (high - low)
         # plans may leave the box by the margin, which is half of this
         inwards = 2e-9 * extent(axis, given)
-        low = max(low - beyond, allowed[axis, 0] + inwards)
-        high = min(high + beyond, allowed[axis, 1] - inwards)
+        low = max(low - beyond, axes[axis, Track.ALLOWED] + inwards)
+        high = min(high + beyond, axes[axis, Track.ALLOWED + 1] - inwards)
         links[i, Link.BOX, 0] = min(low, min(here, there))
         links[i, Link.BOX, 1] = max(high, max(here, there))
     for i in range(links.shape[0]):
@@ -53,7 +53,7 @@ def extent(axis: int, given: 'float[:,:,:]') -> float:
 
 
 def admit_states(
-    first: int, given: 'float[:,:,:]', path: 'float[:]', spots: 'float[:,:,:]',
+    states: 'float[:,:,:]', path: 'float[:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]',
 ) -> bool:
     """Write which states are chosen; false if none is.
@@ -69,7 +69,7 @@ def admit_states(
         turns = False
         fixed = False
         if inner:
-            here = given[first + i // count, axis, WaypointState.POSITION]
+            here = states[i // count, axis, WaypointState.POSITION]
             for j in range(2):
                 low = links[i - j * count, Link.BOX, 0]
                 high = links[i - j * count, Link.BOX, 1]
@@ -100,7 +100,7 @@ def is_moving(states: 'float[:,:,:]') -> bool:
 def widen_boxes(
     states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]', spans: 'float[:,:]',
     axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
-    rope: 'float[:,:]', work: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> None:
     """Widen the boxes to what given states need: the plan that rests in the free ones."""
     count = int(path[Path.AXES])
@@ -116,7 +116,7 @@ def widen_boxes(
                 if planned and high - low < 1e300:
                     beyond = farthest_beyond(
                         side, low, high, here, cells[i, :, :], axes[axis, :], timing,
-                        coefficients, rope, work,
+                        coefficients, work,
                     )
                 # above first
                 edge = 1 - side

@@ -4,9 +4,10 @@ Waypoints with free states between two whose states are given form a passage, wh
 its own. What counts is the planner's own duration. Rest at the free waypoints and free velocities
 without acceleration are candidates as well, so the choice is never slower than these.
 
-For m waypoints and k axes: choice (5 m, k, WaypointState), the places of the waypoints, and states
-of them that are compared; place (m,); path, tracks, spots, links, spans, grid, square and band as
-in path.py; axes, cells, timing, coefficients, rope and work as in judge.py.
+For m waypoints and k axes: choice (Block.COUNT m, k, WaypointState), states of the places of the
+waypoints; place (m,); tools (Tools rows, Tools columns), whose row PATH brings SHARE; axes (k,
+Track); spots, links, spans and band as in path.py; cells, timing, coefficients and work as in
+judge.py.
 """
 
 from segfmu.kernels.limits.places import is_free, take_states, unite_waypoints
@@ -14,43 +15,43 @@ from segfmu.kernels.passage.boxes import admit_states, is_moving, widen_boxes, w
 from segfmu.kernels.passage.grid import write_grid
 from segfmu.kernels.passage.judge import copy_states, plan_lengths, set_axes
 from segfmu.kernels.passage.polish import polish_states
-from segfmu.kernels.passage.records import Free, Path, Spot
-from segfmu.kernels.passage.search import search_states, write_tracks
+from segfmu.kernels.passage.records import Block, Free, Path, Spot, Tools, Track
+from segfmu.kernels.passage.search import block_rows, search_states, write_tracks
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
 
 def begin_choice(
     states: 'float[:,:,:]', dwells: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
-    choice: 'float[:,:,:]', place: 'float[:]', path: 'float[:]', tracks: 'float[:,:]',
-    spots: 'float[:,:,:]', grid: 'float[:,:]', square: 'float[:,:]', axes: 'float[:,:]',
-    work: 'float[:,:]',
+    allowed: 'float[:,:]', choice: 'float[:,:,:]', place: 'float[:]', tools: 'float[:,:]',
+    axes: 'float[:,:]', spots: 'float[:,:,:]', work: 'float[:,:]',
 ) -> bool:
     """Write the places of waypoints, which of their states are free, and a grid.
 
     states (m, k, WaypointState): not a number where free; dwells (m,) [s]. limits (k, smoothness +
-    1) and lower (k, Lower) are copies: those that no motion reaches are brought down. False
-    where no limit bounds an axis.
+    1) and lower (k, Lower) are copies: those that no motion reaches are brought down. allowed (k,
+    2): range of the positions [m]. False where no limit bounds an axis.
     """
-    count = states.shape[1]
+    path = tools[Tools.PATH, :]
     places = write_places(states, dwells, choice, place, spots)
-    given = choice[0:places, :, :]
-    for axis in range(count):
+    for axis in range(axes.shape[0]):
         for order in range(2):
             if not lower[axis, order] > 0.0:
                 lower[axis, order] = limits[axis, order]
+            axes[axis, Track.ALLOWED + order] = allowed[axis, order]
     for order in range(2):
         # a limit that is meant as none would be a useless unit
-        reached = 4.0 * motion_scale(order, given, limits)
-        for axis in range(count):
+        reached = 4.0 * motion_scale(order, choice[0:places, :, :], limits)
+        for axis in range(axes.shape[0]):
             if reached > 0.0:
                 limits[axis, order] = min(limits[axis, order], reached)
                 lower[axis, order] = min(lower[axis, order], reached)
-    path[Path.AXES] = count
+    path[Path.AXES] = axes.shape[0]
     path[Path.PLACES] = places
     path[Path.LAST] = 0.0
-    write_tracks(limits, lower, path, tracks)
-    write_grid(int(path[Path.ORDER]), grid, square)
+    write_tracks(limits, lower, path, axes)
+    square = tools[Tools.SQUARE:Tools.SIZE, :]
+    write_grid(int(path[Path.ORDER]), tools[Tools.GRID:Tools.SQUARE, :], square)
     return set_axes(limits, lower, axes, work)
 
 
@@ -113,8 +114,9 @@ def is_given(point: int, count: int, spots: 'float[:,:,:]') -> bool:
     return True
 
 
-def next_passage(path: 'float[:]', spots: 'float[:,:,:]') -> bool:
+def next_passage(tools: 'float[:,:]', spots: 'float[:,:,:]') -> bool:
     """Go to the next passage; False if there is none."""
+    path = tools[Tools.PATH, :]
     count = int(path[Path.AXES])
     end = int(path[Path.PLACES]) - 1
     first = int(path[Path.LAST])
@@ -129,51 +131,48 @@ def next_passage(path: 'float[:]', spots: 'float[:,:,:]') -> bool:
 
 
 def choose_passage(
-    room: float, limits: 'float[:,:]', lower: 'float[:,:]', allowed: 'float[:,:]',
-    choice: 'float[:,:,:]', path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
-    links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
-    band: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
-    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> None:
     """Choose the free states between the two places at which a passage begins and ends.
 
-    room: share of the range around two places by which an axis may leave it, 1e300: any; allowed
-    (k, 2): range of the positions [m]. With more room the search may end elsewhere, and later: so
-    the usual one is tried as well.
+    With more room than usual the search may end elsewhere, and later: so the usual one is tried
+    as well.
     """
+    path = tools[Tools.PATH, :]
     first = int(path[Path.FIRST])
     last = int(path[Path.LAST])
-    places = int(path[Path.PLACES])
-    count = int(path[Path.AXES])
-    size = choice.shape[0] // 5
-    given = choice[0:places, :, :]
-    part = choice[first:last + 1, :, :]
-    kept = choice[4 * size + first:4 * size + last + 1, :, :]
-    own_spots = spots[first * count:(last + 1) * count, :, :]
-    own_links = links[first * count:last * count, :, :]
+    begin, end = block_rows(Block.GIVEN, path, choice)
+    part = choice[begin:end, :, :]
+    begin, end = block_rows(Block.BEST, path, choice)
+    best = choice[begin:end, :, :]
+    begin, end = block_rows(Block.KEPT, path, choice)
+    kept = choice[begin:end, :, :]
+    low = first * axes.shape[0]
+    high = last * axes.shape[0]
+    beyond = high + axes.shape[0]
+    size = Free.SIZE * (beyond - low)
+    own_spots = spots[low:beyond, :, :]
+    own_links = links[low:high, :, :]
     own_spans = spans[first:last, :]
-    own_cells = cells[first * count:last * count, :, :]
-    own_band = band[0:Free.SIZE * count * (last + 1 - first), :]
+    own_cells = cells[low:high, :, :]
     least = 1e300
     copy_states(part, kept)
+    share = path[Path.SHARE]
     for attempt in range(2):
-        share = room
         if attempt == 1:
-            share = 0.25
-            if room <= 0.25:
+            if share <= 0.25:
                 break
-        write_boxes(share, first, given, allowed, path, own_links)
-        if not admit_states(first, given, path, own_spots, own_links):
+            share = 0.25
+        places = int(path[Path.PLACES])
+        write_boxes(share, first, choice[0:places, :, :], path, axes, own_links)
+        if not admit_states(part, path, own_spots, own_links):
             continue
-        widen_boxes(
-            part, path, own_links, own_spans, axes, own_cells, timing, coefficients, rope, work
-        )
-        best = choice[size + first:size + last + 1, :, :]
-        alone = choice[2 * size + first:2 * size + last + 1, :, :]
-        tried = choice[3 * size + first:3 * size + last + 1, :, :]
+        widen_boxes(part, path, own_links, own_spans, axes, own_cells, timing, coefficients, work)
         found = fastest_states(
-            limits, lower, part, best, alone, tried, path, tracks, own_spots, own_links,
-            own_spans, grid, square, own_band, axes, own_cells, timing, coefficients, rope, work,
+            choice, tools, axes, own_spots, own_links, own_spans, band[0:size, :], own_cells,
+            timing, coefficients, work,
         )
         if found < least:
             least = found
@@ -182,34 +181,37 @@ def choose_passage(
 
 
 def fastest_states(
-    limits: 'float[:,:]', lower: 'float[:,:]', given: 'float[:,:,:]', best: 'float[:,:,:]',
-    alone: 'float[:,:,:]', tried: 'float[:,:,:]', path: 'float[:]', tracks: 'float[:,:]',
-    spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]',
-    square: 'float[:,:]', band: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
-    timing: 'float[:,:]', coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
-    """Write the states of the fastest plan found; its duration [s]."""
+    """Write the states of the fastest plan found to the block BEST; its duration [s]."""
+    path = tools[Tools.PATH, :]
+    begin, end = block_rows(Block.BEST, path, choice)
+    best = choice[begin:end, :, :]
+    begin, end = block_rows(Block.ALONE, path, choice)
+    alone = choice[begin:end, :, :]
+    path[Path.KNOWN] = 1e300
+    path[Path.BLOCK] = Block.BEST
     total = searched_states(
-        1e300, given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes,
-        cells, timing, coefficients, rope, work,
+        choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
     )
     least = 1e300
     if choose_fields(False, spots):
-        # polished on its own, as if velocities alone were free: from `best` it may end elsewhere
+        # polished on its own, as if velocities alone were free: from the best it may end elsewhere
+        path[Path.KNOWN] = total
+        path[Path.BLOCK] = Block.ALONE
         least = searched_states(
-            total, given, alone, tried, path, tracks, spots, links, spans, grid, square, band,
-            axes, cells, timing, coefficients, rope, work,
+            choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         )
         if least < total:
             copy_states(alone, best)
         least = polish_states(
-            alone, path, limits, lower, spots, links, spans, axes, cells, timing, coefficients,
-            rope, work,
+            alone, path, spots, links, spans, axes, cells, timing, coefficients, work
         )
     choose_fields(True, spots)
     total = polish_states(
-        best, path, limits, lower, spots, links, spans, axes, cells, timing, coefficients, rope,
-        work,
+        best, path, spots, links, spans, axes, cells, timing, coefficients, work
     )
     if least < total:
         copy_states(alone, best)
@@ -230,17 +232,19 @@ def choose_fields(all_fields: bool, spots: 'float[:,:,:]') -> bool:
 
 
 def searched_states(
-    known: float, given: 'float[:,:,:]', best: 'float[:,:,:]', tried: 'float[:,:,:]',
-    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
-    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]',
-    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
-    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
-    """Write the fastest states on central paths, or rest; the duration of their plan [s].
+    """Write the fastest states on central paths, or rest, to the path's block; their duration [s].
 
-    known: duration of a plan beside which others are of interest [s].
+    What is no faster than KNOWN of the path is of no interest.
     """
-    copy_states(given, best)
+    path = tools[Tools.PATH, :]
+    begin, end = block_rows(Block.GIVEN, path, choice)
+    given = choice[begin:end, :, :]
+    begin, end = block_rows(int(path[Path.BLOCK]), path, choice)
+    copy_states(given, choice[begin:end, :, :])
     path[Path.BEST] = plan_lengths(given, spans, axes, cells, work)
     # the motion found depends on where the path begins, so each is tried if given states move
     path[Path.START] = 10.0
@@ -250,8 +254,7 @@ def searched_states(
         attempts = 2
     for attempt in range(attempts):
         search_states(
-            known, given, best, tried, path, tracks, spots, links, spans, grid, square, band,
-            axes, cells, timing, coefficients, rope, work,
+            choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         )
         path[Path.START] = 100.0
     return path[Path.BEST]

@@ -1,8 +1,8 @@
 """The planner's durations with states, and whether it leaves the boxes.
 
 Cells, axes and work as for `plan_motion`; all axes meet in the waypoints. timing (rows, Timing) and
-coefficients (rows, 2 n) hold the pieces of a cell and the spare rows, rope (RopeWork, 8 n - 5) is
-work space. Rises are the usual ones: steeper ones would be those of the whole axis.
+coefficients (rows, 2 n) hold the pieces of a cell and the spare rows. Rises are the usual ones:
+steeper ones would be those of the whole axis.
 """
 
 from math import exp
@@ -88,25 +88,27 @@ def plan_lengths(
 
 def farthest_beyond(
     side: int, low: float, high: float, first: float, cell: 'float[:,:]', axis: 'float[:]',
-    timing: 'float[:,:]', coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
     """How far a planned cell, which begins at `first` [m], leaves a range above (0) or below."""
     cell[Cell.PLACE, Place.POSITION] = first
     cell[Cell.PLACE, Place.START] = 0.0
     expansion = work[MotionWork.EXPANSION:MotionWork.CHECK, :]
     count = expand_cell(cell, axis, timing, coefficients, 0, expansion)
+    # free between two plans
+    hulls = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
     known = 0.0
     for row in range(count):
-        write_room(side, row, 0.0, low, high, coefficients, rope)
+        write_room(side, row, 0.0, low, high, coefficients, hulls)
         length = timing[row, Timing.LENGTH]
-        known = greatest_lack(coefficients.shape[1], length, known, rope)
+        known = greatest_lack(coefficients.shape[1], length, known, hulls)
     return known
 
 
 def leaves_box(
     place: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
     axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
-    rope: 'float[:,:]', work: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> bool:
     """Whether a planned interval leaves its boxes by more than the margin."""
     for axis in range(axes.shape[0]):
@@ -118,7 +120,7 @@ def leaves_box(
             for side in range(2):
                 beyond = farthest_beyond(
                     side, low, high, first, cells[i, :, :], axes[axis, :], timing, coefficients,
-                    rope, work,
+                    work,
                 )
                 if beyond > path[Path.MARGIN]:
                     return True
@@ -128,7 +130,7 @@ def leaves_box(
 def offer_states(
     tried: 'float[:,:,:]', best: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
     spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
-    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> int:
     """Take states if their plan is shorter; writes which intervals are slow, and counts them.
 
@@ -152,7 +154,7 @@ def offer_states(
         # a profile keeps up with the path if it takes at most this much longer
         slow = not spans[j, Stretch.LENGTH] <= 1.005 * exp(spans[j, Stretch.TIME])
         if shorter and leaves_box(
-            j, tried, path, links, axes, cells, timing, coefficients, rope, work
+            j, tried, path, links, axes, cells, timing, coefficients, work
         ):
             slow = True
             beyond = True

@@ -78,8 +78,8 @@ def write_model(
         diagonal = square[Square.HESSIAN + j, j]
         square[Square.HESSIAN + j, j] = (1.0 + ridge) * diagonal
     row = Square.HESSIAN + GridColumn.TIME
-    square[row, GridColumn.TIME] = (1.0 + ridge) * square[row, GridColumn.TIME]
-    square[row, GridColumn.TIME] = square[row, GridColumn.TIME] + square[Square.BENT, GridColumn.TIME]
+    diagonal = (1.0 + ridge) * square[row, GridColumn.TIME]
+    square[row, GridColumn.TIME] = diagonal + square[Square.BENT, GridColumn.TIME]
     eliminate(int(path[Path.COMPONENTS]), link, square)
 
 

@@ -19,8 +19,8 @@ from segfmu.kernels.passage.barrier import (
 )
 from segfmu.kernels.passage.model import write_model
 from segfmu.kernels.passage.records import (
-    GridColumn,
     Free,
+    GridColumn,
     GridRow,
     Link,
     Path,

@@ -10,9 +10,9 @@ from segfmu.kernels.passage.judge import (
     plan_lengths,
     shortest_of,
 )
-from segfmu.kernels.passage.records import Free, Link, Spot, Stretch
+from segfmu.kernels.passage.records import Free, Link, Path, Spot, Stretch
 from segfmu.kernels.planner.plan import set_problems
-from segfmu.kernels.planner.records import Cell, Interval, WaypointState
+from segfmu.kernels.planner.records import Axis, Cell, Interval, WaypointState
 
 
 def keep_cells(
@@ -48,13 +48,13 @@ def set_state(
 
 
 def tried_length(
-    known: float, point: int, axis: int, states: 'float[:,:,:]', path: 'float[:]',
-    links: 'float[:,:,:]', spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
-    timing: 'float[:,:]', coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    point: int, axis: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
     """Duration of the two intervals beside a waypoint [s] after a state of an axis has changed.
 
-    1e300 if that is no less than `known`, or leaves a box.
+    1e300 if that is no less than KNOWN of the path, or leaves a box.
     """
     least = 0.0
     for place in range(point - 1, point + 1):
@@ -64,42 +64,43 @@ def tried_length(
         for other in range(axes.shape[0]):
             longest = max(longest, shortest_of(place, other, axes, cells))
         least = least + longest
-    if not least < known:
+    if not least < path[Path.KNOWN]:
         return 1e300
     total = 0.0
     for place in range(point - 1, point + 1):
         spans[place, Stretch.TRIED] = common_length(place, axes, cells, work)
         total = total + spans[place, Stretch.TRIED]
-    if not total < known:
+    if not total < path[Path.KNOWN]:
         return 1e300
     for place in range(point - 1, point + 1):
-        if leaves_box(
-            place, states, path, links, axes, cells, timing, coefficients, rope, work
-        ):
+        if leaves_box(place, states, path, links, axes, cells, timing, coefficients, work):
             return 1e300
     return total
 
 
 def polish_state(
-    step: float, point: int, axis: int, field: int, low: float, high: float,
-    states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]', spans: 'float[:,:]',
-    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
-    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
+    spot: int, field: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> None:
-    """Move a state within low .. high in the direction that gains more, as long as it gains."""
+    """Move a state of a spot within its limits, the way that gains more, as long as it gains."""
+    point = spot // axes.shape[0]
+    axis = spot % axes.shape[0]
+    high = axes[axis, Axis.VELOCITY + field]
+    low = -axes[axis, Axis.LOWER + field]
     least = spans[point - 1, Stretch.LENGTH] + spans[point, Stretch.LENGTH]
-    move = step * 0.5 * (high - low)
+    move = path[Path.STEP] * 0.5 * (high - low)
     before = 1e300
-    # both directions first, then the better one
+    # both ways first, then the better one
     for trial in range(1000):
         here = states[point, axis, WaypointState.VELOCITY + field]
         value = min(max(here + move, low), high)
         keep_cells(point, axis, False, axes, cells, links)
         set_state(value, point, axis, field, states, axes, cells)
         # a millionth less is no gain
+        path[Path.KNOWN] = least * (1.0 - 1e-6)
         found = tried_length(
-            least * (1.0 - 1e-6), point, axis, states, path, links, spans, axes, cells, timing,
-            coefficients, rope, work,
+            point, axis, states, path, links, spans, axes, cells, timing, coefficients, work
         )
         if trial > 1 and found < 1e300:
             least = found
@@ -134,10 +135,9 @@ def runs_backwards(spans: 'float[:,:]') -> bool:
 
 
 def polish_states(
-    states: 'float[:,:,:]', path: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
-    spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]', axes: 'float[:,:]',
-    cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
-    rope: 'float[:,:]', work: 'float[:,:]',
+    states: 'float[:,:,:]', path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
     """Move all states that are chosen, by smaller and smaller steps; the duration then [s].
 
@@ -147,22 +147,21 @@ def polish_states(
     count = axes.shape[0]
     last = states.shape[0] - 1
     plan_lengths(states, spans, axes, cells, work)
-    step = 0.03
+    path[Path.STEP] = 0.03
     for sweep in range(4):
         backwards = runs_backwards(spans)
         for k in range(1, last):
             point = k
             if backwards:
                 point = last - k
-            for axis in range(count):
+            for spot in range(point * count, (point + 1) * count):
                 for field in range(Free.SIZE):
-                    if spots[point * count + axis, Spot.CHOSEN, field] > 0.5:
+                    if spots[spot, Spot.CHOSEN, field] > 0.5:
                         polish_state(
-                            step, point, axis, field, -lower[axis, field], limits[axis, field],
-                            states, path, links, spans, axes, cells, timing, coefficients, rope,
-                            work,
+                            spot, field, states, path, links, spans, axes, cells, timing,
+                            coefficients, work,
                         )
-        step = 0.32 * step
+        path[Path.STEP] = 0.32 * path[Path.STEP]
     total = 0.0
     for j in range(spans.shape[0]):
         total = total + spans[j, Stretch.LENGTH]

@@ -1,5 +1,6 @@
 """Records of the choice of free states."""
 
+from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.records import Codes, Record, field
 
 
@@ -26,14 +27,36 @@ class Path(Record):
     START = field("gap at the first point")
     TOTAL = field("duration of the last point", "s")
     BEST = field("duration of the best plan, of states that are kept; 1e300: none", "s")
+    KNOWN = field("duration beside which others are of interest", "s")
+    BLOCK = field("of the choice that keeps the best states, see Block")
+    STEP = field("by which states are moved, in half ranges")
+    SHARE = field("of the range around two places by which an axis may leave it; 1e300: any")
     MARGIN = field("by which a plan may leave its box", "m")
 
 
-class Track(Record):
-    """What an axis may do."""
+class Track(Axis):
+    """What an axis may do, for the planner and on the path."""
 
-    LIMIT = field("half ranges of velocity and acceleration, limits of jerk and snap", size=4)
+    LIMIT = field("half ranges of velocity and acceleration", size=2)
+    JERK_LIMIT = field("limit of the jerk; 1e100: none", "m/s3")
+    SNAP_LIMIT = field("limit of the snap; 1e100: none", "m/s4")
     MIDDLE = field("of the ranges of velocity and acceleration", "m/s, m/s2", size=2)
+    ALLOWED = field("range of the positions", "m", size=2)
+
+
+class Block(Codes):
+    """Blocks of `choice`, each with the states of all places.
+
+    GIVEN: those that are given, and rest; in the end those chosen. BEST, ALONE: the best found,
+    and that with free velocities alone. TRIED: of the last plan. KEPT: the best of several rooms.
+    """
+
+    GIVEN = 0
+    BEST = 1
+    ALONE = 2
+    TRIED = 3
+    KEPT = 4
+    COUNT = 5
 
 
 class Free(Record):
@@ -118,6 +141,14 @@ class Square(Record):
     OWN = field("its part of the components", size=9, of=GridColumn)
     RIGHT = field("right-hand sides", size=9, of=GridColumn)
     BASIS = field("orthogonal controls that change nothing at the ends", size=9, of=GridColumn)
+
+
+class Tools(Record):
+    """Rows: the path, the grid, and small matrices."""
+
+    PATH = field("what the path is of", of=Path)
+    GRID = field("how derivatives depend on the columns", size=Cells.ROWS, of=GridRow)
+    SQUARE = field("work space", size=Square.SIZE, of=GridColumn)
 
 
 class Solved(Record):

@@ -11,13 +11,15 @@ from math import floor, sqrt
 from segfmu.kernels.passage.judge import offer_states
 from segfmu.kernels.passage.path import begin_path, follow_path, path_total
 from segfmu.kernels.passage.records import (
+    Block,
     Cells,
-    GridColumn,
     Free,
+    GridColumn,
     Link,
     Path,
     Spot,
     Stretch,
+    Tools,
     Track,
 )
 from segfmu.kernels.planner.records import PlanOptions, Shape, WaypointState
@@ -51,8 +53,8 @@ def write_tracks(
             path[Path.ORDER] = 4.0
         if jerk < 1e100:
             snap = min(snap, 10.0 * jerk * jerk / acceleration)
-        tracks[axis, Track.LIMIT + 2] = jerk
-        tracks[axis, Track.LIMIT + 3] = snap
+        tracks[axis, Track.JERK_LIMIT] = jerk
+        tracks[axis, Track.SNAP_LIMIT] = snap
     path[Path.COMPONENTS] = Cells.COUNT - path[Path.ORDER]
     path[Path.ROWS] = path[Path.ORDER] * Cells.INNER + Cells.COUNT
 
@@ -160,32 +162,39 @@ def gap_of(place: int) -> float:
 
 
 def try_path(
-    given: 'float[:,:,:]', best: 'float[:,:,:]', tried: 'float[:,:,:]', path: 'float[:]',
-    tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
-    grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]', axes: 'float[:,:]',
-    cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
-    rope: 'float[:,:]', work: 'float[:,:]',
+    choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> bool:
     """Offer the states on a path; writes the intervals in which the best of them are slow.
 
     False if the path has none.
     """
+    path = tools[Tools.PATH, :]
+    grid = tools[Tools.GRID:Tools.SQUARE, :]
+    square = tools[Tools.SQUARE:Tools.SIZE, :]
+    begin, end = block_rows(Block.GIVEN, path, choice)
+    given = choice[begin:end, :, :]
+    begin, end = block_rows(Block.TRIED, path, choice)
+    tried = choice[begin:end, :, :]
+    begin, end = block_rows(int(path[Path.BLOCK]), path, choice)
+    best = choice[begin:end, :, :]
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
-    write_scales_of(smoothstep, given, path, tracks, spots, links, spans)
-    if not begin_path(path, tracks, spots, links, spans, grid, square, band):
+    write_scales_of(smoothstep, given, path, axes, spots, links, spans)
+    if not begin_path(path, axes, spots, links, spans, grid, square, band):
         return False
     theta = path[Path.TERMS] / (path[Path.START] * path_total(int(Stretch.TIME), spans))
     fewest = spans.shape[0] + 1
     for place in range(3):
         theta = follow_path(
-            theta, gap_of(place), path, tracks, spots, links, spans, grid, square, band
+            theta, gap_of(place), path, axes, spots, links, spans, grid, square, band
         )
         if theta < 0.0:
             break
         path[Path.TOTAL] = path_total(int(Stretch.TIME), spans)
-        write_tried(given, path, tracks, spots, tried)
+        write_tried(given, path, axes, spots, tried)
         slow = offer_states(
-            tried, best, path, links, spans, axes, cells, timing, coefficients, rope, work
+            tried, best, path, links, spans, axes, cells, timing, coefficients, work
         )
         if slow < fewest:
             fewest = slow
@@ -194,29 +203,32 @@ def try_path(
     return fewest <= spans.shape[0]
 
 
-def search_states(
-    known: float, given: 'float[:,:,:]', best: 'float[:,:,:]', tried: 'float[:,:,:]',
-    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
-    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]', band: 'float[:,:]',
-    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
-    coefficients: 'float[:,:]', rope: 'float[:,:]', work: 'float[:,:]',
-) -> None:
-    """Offer the states of paths that are as tight as they need to be, until none can be faster.
+def block_rows(block: int, path: 'float[:]', choice: 'float[:,:,:]') -> 'tuple[int, int]':
+    """The first row of a passage in a block (`Block`), and that after its last one."""
+    begin = block * (choice.shape[0] // Block.COUNT)
+    return begin + int(path[Path.FIRST]), begin + int(path[Path.LAST]) + 1
 
-    known: duration of a plan beside which others are of interest [s].
-    """
+
+def search_states(
+    choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
+) -> None:
+    """Offer the states of paths that are as tight as they need to be, until none can be faster."""
+    path = tools[Tools.PATH, :]
     for j in range(spans.shape[0]):
         spans[j, Stretch.DEGREE] = 0.0
         spans[j, Stretch.FAILED] = -1.0
         spans[j, Stretch.GOOD] = 1e300
     for sweep in range(10):
         if not try_path(
-            given, best, tried, path, tracks, spots, links, spans, grid, square, band, axes,
-            cells, timing, coefficients, rope, work,
+            choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         ):
             return
         # a path this much longer than the best plan holds nothing faster
-        if path[Path.TOTAL] > 1.03 * min(path[Path.BEST], known) or not tighten_path(spans):
+        if path[Path.TOTAL] > 1.03 * min(path[Path.BEST], path[Path.KNOWN]):
+            return
+        if not tighten_path(spans):
             return
 
 
