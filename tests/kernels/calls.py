@@ -476,6 +476,7 @@ def crane_calls() -> dict[str, Call]:
         "crane_rhs": (state, force, axes, masses, derivative),
         "crane_driven": (state, axes, force, axes, masses, derivative.copy(), zeros(3)),
         "crane_flat_inverse": (flat, masses, zeros(3), zeros(State.SIZE), zeros(5)),
+        "flat_orders": (plant[: Resistance.SIZE].copy(),),
         "drive_demands": (
             np.stack([flat[:5], flat[:5]]), np.array([0.0, 1.0]), plant[: Resistance.SIZE].copy(),
             np.stack([rows] * 3), zeros(DemandWork.SIZE, DemandWork.COLUMNS), zeros(2, Demand.SIZE),

@@ -417,6 +417,11 @@ def hook_derivatives(
     /,
 ) -> None: ...
 
+def flat_orders(
+    resistance: Floats,
+    /,
+) -> int: ...
+
 def same_break(
     time: float,
     /,

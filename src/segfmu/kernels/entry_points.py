@@ -490,8 +490,10 @@ ENTRY_POINTS = (
         "crane._crane", "crane_flat_inverse", flat=(5, Vector.SIZE), masses=Masses.SIZE,
         force=Axes.SIZE, state=State.SIZE, acceleration=Coordinates.SIZE,
     ),
+    entry("crane.inverse", "flat_orders", resistance=Resistance.SIZE),
     entry(
-        "crane.demand", "drive_demands", flat=("motions", 5, Vector.SIZE), times=("motions",),
+        "crane.demand", "drive_demands",
+        flat=("motions", "flat_orders(resistance)", Vector.SIZE), times=("motions",),
         resistance=Resistance.SIZE, contacts=(Axes.SIZE, "contacts", Contact.SIZE),
         work=(DemandWork.SIZE, DemandWork.COLUMNS), demands=("motions", Demand.SIZE),
     ),

@@ -7,7 +7,18 @@ import pytest
 import sympy as sp
 
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import FlatInverse, FlatSeries, Masses, SlingSeries, State
+from segfmu.kernels.crane.records import (
+    Axes,
+    Contact,
+    Demand,
+    DemandWork,
+    FlatInverse,
+    FlatSeries,
+    Masses,
+    Resistance,
+    SlingSeries,
+    State,
+)
 from segfmu.kernels.hook.records import HookCoordinates, HookInverse, HookState
 from tests.crane.hook_digits import HookDigits, path_derivatives
 
@@ -77,3 +88,18 @@ def test_each_order_is_the_rate_of_the_one_before(order: int) -> None:
         quotient = (rows[0] - 8.0 * rows[1] + 8.0 * rows[2] - rows[3]) / (12.0 * h)
         found = inverse(np.array(path_derivatives(sp.Float(t), order + 7)), crane, order)
         assert found == pytest.approx(quotient, rel=1e-7, abs=1e-7 * np.abs(found).max())
+
+
+def test_demands_of_a_hook_need_all_orders() -> None:
+    """With a sling the kernel reads two derivatives more, and refuses arrays without them."""
+    known = np.zeros(Resistance.SIZE)
+    known[: Masses.SIZE] = numbers("lab")[: Masses.SIZE]
+    known[Resistance.HOOK_MASS :] = numbers("lab")[-2:]
+    flat = np.array([path_derivatives(TIMES[1], 7)])
+    arrays = np.zeros(1), known, np.zeros((Axes.SIZE, 1, Contact.SIZE))
+    work, found = np.zeros((DemandWork.SIZE, DemandWork.COLUMNS)), np.zeros((1, Demand.SIZE))
+    with pytest.raises(IndexError):
+        backend.drive_demands(flat[:, :5].copy(), *arrays, work, found)
+    backend.drive_demands(flat, *arrays, work, found)
+    exact = HookDigits(CRANES["lab"][0]).inverse(TIMES[1])
+    assert found[0, : Demand.VELOCITY] == pytest.approx([float(f) for f in exact[:3]], rel=1e-12)

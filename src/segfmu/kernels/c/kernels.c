@@ -193,7 +193,6 @@ static double first_deflection(array_double_1d resistance, int64_t axis, double 
 static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work);
 static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work);
 static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work);
-static int64_t flat_orders(array_double_1d resistance);
 static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static double release_time(array_double_1d resistance, int64_t axis);
@@ -7712,7 +7711,7 @@ void segfmu_hook_derivatives(array_double_2d flat, int64_t order, array_double_1
         (*cspan_at(&found, INT64_C(17) + INT64_C(5) + i)) = series_derivative(angle, order + INT64_C(2));
     }
 }
-static int64_t flat_orders(array_double_1d resistance)
+int64_t segfmu_flat_orders(array_double_1d resistance)
 {
     if ((*cspan_at(&resistance, INT64_C(19))) > 0.0)
     {
@@ -7848,7 +7847,7 @@ static int64_t axis_motion(double* result_0, double* result_1, double time, arra
     double position;
     double velocity;
     crane = span_row(&work, INT64_C(27));
-    load = span_rows(&work, INT64_C(28), INT64_C(28) + flat_orders(crane));
+    load = span_rows(&work, INT64_C(28), INT64_C(28) + segfmu_flat_orders(crane));
     series = span_rows(&work, INT64_C(3), INT64_C(3) + INT64_C(23));
     axis = (int64_t)((*cspan_at(&work, INT64_C(26), INT64_C(0))));
     segfmu_evaluate_orders(time, timing, coefficients, offsets, ends, load);
@@ -9429,7 +9428,7 @@ static void demand_at(double time, int64_t row, array_double_2d timing, array_do
 {
     array_double_2d load;
     array_double_1d near;
-    load = span_rows(&work, INT64_C(26), INT64_C(26) + flat_orders(resistance));
+    load = span_rows(&work, INT64_C(26), INT64_C(26) + segfmu_flat_orders(resistance));
     near = span_row(&work, INT64_C(82));
     evaluate_near(time, near, timing, coefficients, offsets, ends, load);
     motion_demand(load, time, resistance, contacts, work, span_row(&work, row));

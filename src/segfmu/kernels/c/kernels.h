@@ -52,6 +52,7 @@ SEGFMU_API void segfmu_crane_load_partials(array_double_1d state, array_double_2
 SEGFMU_API void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses, array_double_2d partials);
 SEGFMU_API void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found);
 SEGFMU_API void segfmu_hook_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, double hook_mass, double sling, array_double_2d work, array_double_1d found);
+SEGFMU_API int64_t segfmu_flat_orders(array_double_1d resistance);
 SEGFMU_API double segfmu_same_break(double time);
 SEGFMU_API double segfmu_next_plan_event(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_2d times);
 SEGFMU_API double segfmu_right_of_break(double time, double start, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);

@@ -1572,6 +1572,23 @@ static PyObject *call_hook_derivatives(
     return answer;
 }
 
+static PyObject *call_flat_orders(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_orders", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_resistance;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)) {
+        answer = PyLong_FromLongLong(segfmu_flat_orders(
+            (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_same_break(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1809,14 +1826,14 @@ static PyObject *call_drive_demands(
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 1)
         && has_extent(&call, "times", 0, in_times->shape[0], in_flat->shape[0])
         && has_extent(&call, "demands", 0, in_demands->shape[0], in_flat->shape[0])
-        && has_at_least(&call, "flat", 1, in_flat->shape[1], 5)
         && has_at_least(&call, "flat", 2, in_flat->shape[2], 3)
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 26)
         && has_at_least(&call, "work", 1, in_work->shape[1], 10)
-        && has_at_least(&call, "demands", 1, in_demands->shape[1], 14)) {
+        && has_at_least(&call, "demands", 1, in_demands->shape[1], 14)
+        && has_at_least(&call, "flat", 1, in_flat->shape[1], segfmu_flat_orders((array_double_1d){in_resistance->buf, {in_resistance->shape[0]}}))) {
         segfmu_drive_demands(
             (array_double_3d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1], in_flat->shape[2]}},
             (array_double_1d){in_times->buf, {in_times->shape[0]}},
@@ -5281,6 +5298,7 @@ static PyMethodDef methods[] = {
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
     {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
     {"hook_derivatives", (PyCFunction)(void (*)(void))call_hook_derivatives, METH_FASTCALL, NULL},
+    {"flat_orders", (PyCFunction)(void (*)(void))call_flat_orders, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},
