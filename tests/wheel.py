@@ -18,6 +18,7 @@ import zipfile
 from argparse import ArgumentParser
 from pathlib import Path
 
+from segfmu.fmu.models import registered
 from segfmu.fmu.native.compilers import PLATFORMS
 from segfmu.fmu.native.packed import unpack
 
@@ -100,8 +101,8 @@ def check_wheel(wheel: Path) -> None:
         metadata = archive.read(next(n for n in names if n.endswith("/METADATA"))).decode()
         fmus = [n for n in names if n.startswith("segfmu/fmu/native/binaries/")]
         libraries = [unpack(archive.read(name)) for name in fmus]
-    # both models; pages need one version of FMI
-    assert sorted(map(len, libraries)) == [2, *[2 * 2] * len(PLATFORMS)], fmus
+    # all models; pages have two of them, in one version of FMI
+    assert sorted(map(len, libraries)) == [2, *[2 * len(registered())] * len(PLATFORMS)], fmus
     modules = [n for n in names if n.endswith((".so", ".pyd"))]
     assert len(modules) == 2, modules
     tops = {n.partition("/")[0].partition("-")[0] for n in names}

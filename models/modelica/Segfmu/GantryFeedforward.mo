@@ -508,7 +508,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{70119773-b5f3-6cff-2bcb-4d27925d2760}", 0);
+      "{2bb4f5c4-4a46-8570-5aef-3ee87e8ddef1}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -1,7 +1,7 @@
 within ;
 package Segfmu "Swing-free motion of a gantry crane: planner and crane as FMUs, and a crane in plain Modelica"
   annotation(
-    version = "0.2.0",
+    version = "0.3.0",
     Documentation(info = "<html>
 <p>GantryFeedforward plans the motion of a crane's load and inverts the crane; GantryCrane is the crane
 with drives, sensors and sway feedback. Both classes run an FMU (FMI 2.0 model exchange); the folders of

@@ -1,7 +1,7 @@
 """Compile the binaries that a released wheel carries: `python -m segfmu.fmu.native.prebuild`.
 
 They lie in `binaries/` beside this file, an archive a platform, with every model and version of
-FMI; that of pages with FMI 2 alone. A build takes them where its sources are theirs, and then needs
+FMI; that of pages with FMI 2 alone, of the models that run there. A build takes them where its sources are theirs, and then needs
 no compiler.
 """
 
@@ -18,6 +18,8 @@ from segfmu.fmu.native.binaries import binary, packaged_name
 from segfmu.fmu.native.compilers import BROWSER, TARGETS, portable
 from segfmu.fmu.native.packed import pack
 
+# models that run in pages
+PAGE = ("GantryFeedforward", "GantryCrane")
 TARGET = Path(__file__).with_name("binaries")
 
 
@@ -31,8 +33,9 @@ def main() -> None:
 
 def _given(platform: str) -> list[tuple[str, Mapping[str, bytes]]]:
     """Models with their sources of the versions of FMI that a platform has."""
-    versions = (2,) if platform == BROWSER.name else VERSIONS
-    return [(m.name, sources(m.name, fmi)) for m in registered() for fmi in versions]
+    if platform == BROWSER.name:
+        return [(name, sources(name, 2)) for name in PAGE]
+    return [(m.name, sources(m.name, fmi)) for m in registered() for fmi in VERSIONS]
 
 
 def _write(platform: str, given: Iterable[tuple[str, Mapping[str, bytes]]]) -> str:
