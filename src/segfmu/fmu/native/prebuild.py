@@ -1,8 +1,8 @@
 """Compile the binaries that a released wheel carries: `python -m segfmu.fmu.native.prebuild`.
 
 They lie in `binaries/` beside this file, an archive a platform, with every model and version of
-FMI; that of pages with FMI 2 alone, of the models that run there. A build takes them where its sources are theirs, and then needs
-no compiler.
+FMI; that of pages with FMI 2 alone, of the models that run there. A build takes them where its
+sources are theirs, and then needs no compiler.
 """
 
 from __future__ import annotations
