@@ -184,9 +184,6 @@ LIMIT = Messages(
         "{DRIVE}'s acceleration, force or power, or limits of the load",
         LimitStatus.SLOW_VELOCITY: _slow("velocity", "m/s"),
         LimitStatus.SLOW_ACCELERATION: _slow("acceleration", "m/s2"),
-        LimitStatus.FREE_STATE: "waypoint {POINT+1}: free velocities and accelerations are found "
-        "together with limits of the load; set planner.finds_limits, and a limits.*.velocity or "
-        "limits.*.acceleration to 0",
     },
     {"AXIS": ("x", "y", "z"), "DRIVE": DRIVES, "SIDE": ("", "_min")},
 )

@@ -103,14 +103,13 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
 def limits_to_find(mission: Mission) -> dict[str, float | str]:
     """Parameters of a GantryFeedforward that finds the limits of the load by itself.
 
-    So it plans what `segfmu plan` does, also after a change; what is free stays free. Empty for a
-    mission without bounds of the drives, and for one with free waypoint states and limits: it does
-    not choose states within given limits.
+    So it plans what `segfmu plan` does, also after a change; what is free stays free. Without
+    bounds of the drives the limits are those given.
     """
     bounds, limits = mission.build_bounds(), mission.build_limits()
     free = free_values(mission)
-    if bounds is None or not bounds.known or (free and limits is not None):
-        return {}
+    if bounds is None or not bounds.known:
+        return free
     none = {f"limits.{axis}.{name}": 0.0 for axis in AXES for name in (*LIMITS, *LOWER)}
     given = none if limits is None else limit_values(limits)
     return {**given, **free, "planner.finds_limits": True}

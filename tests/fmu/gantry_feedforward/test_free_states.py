@@ -153,15 +153,40 @@ def test_a_mission_stays_what_it_is_after_a_change(built, place: float, mass: fl
     assert 1.0 - 1e-6 <= max(used) <= 1.0 + 1e-9
 
 
-@pytest.mark.parametrize("changes", [
-    {}, {"planner.finds_limits": False}, {"limits.x.velocity": 0.5, **FIND},
+LIMITS = np.array([[0.5, 0.4, 1.0, 8.0], [0.4, 0.4, 1.2, 9.0], [0.3, 0.3, 1.0, 6.0]])
+PLACES = [[0.0, 0.0, -0.8], [0.4, 0.3, -0.7], [0.9, 0.5, -0.6], [1.3, 0.4, -0.6]]
+
+
+@pytest.mark.parametrize(("smoothness", "shape", "synchronization"), [
+    (4, "plateau", "waypoints"), (3, "plateau", "total"), (4, "smoothstep", "none"),
 ])
-def test_a_state_that_nothing_chooses_is_refused(archive, changes) -> None:
-    limited = {f"limits.{a}.{n}": 0.5 for a in "xyz" for n in STATES}
-    given = limited | flags(2, np.eye(2, 3, dtype=bool)) | changes
-    message = initialised(archive, given)
-    assert isinstance(message, str)
-    assert "waypoint 2: free velocities and accelerations are found together with limits" in message
+def test_states_are_chosen_within_given_limits_as_the_package_does(
+    archive, smoothness: int, shape: str, synchronization: str
+) -> None:
+    values = {
+        f"limits.{a}.{n}": float(v) for a, row in zip("xyz", LIMITS, strict=True)
+        for n, v in zip((*STATES, "jerk", "snap"), row, strict=True)
+    }
+    values |= {
+        f"waypoint[{i}].position.{a}": v for i, place in enumerate(PLACES, 1)
+        for a, v in zip("xyz", place, strict=True)
+    }
+    values |= {"waypoint.count": 4, "planner.smoothness": smoothness, "planner.shape": shape,
+               "planner.synchronization": synchronization} | flags(2, EVERY) | flags(3, EVERY)
+    points = [segfmu.Waypoint(p, "free", "free") for p in PLACES]
+    points[0], points[-1] = segfmu.Waypoint(PLACES[0]), segfmu.Waypoint(PLACES[-1])
+    own = segfmu.plan(
+        points, segfmu.Limits(*LIMITS.T), smoothness=smoothness, shape=shape,
+        synchronize=synchronization,
+    )
+    resting = segfmu.plan(
+        [segfmu.Waypoint(p) for p in PLACES], segfmu.Limits(*LIMITS.T), smoothness=smoothness,
+        shape=shape, synchronize=synchronization,
+    )
+    found = initialised(archive, values)
+    assert isinstance(found, dict), found
+    assert found["plan.duration"] == pytest.approx(own.duration, rel=1e-9)
+    assert found["plan.duration"] < 0.9 * resting.duration
 
 
 def test_flags_of_waypoints_that_are_not_in_use_are_no_matter(archive) -> None:

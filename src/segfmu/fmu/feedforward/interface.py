@@ -145,7 +145,7 @@ def waypoints(most: int) -> list[Variable]:
             rows += [
                 parameter(
                     f"waypoint[{i}].{name}_free.{a}", False, None, f"{name} at waypoint {i} in {a} "
-                    "is found together with limits of the load, not given", kind="Boolean",
+                    "is chosen for the shortest plan, not given", kind="Boolean",
                 )
                 for a in "xyz"
             ]
@@ -290,8 +290,8 @@ def arrays(most: int) -> tuple[Array, ...]:
         n: f"{n} of the load at the waypoints" for n in ("position", "velocity", "acceleration")
     }
     texts |= {
-        f"{n}_free": f"{n} at the waypoints that is found together with limits of the load, not "
-        "given" for n in ("velocity", "acceleration")
+        f"{n}_free": f"{n} at the waypoints that is chosen for the shortest plan, not given"
+        for n in ("velocity", "acceleration")
     }
     vectors = [
         Array(

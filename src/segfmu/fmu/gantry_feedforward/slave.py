@@ -24,7 +24,7 @@ from segfmu.crane.inverse import (
 from segfmu.crane.limit_search import FULL, LimitSearch
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import build
-from segfmu.errors import InfeasibleError, InputError, SegfmuError
+from segfmu.errors import InfeasibleError, SegfmuError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.gantry_feedforward.commands import Commands
 from segfmu.fmu.python.slave import SpecSlave
@@ -51,12 +51,11 @@ from segfmu.kernels.crane.records import (
     LoadMotion,
     RopeWork,
 )
-from segfmu.kernels.limits.records import LimitFault, LimitRow, LimitStatus, Pace, PlanLimits
-from segfmu.kernels.messages import BOUND, LIMIT, SPACE
-from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions, WaypointState
+from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
+from segfmu.kernels.messages import BOUND, SPACE
+from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.planning.arrays import FloatArray
-from segfmu.planning.request import with_states
 
 AXES = ("x", "y", "z")
 # what of the waypoints is found
@@ -121,7 +120,6 @@ class FeedforwardSlave(SpecSlave):
             return
         crane, friction = Crane.of(self.value), build(Friction, KNOWN, self.value)
         self.assign(("plan.pace",), (1.0,))
-        self._require_choice()
         if self.value("planner.finds_limits"):
             trajectory = self._as_found(crane, friction)
         else:
@@ -134,15 +132,6 @@ class FeedforwardSlave(SpecSlave):
         self.assign(("plan.duration",), (trajectory.duration,))
         self._evaluate(self.start_time)
         self._planned = True
-
-    def _require_choice(self) -> None:
-        """Refuse free states where nothing chooses them."""
-        free = np.flatnonzero(self._free().any(axis=(1, 2)))
-        chosen = self.value("planner.finds_limits") and not self._has_limits
-        if free.size > 0 and not chosen:
-            fault = np.zeros(LimitFault.SIZE)
-            fault[LimitFault.POINT] = free[0]
-            raise InputError(LIMIT.text(LimitStatus.FREE_STATE, fault))
 
     @property
     def _has_limits(self) -> bool:
@@ -184,9 +173,6 @@ class FeedforwardSlave(SpecSlave):
                 refusal = error
         options = self._options()
         points = self._waypoints(1.0)
-        states = np.array([p.planned for p in points])
-        states[:, :, WaypointState.VELOCITY :][self._free()] = np.nan
-        points = with_states(points, states, np.array([p.dwell for p in points]))
         timing = {name: options.pop(name) for name in ("sample_time", "duration")}
         caps = np.hstack([self._table(), self._least()])
         task = Task(
@@ -291,7 +277,10 @@ class FeedforwardSlave(SpecSlave):
             .reshape(count, -1)
             for array in gantry_feedforward.arrays(count) if array.name not in FREE
         )
-        rows = zip(position, pace * velocity, pace**2 * acceleration, dwell, strict=True)
+        free = self._free()
+        rates = np.where(free[:, :, 0], None, pace * velocity)
+        seconds = np.where(free[:, :, 1], None, pace**2 * acceleration)
+        rows = zip(position, rates.tolist(), seconds.tolist(), dwell, strict=True)
         return tuple(Waypoint(p, v, a, dwell=float(rest[0])) for p, v, a, rest in rows)
 
     @property

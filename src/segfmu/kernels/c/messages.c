@@ -223,13 +223,6 @@ bool segfmu_limit_message(
             side[(int)report[LIMIT_FAULT_SIDE]],
             report[LIMIT_FAULT_VALUE]);
         return true;
-    case 4:
-        snprintf(text, size,
-            "waypoint %d: free velocities and accelerations are found together with "
-            "limits of the load; set planner.finds_limits, and a limits.*.velocity or "
-            "limits.*.acceleration to 0",
-            (int)report[LIMIT_FAULT_POINT] + 1);
-        return true;
     default:
         return false;
     }

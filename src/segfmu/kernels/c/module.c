@@ -2666,7 +2666,7 @@ static PyObject *call_write_starts(
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
         && has_at_least(&call, "starts", 1, in_starts->shape[1], 18)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 5)) {
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_write_starts(
             in_rope,
             (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},

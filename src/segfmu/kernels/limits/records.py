@@ -67,14 +67,13 @@ class LimitStatus(Codes):
     """Why limits cannot be searched for.
 
     UNBOUNDED: nothing bounds the acceleration of an axis. SLOW_VELOCITY, SLOW_ACCELERATION: a bound
-    so small that the clock is too coarse for the ramps. FREE_STATE: one that nothing chooses.
+    so small that the clock is too coarse for the ramps.
     """
 
     FOUND = 0
     UNBOUNDED = 1
     SLOW_VELOCITY = 2
     SLOW_ACCELERATION = 3
-    FREE_STATE = 4
 
 
 class LimitFault(Record):
@@ -84,7 +83,6 @@ class LimitFault(Record):
     DRIVE = field("the same, as a drive")
     SIDE = field("1 in the negative direction")
     VALUE = field("the bound")
-    POINT = field("waypoint, counted from 0")
 
 
 class SearchStage(Codes):

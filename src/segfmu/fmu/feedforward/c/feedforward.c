@@ -17,8 +17,9 @@ size_t model_size(const model *base)
     const size_t plan = segfmu_plan_size(base->integer[V_WAYPOINT_COUNT], AXES, smoothness);
     const size_t search = base->integer[V_PLANNER_FINDS_LIMITS] ? search_size(base) : 0;
     const size_t operation = takes_commands(base) ? operation_size(smoothness) : 0;
-    /* commands begin when the search is over */
-    return sizeof(feedforward) + sizeof(double) * (plan + (search > operation ? search : operation));
+    const size_t choice = choice_size(base), most = search > operation ? search : operation;
+    /* one after the other: states are chosen, limits are searched for, commands begin */
+    return sizeof(feedforward) + sizeof(double) * (plan + (most > choice ? most : choice));
 }
 
 size_t mission_size(const feedforward *m)

@@ -99,6 +99,14 @@ static size_t search_size(const model *base);
 /* The first waypoint with a free velocity or acceleration, counted from 0; -1: there is none. */
 static int64_t free_waypoint(const model *base);
 
+/* Whether the velocity (order 0) or acceleration of an axis at a waypoint is free. */
+static bool is_free_state(const model *base, int64_t place, int order);
+
+/* Choose the free states of a request within its limits. It needs so many numbers behind those that
+   `segfmu_plan` needs. */
+static void choose_free_states(feedforward *m, request *r);
+static size_t choice_size(const model *base);
+
 /* Numbers of the plan in the block, without contacts. */
 static size_t planned_size(const feedforward *m);
 

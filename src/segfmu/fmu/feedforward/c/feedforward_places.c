@@ -4,7 +4,7 @@
 
 #include "limit_search.h"
 
-static bool has_free(const model *base, int64_t place, int order)
+bool is_free_state(const model *base, int64_t place, int order)
 {
     return base->integer[(order == 0 ? V_WAYPOINT_VELOCITY_FREE : V_WAYPOINT_ACCELERATION_FREE) + place];
 }
@@ -12,7 +12,7 @@ static bool has_free(const model *base, int64_t place, int order)
 int64_t free_waypoint(const model *base)
 {
     for (int64_t i = 0; i < base->integer[V_WAYPOINT_COUNT] * AXES; i++) {
-        if (has_free(base, i, 0) || has_free(base, i, 1)) {
+        if (is_free_state(base, i, 0) || is_free_state(base, i, 1)) {
             return i / AXES;
         }
     }
@@ -69,9 +69,9 @@ bool find_places(limit_search *s, feedforward *m)
     for (int64_t i = 0; i < s->points * AXES; i++) {
         double *state = s->states + i * WAYPOINT_STATE_SIZE;
         state[WAYPOINT_STATE_POSITION] = real[V_WAYPOINT_POSITION + i];
-        state[WAYPOINT_STATE_VELOCITY] = has_free(&m->base, i, 0) ? NAN : real[V_WAYPOINT_VELOCITY + i];
+        state[WAYPOINT_STATE_VELOCITY] = is_free_state(&m->base, i, 0) ? NAN : real[V_WAYPOINT_VELOCITY + i];
         state[WAYPOINT_STATE_ACCELERATION] =
-            has_free(&m->base, i, 1) ? NAN : real[V_WAYPOINT_ACCELERATION + i];
+            is_free_state(&m->base, i, 1) ? NAN : real[V_WAYPOINT_ACCELERATION + i];
     }
     array_double_3d states = cuboid(s->states, s->points, AXES, WAYPOINT_STATE_SIZE);
     array_double_1d place = vector(s->place, s->points);

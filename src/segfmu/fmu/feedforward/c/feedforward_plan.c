@@ -158,11 +158,27 @@ static void gather_limits(const model *base, double pace, request *r)
     for (int i = 0; i < LOWER_LIMITS_SIZE; i++) {
         r->lower[i] *= i % 2 == 0 ? pace : pace * pace;
     }
-    for (int64_t i = 0; i < base->integer[V_WAYPOINT_COUNT] * AXES; i++) {
-        r->velocity[i] = pace * base->real[V_WAYPOINT_VELOCITY + i];
-        r->acceleration[i] = pace * pace * base->real[V_WAYPOINT_ACCELERATION + i];
-    }
     r->timed = true;
+}
+
+/* The states of the waypoints, those that are free being chosen within the given limits. */
+static void gather_chosen(feedforward *m, request *r)
+{
+    gather_limits(&m->base, 1.0, r);
+    for (int64_t i = 0; i < m->base.integer[V_WAYPOINT_COUNT] * AXES; i++) {
+        r->velocity[i] = m->base.real[V_WAYPOINT_VELOCITY + i];
+        r->acceleration[i] = m->base.real[V_WAYPOINT_ACCELERATION + i];
+    }
+    choose_free_states(m, r);
+}
+
+/* The same at a pace. */
+static void pace_states(const request *chosen, int64_t points, double pace, request *r)
+{
+    for (int64_t i = 0; i < points * AXES; i++) {
+        r->velocity[i] = pace * chosen->velocity[i];
+        r->acceleration[i] = pace * pace * chosen->acceleration[i];
+    }
 }
 
 /* Show the limits that a plan has. */
@@ -240,10 +256,12 @@ static bool plan_as_given(feedforward *m, char message[MESSAGE])
     double pace[PACE_SIZE], uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE], most;
     const bool slows = m->base.integer[V_PLANNER_SLOWS_DOWN] && !m->base.integer[V_PLANNER_FINDS_LIMITS];
     int64_t status;
-    request r;
+    request chosen, r;
+    gather_chosen(m, &chosen);
     segfmu_begin_pace(1.0, FULL, vector(pace, PACE_SIZE));
     do {
         gather_limits(&m->base, pace[PACE_PACE], &r);
+        pace_states(&chosen, m->base.integer[V_WAYPOINT_COUNT], pace[PACE_PACE], &r);
         if (!plan_at(m, &r, message) || !require_space(m, message)) {
             return false;
         }
@@ -271,17 +289,6 @@ static bool has_limits(const model *base)
     return true;
 }
 
-/* Refuse free states where nothing chooses them. */
-static bool require_choice(const model *base, char message[MESSAGE])
-{
-    double fault[LIMIT_FAULT_SIZE] = {0.0};
-    const int64_t point = free_waypoint(base);
-    const bool chosen = base->integer[V_PLANNER_FINDS_LIMITS] && !has_limits(base);
-    fault[LIMIT_FAULT_POINT] = (double)point;
-    return !segfmu_limit_message(
-        point < 0 || chosen ? LIMIT_STATUS_FOUND : LIMIT_STATUS_FREE_STATE, fault, message, MESSAGE);
-}
-
 /* The plan with limits that are found where those given do not keep the bounds. */
 static bool plan_as_found(feedforward *m, char message[MESSAGE])
 {
@@ -303,7 +310,7 @@ bool feedforward_plan(feedforward *m, char message[MESSAGE])
 {
     const bool finds = m->base.integer[V_PLANNER_FINDS_LIMITS];
     m->base.real[V_PLAN_PACE] = 1.0;
-    if (!require_choice(&m->base, message) || !(finds ? plan_as_found(m, message) : plan_as_given(m, message))) {
+    if (!(finds ? plan_as_found(m, message) : plan_as_given(m, message))) {
         return false;
     }
     const segfmu_trajectory plan = feedforward_trajectory(m);
