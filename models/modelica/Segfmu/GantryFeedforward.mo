@@ -282,8 +282,8 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real waypoint_acceleration[waypoint_count, 3](each unit = "m/s2") = [0.0, 0.0, 0.0;
       0.34, 0.27, 0.0;
       0.0, 0.0, 0.0] "acceleration of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
-  parameter Boolean waypoint_velocity_free[waypoint_count, 3] = fill(false, waypoint_count, 3) "velocity at the waypoints that is found together with limits of the load, not given" annotation(Dialog(tab = "waypoint"));
-  parameter Boolean waypoint_acceleration_free[waypoint_count, 3] = fill(false, waypoint_count, 3) "acceleration at the waypoints that is found together with limits of the load, not given" annotation(Dialog(tab = "waypoint"));
+  parameter Boolean waypoint_velocity_free[waypoint_count, 3] = fill(false, waypoint_count, 3) "velocity at the waypoints that is chosen for the shortest plan, not given" annotation(Dialog(tab = "waypoint"));
+  parameter Boolean waypoint_acceleration_free[waypoint_count, 3] = fill(false, waypoint_count, 3) "acceleration at the waypoints that is chosen for the shortest plan, not given" annotation(Dialog(tab = "waypoint"));
   parameter Real waypoint_dwell[waypoint_count](each unit = "s", each min = 0.0) = zeros(waypoint_count) "rest at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Real plan_duration(unit = "s", fixed = false) "duration of the planned motion";
   final parameter Real plan_pace(fixed = false) "pace of the motion; 1 unless it was slowed down";
@@ -508,7 +508,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{2bb4f5c4-4a46-8570-5aef-3ee87e8ddef1}", 0);
+      "{e792bc4e-c24c-223f-0bd0-be229f38e4e0}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

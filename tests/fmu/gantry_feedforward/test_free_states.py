@@ -158,7 +158,7 @@ PLACES = [[0.0, 0.0, -0.8], [0.4, 0.3, -0.7], [0.9, 0.5, -0.6], [1.3, 0.4, -0.6]
 
 
 @pytest.mark.parametrize(("smoothness", "shape", "synchronization"), [
-    (4, "plateau", "waypoints"), (3, "plateau", "total"), (4, "smoothstep", "none"),
+    (4, "plateau", "waypoints"), (4, "plateau", "total"), (5, "smoothstep", "none"),
 ])
 def test_states_are_chosen_within_given_limits_as_the_package_does(
     archive, smoothness: int, shape: str, synchronization: str
