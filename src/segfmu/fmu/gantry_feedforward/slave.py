@@ -53,9 +53,10 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
 from segfmu.kernels.messages import BOUND, SPACE
-from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions
+from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions, WaypointState
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.planning.arrays import FloatArray
+from segfmu.planning.request import with_states
 
 AXES = ("x", "y", "z")
 # what of the waypoints is found
@@ -277,11 +278,9 @@ class FeedforwardSlave(SpecSlave):
             .reshape(count, -1)
             for array in gantry_feedforward.arrays(count) if array.name not in FREE
         )
-        free = self._free()
-        rates = np.where(free[:, :, 0], None, pace * velocity)
-        seconds = np.where(free[:, :, 1], None, pace**2 * acceleration)
-        rows = zip(position, rates.tolist(), seconds.tolist(), dwell, strict=True)
-        return tuple(Waypoint(p, v, a, dwell=float(rest[0])) for p, v, a, rest in rows)
+        states = np.stack([position, pace * velocity, pace**2 * acceleration], axis=2)
+        states[:, :, WaypointState.VELOCITY :][self._free()] = np.nan
+        return with_states(tuple(map(Waypoint, position)), states, dwell[:, 0])
 
     @property
     def _begin(self) -> float:
