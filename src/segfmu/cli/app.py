@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from contextlib import suppress
 from importlib.metadata import version
@@ -92,4 +93,10 @@ def _fail(error: Exception, text: str, code: int) -> int:
 
 def main() -> None:
     """Run the command of `sys.argv` and exit."""
-    sys.exit(run())
+    code = run()
+    try:
+        sys.stdout.flush()
+    except OSError:
+        # what could not be printed would be tried again at the exit, with a traceback
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    sys.exit(code)

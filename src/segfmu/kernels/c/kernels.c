@@ -996,6 +996,7 @@ static bool is_same(array_double_2d before, array_double_2d state);
 static void give_states(int64_t point, int64_t count, array_double_3d spots);
 static bool stays(int64_t point, array_double_3d choice);
 static int64_t write_places(array_double_3d states, array_double_1d dwells, array_double_3d choice, array_double_1d place, array_double_3d spots);
+static void bring_down(array_double_3d given, array_double_2d limits, array_double_2d lower, array_double_2d axes);
 static bool is_given(int64_t point, int64_t count, array_double_3d spots);
 static double searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool choose_fields(bool all_fields, array_double_3d spots);
@@ -31558,13 +31559,47 @@ static int64_t write_places(array_double_3d states, array_double_1d dwells, arra
     }
     return places;
 }
+static void bring_down(array_double_3d given, array_double_2d limits, array_double_2d lower, array_double_2d axes)
+{
+    int64_t axis;
+    int64_t order;
+    double velocity;
+    double acceleration;
+    double reached;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+        {
+            (*cspan_at(&axes, axis, INT64_C(50) + order)) = (*cspan_at(&limits, axis, order));
+            (*cspan_at(&limits, axis, order)) = span_max((*cspan_at(&limits, axis, order)), (*cspan_at(&lower, axis, order)));
+        }
+    }
+    velocity = 4.0 * segfmu_motion_scale(INT64_C(0), given, limits);
+    acceleration = 4.0 * segfmu_motion_scale(INT64_C(1), given, limits);
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
+        {
+            reached = velocity;
+            if (order == INT64_C(1))
+            {
+                reached = acceleration;
+            }
+            (*cspan_at(&limits, axis, order)) = (*cspan_at(&axes, axis, INT64_C(50) + order));
+            if (reached > 0.0)
+            {
+                (*cspan_at(&limits, axis, order)) = span_min((*cspan_at(&limits, axis, order)), reached);
+                (*cspan_at(&lower, axis, order)) = span_min((*cspan_at(&lower, axis, order)), reached);
+            }
+        }
+    }
+}
 bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d allowed, array_double_3d choice, array_double_1d place, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_2d work)
 {
     array_double_1d path;
     int64_t places;
     int64_t axis;
     int64_t order;
-    double reached;
     array_double_2d square;
     bool result;
     path = span_row(&tools, INT64_C(0));
@@ -31580,18 +31615,7 @@ bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_d
             (*cspan_at(&axes, axis, INT64_C(56) + order)) = (*cspan_at(&allowed, axis, order));
         }
     }
-    for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
-    {
-        reached = 4.0 * segfmu_motion_scale(order, span_layers(&choice, INT64_C(0), places), limits);
-        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-        {
-            if (reached > 0.0)
-            {
-                (*cspan_at(&limits, axis, order)) = span_min((*cspan_at(&limits, axis, order)), reached);
-                (*cspan_at(&lower, axis, order)) = span_min((*cspan_at(&lower, axis, order)), reached);
-            }
-        }
-    }
+    bring_down(span_layers(&choice, INT64_C(0), places), limits, lower, axes);
     (*cspan_at(&path, INT64_C(3))) = axes.shape[INT64_C(0)];
     (*cspan_at(&path, INT64_C(4))) = places;
     (*cspan_at(&path, INT64_C(6))) = 0.0;

@@ -39,13 +39,7 @@ def begin_choice(
             if not lower[axis, order] > 0.0:
                 lower[axis, order] = limits[axis, order]
             axes[axis, Track.ALLOWED + order] = allowed[axis, order]
-    for order in range(2):
-        # a limit that is meant as none would be a useless unit
-        reached = 4.0 * motion_scale(order, choice[0:places, :, :], limits)
-        for axis in range(axes.shape[0]):
-            if reached > 0.0:
-                limits[axis, order] = min(limits[axis, order], reached)
-                lower[axis, order] = min(lower[axis, order], reached)
+    bring_down(choice[0:places, :, :], limits, lower, axes)
     path[Path.AXES] = axes.shape[0]
     path[Path.PLACES] = places
     path[Path.LAST] = 0.0
@@ -53,6 +47,31 @@ def begin_choice(
     square = tools[Tools.SQUARE:Tools.SIZE, :]
     write_grid(int(path[Path.ORDER]), tools[Tools.GRID:Tools.SQUARE, :], square)
     return set_axes(limits, lower, axes, work)
+
+
+def bring_down(
+    given: 'float[:,:,:]', limits: 'float[:,:]', lower: 'float[:,:]', axes: 'float[:,:]'
+) -> None:
+    """Bring limits of velocity and acceleration down to a few times what is reached at most.
+
+    A limit that is meant as none would be a useless unit.
+    """
+    for axis in range(axes.shape[0]):
+        for order in range(2):
+            # what is reached may be in either direction
+            axes[axis, Track.LIMIT + order] = limits[axis, order]
+            limits[axis, order] = max(limits[axis, order], lower[axis, order])
+    velocity = 4.0 * motion_scale(0, given, limits)
+    acceleration = 4.0 * motion_scale(1, given, limits)
+    for axis in range(axes.shape[0]):
+        for order in range(2):
+            reached = velocity
+            if order == 1:
+                reached = acceleration
+            limits[axis, order] = axes[axis, Track.LIMIT + order]
+            if reached > 0.0:
+                limits[axis, order] = min(limits[axis, order], reached)
+                lower[axis, order] = min(lower[axis, order], reached)
 
 
 def write_places(

@@ -46,8 +46,8 @@ static bool design(crane *m, char message[MESSAGE])
             matrix(m->hook_table + i * HOOK_BLOCK, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS));
     }
     return is_finite(m)
-        || say(message, "the feedback has no gain between %g and %g m of rope: check masses, sling, lags "
-               "and feedback.hook.*", lengths[0], lengths[m->count_hook - 1]);
+        || say(message, "no gains were found for ropes of %g to %g m: masses, sling, lags "
+               "or feedback.hook.* do not fit", lengths[0], lengths[m->count_hook - 1]);
 }
 
 bool crane_set_feedback(crane *m, char message[MESSAGE])
