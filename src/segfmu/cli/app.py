@@ -88,15 +88,14 @@ def _fail(error: Exception, text: str, code: int) -> int:
         # where nothing can be printed, the line above has told why
         with suppress(OSError):
             print_document(refusal(error, line))
-    return code
-
-
-def main() -> None:
-    """Run the command of `sys.argv` and exit."""
-    code = run()
     try:
         sys.stdout.flush()
     except OSError:
         # what could not be printed would be tried again at the exit, with a traceback
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    sys.exit(code)
+    return code
+
+
+def main() -> None:
+    """Run the command of `sys.argv` and exit."""
+    sys.exit(run())
