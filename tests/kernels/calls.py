@@ -440,6 +440,7 @@ def passage_calls() -> dict[str, Call]:
     backend.next_passage(found, spots)
     rows, links = 2 * Spare.ROWS, 2 * (points - 1)
     return {
+        "usual_room": (),
         "begin_choice": begun,
         "next_passage": (tools.copy(), spots),
         "choose_passage": (

@@ -34,4 +34,6 @@ def _stub(function: Function) -> str:
     results = ", ".join(function.results) or "None"
     given = f"tuple[{results}]" if function.is_tuple else results
     # positional only, as the compiled functions are
-    return f"\ndef {function.name}(\n{taken}    /,\n) -> {given}: ...\n"
+    # nothing stands before the sign that names may not be given
+    arguments = f"\n{taken}    /,\n" if taken else ""
+    return f"\ndef {function.name}({arguments}) -> {given}: ...\n"

@@ -1060,6 +1060,8 @@ def settle_dwells(
     /,
 ) -> int: ...
 
+def usual_room() -> float: ...
+
 def begin_choice(
     states: Floats,
     dwells: Floats,

@@ -552,6 +552,7 @@ ENTRY_POINTS = (
         "limits.places", "unite_waypoints", states=("points", "axes", WaypointState.SIZE),
         place="points",
     ),
+    entry("passage.choose", "usual_room"),
     entry(
         "passage.choose", "begin_choice", states=("points", "axes", WaypointState.SIZE),
         dwells="points", limits=("axes", f"{MOTION_SMOOTHNESS} + 1"), lower=("axes", Lower.SIZE),

@@ -19,7 +19,7 @@ from segfmu.planning.request import Request, with_states
 Progress = Callable[[int, int], None]
 
 # share of the range of its neighbours by which an axis may leave it
-OVERSHOOT = 0.25
+OVERSHOOT = backend.usual_room()
 # the kernels' word for no bound
 EVERYWHERE = 1e307
 

@@ -123,6 +123,8 @@ static void matrix_product_transposed(int64_t n, array_double_2d a, array_double
 static void matrix_transpose(int64_t n, array_double_2d a, array_double_2d c);
 static void matrix_reduce(int64_t n, int64_t columns, int64_t pivot, array_double_2d a, array_double_2d b);
 static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_double_2d b);
+static int64_t halvings_below(int64_t n, double time, array_double_2d a);
+static void matrix_exponential(int64_t n, double part, array_double_2d a, array_double_2d c, array_double_2d term, array_double_2d product);
 static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model);
 static void kalman_series(double part, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work);
@@ -4292,6 +4294,44 @@ static void matrix_solve(int64_t n, int64_t columns, array_double_2d a, array_do
         }
     }
 }
+static int64_t halvings_below(int64_t n, double time, array_double_2d a)
+{
+    double size;
+    int64_t i;
+    double total;
+    int64_t j;
+    int64_t count;
+    size = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        total = 0.0;
+        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        {
+            total = total + fabs((*cspan_at(&a, i, j)));
+        }
+        size = span_max(size, total);
+    }
+    count = INT64_C(0);
+    while(size * time > 0.5)
+    {
+        time = 0.5 * time;
+        count = count + INT64_C(1);
+    }
+    return count;
+}
+static void matrix_exponential(int64_t n, double part, array_double_2d a, array_double_2d c, array_double_2d term, array_double_2d product)
+{
+    int64_t k;
+    matrix_set(n, 1.0, c);
+    matrix_set(n, 1.0, term);
+    for (k = INT64_C(1); k < INT64_C(17); k += INT64_C(1))
+    {
+        matrix_product(n, a, term, product);
+        matrix_set(n, 0.0, term);
+        matrix_add(n, part / k, product, term);
+        matrix_add(n, 1.0, term, c);
+    }
+}
 static void kalman_model(int64_t axis, array_double_1d plant, double length, array_double_2d model)
 {
     double mass;
@@ -4343,15 +4383,7 @@ static void kalman_series(double part, double drift, double wind, array_double_2
     term = span_rows(&work, INT64_C(0), INT64_C(8));
     product = span_rows(&work, INT64_C(8), INT64_C(16));
     transposed = span_rows(&work, INT64_C(16), INT64_C(24));
-    matrix_set(INT64_C(8), 1.0, transition);
-    matrix_set(INT64_C(8), 1.0, term);
-    for (n = INT64_C(1); n < INT64_C(17); n += INT64_C(1))
-    {
-        matrix_product(INT64_C(8), model, term, product);
-        matrix_set(INT64_C(8), 0.0, term);
-        matrix_add(INT64_C(8), part / n, product, term);
-        matrix_add(INT64_C(8), 1.0, term, transition);
-    }
+    matrix_exponential(INT64_C(8), part, model, transition, term, product);
     matrix_set(INT64_C(6), 0.0, covariance);
     matrix_set(INT64_C(6), 0.0, term);
     (*cspan_at(&term, INT64_C(4), INT64_C(4))) = drift * drift * part;
@@ -4368,32 +4400,13 @@ static void kalman_series(double part, double drift, double wind, array_double_2
 }
 static void kalman_sampled(double sample_time, double drift, double wind, array_double_2d model, array_double_2d transition, array_double_2d covariance, array_double_2d work)
 {
-    double size;
-    int64_t i;
-    double total;
-    int64_t j;
-    double part;
     int64_t doublings;
+    double part;
     array_double_2d term;
     array_double_2d product;
     int64_t Dummy_0000;
-    size = 0.0;
-    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
-    {
-        total = 0.0;
-        for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
-        {
-            total = total + fabs((*cspan_at(&model, i, j)));
-        }
-        size = span_max(size, total);
-    }
-    part = sample_time;
-    doublings = INT64_C(0);
-    while(size * part > 0.5)
-    {
-        part = 0.5 * part;
-        doublings = doublings + INT64_C(1);
-    }
+    doublings = halvings_below(INT64_C(8), sample_time, model);
+    part = sample_time / pow(2.0, (double)(doublings));
     kalman_series(part, drift, wind, model, transition, covariance, work);
     term = span_rows(&work, INT64_C(0), INT64_C(8));
     product = span_rows(&work, INT64_C(8), INT64_C(16));
@@ -10661,44 +10674,16 @@ static void hook_moved(double sample_time, array_double_2d work)
     array_double_2d moved;
     array_double_2d term;
     array_double_2d result;
-    double size;
-    int64_t i;
-    double total;
-    int64_t j;
-    double part;
     int64_t doublings;
-    int64_t n;
+    double part;
     int64_t Dummy_0000;
     model = span_rows(&work, INT64_C(56), INT64_C(65));
     moved = span_rows(&work, INT64_C(65), INT64_C(74));
     term = span_rows(&work, INT64_C(74), INT64_C(83));
     result = span_rows(&work, INT64_C(83), INT64_C(92));
-    size = 0.0;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        total = 0.0;
-        for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
-        {
-            total = total + fabs((*cspan_at(&model, i, j)));
-        }
-        size = span_max(size, total);
-    }
-    part = sample_time;
-    doublings = INT64_C(0);
-    while(size * part > 0.5)
-    {
-        part = 0.5 * part;
-        doublings = doublings + INT64_C(1);
-    }
-    matrix_set(INT64_C(9), 1.0, moved);
-    matrix_set(INT64_C(9), 1.0, term);
-    for (n = INT64_C(1); n < INT64_C(17); n += INT64_C(1))
-    {
-        matrix_product(INT64_C(9), model, term, result);
-        matrix_set(INT64_C(9), 0.0, term);
-        matrix_add(INT64_C(9), part / n, result, term);
-        matrix_add(INT64_C(9), 1.0, term, moved);
-    }
+    doublings = halvings_below(INT64_C(9), sample_time, model);
+    part = sample_time / pow(2.0, (double)(doublings));
+    matrix_exponential(INT64_C(9), part, model, moved, term, result);
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < doublings; Dummy_0000 += INT64_C(1))
     {
         matrix_product(INT64_C(9), moved, moved, term);
@@ -31484,6 +31469,10 @@ int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells)
     }
     return changed;
 }
+double segfmu_usual_room(void)
+{
+    return 0.25;
+}
 static void give_states(int64_t point, int64_t count, array_double_3d spots)
 {
     int64_t axis;
@@ -31798,11 +31787,11 @@ void segfmu_choose_passage(array_double_3d choice, array_double_2d tools, array_
     {
         if (attempt == INT64_C(1))
         {
-            if (share <= 0.25)
+            if (share <= segfmu_usual_room())
             {
                 break;
             }
-            share = 0.25;
+            share = segfmu_usual_room();
         }
         places = (int64_t)((*cspan_at(&path, INT64_C(4))));
         write_boxes(share, first, span_layers(&choice, INT64_C(0), places), path, axes, own_links);

@@ -126,6 +126,7 @@ SEGFMU_API int64_t segfmu_check_problem(array_double_3d states, array_double_2d 
 SEGFMU_API double segfmu_motion_scale(int64_t order, array_double_3d states, array_double_2d limits);
 SEGFMU_API int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double_2d limits, array_double_2d lower);
 SEGFMU_API int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells);
+SEGFMU_API double segfmu_usual_room(void);
 SEGFMU_API bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d allowed, array_double_3d choice, array_double_1d place, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_2d work);
 SEGFMU_API bool segfmu_next_passage(array_double_2d tools, array_double_3d spots);
 SEGFMU_API void segfmu_choose_passage(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);

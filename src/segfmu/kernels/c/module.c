@@ -4115,6 +4115,20 @@ static PyObject *call_settle_dwells(
     return answer;
 }
 
+static PyObject *call_usual_room(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "usual_room", .values = values};
+    PyObject *answer = NULL;
+    (void)self;
+    if (take_count(&call, count, 0)) {
+        answer = PyFloat_FromDouble(segfmu_usual_room(
+            ));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_begin_choice(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -5372,6 +5386,7 @@ static PyMethodDef methods[] = {
     {"motion_scale", (PyCFunction)(void (*)(void))call_motion_scale, METH_FASTCALL, NULL},
     {"settle_states", (PyCFunction)(void (*)(void))call_settle_states, METH_FASTCALL, NULL},
     {"settle_dwells", (PyCFunction)(void (*)(void))call_settle_dwells, METH_FASTCALL, NULL},
+    {"usual_room", (PyCFunction)(void (*)(void))call_usual_room, METH_FASTCALL, NULL},
     {"begin_choice", (PyCFunction)(void (*)(void))call_begin_choice, METH_FASTCALL, NULL},
     {"next_passage", (PyCFunction)(void (*)(void))call_next_passage, METH_FASTCALL, NULL},
     {"choose_passage", (PyCFunction)(void (*)(void))call_choose_passage, METH_FASTCALL, NULL},

@@ -26,8 +26,10 @@ from segfmu.kernels.control.records import (
 from segfmu.kernels.crane.bounds import carriage_mass
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant
 from segfmu.kernels.numerics.matrices import (
+    halvings_below,
     matrix_add,
     matrix_copy,
+    matrix_exponential,
     matrix_product,
     matrix_product_transposed,
     matrix_set,
@@ -77,17 +79,8 @@ def kalman_sampled(
 
     Taylor series over a short fraction of the sample, then doubled; work: a `ModelWork`.
     """
-    size = 0.0
-    for i in range(AxisModel.SIZE):
-        total = 0.0
-        for j in range(AxisModel.SIZE):
-            total = total + abs(model[i, j])
-        size = max(size, total)
-    part = sample_time
-    doublings = 0
-    while size * part > 0.5:
-        part = 0.5 * part
-        doublings = doublings + 1
+    doublings = halvings_below(AxisModel.SIZE, sample_time, model)
+    part = sample_time / 2**doublings
     kalman_series(part, drift, wind, model, transition, covariance, work)
     term = work[ModelWork.TERM:ModelWork.PRODUCT, :]
     product = work[ModelWork.PRODUCT:ModelWork.TRANSPOSED, :]
@@ -112,13 +105,7 @@ def kalman_series(
     term = work[ModelWork.TERM:ModelWork.PRODUCT, :]
     product = work[ModelWork.PRODUCT:ModelWork.TRANSPOSED, :]
     transposed = work[ModelWork.TRANSPOSED:ModelWork.SIZE, :]
-    matrix_set(AxisModel.SIZE, 1.0, transition)
-    matrix_set(AxisModel.SIZE, 1.0, term)
-    for n in range(1, 17):
-        matrix_product(AxisModel.SIZE, model, term, product)
-        matrix_set(AxisModel.SIZE, 0.0, term)
-        matrix_add(AxisModel.SIZE, part / n, product, term)
-        matrix_add(AxisModel.SIZE, 1.0, term, transition)
+    matrix_exponential(AxisModel.SIZE, part, model, transition, term, product)
     matrix_set(Estimate.SIZE, 0.0, covariance)
     matrix_set(Estimate.SIZE, 0.0, term)
     term[Estimate.DRIFT, Estimate.DRIFT] = drift * drift * part

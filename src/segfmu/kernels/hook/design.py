@@ -24,8 +24,9 @@ from segfmu.kernels.hook.records import (
     HookWeighing,
 )
 from segfmu.kernels.numerics.matrices import (
-    matrix_add,
+    halvings_below,
     matrix_copy,
+    matrix_exponential,
     matrix_product,
     matrix_set,
     matrix_transpose,
@@ -87,24 +88,9 @@ def hook_moved(sample_time: float, work: 'float[:,:]') -> None:
     moved = work[HookDesign.MOVED:HookDesign.TERM, :]
     term = work[HookDesign.TERM:HookDesign.RESULT, :]
     result = work[HookDesign.RESULT:HookDesign.SIZE, :]
-    size = 0.0
-    for i in range(HookAxis.SIZE):
-        total = 0.0
-        for j in range(HookAxis.SIZE):
-            total = total + abs(model[i, j])
-        size = max(size, total)
-    part = sample_time
-    doublings = 0
-    while size * part > 0.5:
-        part = 0.5 * part
-        doublings = doublings + 1
-    matrix_set(HookAxis.SIZE, 1.0, moved)
-    matrix_set(HookAxis.SIZE, 1.0, term)
-    for n in range(1, 17):
-        matrix_product(HookAxis.SIZE, model, term, result)
-        matrix_set(HookAxis.SIZE, 0.0, term)
-        matrix_add(HookAxis.SIZE, part / n, result, term)
-        matrix_add(HookAxis.SIZE, 1.0, term, moved)
+    doublings = halvings_below(HookAxis.SIZE, sample_time, model)
+    part = sample_time / 2**doublings
+    matrix_exponential(HookAxis.SIZE, part, model, moved, term, result)
     for _ in range(doublings):
         matrix_product(HookAxis.SIZE, moved, moved, term)
         matrix_copy(HookAxis.SIZE, term, moved)

@@ -85,3 +85,32 @@ def matrix_solve(n: int, columns: int, a: 'float[:,:]', b: 'float[:,:]') -> None
             for k in range(i + 1, n):
                 total = total - a[i, k] * b[k, j]
             b[i, j] = total / a[i, i]
+
+
+def halvings_below(n: int, time: float, a: 'float[:,:]') -> int:
+    """How often a time is halved until a series of exp(a time) converges fast."""
+    size = 0.0
+    for i in range(n):
+        total = 0.0
+        for j in range(n):
+            total = total + abs(a[i, j])
+        size = max(size, total)
+    count = 0
+    while size * time > 0.5:
+        time = 0.5 * time
+        count = count + 1
+    return count
+
+
+def matrix_exponential(
+    n: int, part: float, a: 'float[:,:]', c: 'float[:,:]', term: 'float[:,:]',
+    product: 'float[:,:]',
+) -> None:
+    """c = exp(a part) by its Taylor series, for a short part; term and product are work space."""
+    matrix_set(n, 1.0, c)
+    matrix_set(n, 1.0, term)
+    for k in range(1, 17):
+        matrix_product(n, a, term, product)
+        matrix_set(n, 0.0, term)
+        matrix_add(n, part / k, product, term)
+        matrix_add(n, 1.0, term, c)

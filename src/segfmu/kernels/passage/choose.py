@@ -21,6 +21,11 @@ from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
 
+def usual_room() -> float:
+    """Share of the range around two places by which an axis may leave it, if no other is asked."""
+    return 0.25
+
+
 def begin_choice(
     states: 'float[:,:,:]', dwells: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
     allowed: 'float[:,:]', choice: 'float[:,:,:]', place: 'float[:]', tools: 'float[:,:]',
@@ -181,9 +186,9 @@ def choose_passage(
     share = path[Path.SHARE]
     for attempt in range(2):
         if attempt == 1:
-            if share <= 0.25:
+            if share <= usual_room():
                 break
-            share = 0.25
+            share = usual_room()
         places = int(path[Path.PLACES])
         write_boxes(share, first, choice[0:places, :, :], path, axes, own_links)
         if not admit_states(part, path, own_spots, own_links):

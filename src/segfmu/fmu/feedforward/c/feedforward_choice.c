@@ -4,9 +4,6 @@
 
 #include "limit_search.h"
 
-/* share of the range around two waypoints by which an axis may leave it, as for the package's plans */
-static const double NEIGHBOURHOOD = 0.25;
-
 /* The arrays of a choice for axes that meet in the waypoints. */
 typedef struct {
     array_double_3d states, choice, spots, links, cells;
@@ -91,7 +88,7 @@ static void pose_choice(state_choice *c, const feedforward *m, const request *r,
     feed_record(&feeds_plan_options, &m->base, options);
     options[PLAN_OPTIONS_SYNCHRONIZATION] = SYNCHRONIZATION_WAYPOINTS;
     options[PLAN_OPTIONS_SAMPLE_TIME] = options[PLAN_OPTIONS_DURATION] = 0.0;
-    *cspan_at(&c->tools, TOOLS_PATH, PATH_SHARE) = NEIGHBOURHOOD;
+    *cspan_at(&c->tools, TOOLS_PATH, PATH_SHARE) = segfmu_usual_room();
 }
 
 void choose_free_states(feedforward *m, request *r)
