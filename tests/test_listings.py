@@ -74,9 +74,9 @@ def test_listings_run(page: str, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
-def readme_commands() -> list[str]:
-    """Commands of segfmu in README, without their comments."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+def commands() -> list[str]:
+    """Commands of segfmu in the page on installation, without their comments."""
+    text = (ROOT / "docs" / "install.md").read_text(encoding="utf-8")
     return [found.strip() for found in re.findall(r"^    (segfmu [^#\n]*)", text, re.MULTILINE)]
 
 
@@ -85,10 +85,10 @@ SUITE = "segfmu validate models/scenarios"
 
 
 @needs_native
-def test_commands_of_the_readme_run_as_printed(tmp_path: Path) -> None:
+def test_commands_run_as_printed(tmp_path: Path) -> None:
     (tmp_path / "models").symlink_to(ROOT / "models")
-    assert len(readme_commands()) >= 6 and SUITE in readme_commands()
-    for command in readme_commands():
+    assert len(commands()) >= 6 and SUITE in commands()
+    for command in commands():
         if command == SUITE:
             continue
         done = subprocess.run(

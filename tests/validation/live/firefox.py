@@ -1,6 +1,7 @@
-"""Pages to drive in Firefox: `python -m tests.validation.live.firefox`; it must be installed.
+"""A Firefox to drive pages in, and the one reason to skip where there is none.
 
-Playwright has no Firefox of its own here, so this speaks Marionette, the protocol of every Firefox.
+Playwright drives a Firefox of its own build alone, so this speaks Marionette, the protocol of every
+Firefox.
 """
 
 from __future__ import annotations
@@ -13,42 +14,45 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-import segfmu
+import pytest
 
-MODELS = Path(__file__).parents[3] / "models"
-MISSIONS = ("inteco.toml", "container.toml")
-PORT, RIGHT = 2828, "\ue014"
+NAMES = ("firefox", "firefox-esr")
+PLACE = next(filter(None, map(shutil.which, NAMES)), "")
+needs_firefox = pytest.mark.skipif(
+    not PLACE, reason=f"no Firefox found ({', '.join(NAMES)}): apt-get install firefox-esr"
+)
+# s until it listens
+PATIENCE = 60.0
 
 
 class Firefox:
     """A session: messages are lists of a kind, a number, and what is asked or answered."""
 
-    def __init__(self) -> None:
-        self._link = self._connected()
+    def __init__(self, port: int) -> None:
+        self._link = socket.create_connection(("127.0.0.1", port))
         self._left, self._number = b"", 0
         self._receive()
-        capabilities = self.ask("WebDriver:NewSession", capabilities={})["capabilities"]
-        self.version = capabilities["browserVersion"]
+        self.ask("WebDriver:NewSession", capabilities={})
 
-    @staticmethod
-    def _connected() -> socket.socket:
-        for _ in range(60):
-            try:
-                return socket.create_connection(("127.0.0.1", PORT))
-            except OSError:
-                time.sleep(0.5)
-        raise SystemExit("Firefox does not answer")
+    def close(self) -> None:
+        """End the session; the browser goes on."""
+        self._link.close()
+
+    def _more(self) -> bytes:
+        found = self._link.recv(65536)
+        assert found, "Firefox has ended"
+        return found
 
     def _receive(self) -> Any:
         while b":" not in self._left:
-            self._left += self._link.recv(65536)
+            self._left += self._more()
         size, _, rest = self._left.partition(b":")
         while len(rest) < int(size):
-            rest += self._link.recv(65536)
+            rest += self._more()
         self._left = rest[int(size) :]
         return json.loads(rest[: int(size)])
 
@@ -58,61 +62,52 @@ class Firefox:
         told = json.dumps([0, self._number, name, words]).encode()
         self._link.sendall(b"%d:%s" % (len(told), told))
         _, _, error, result = self._receive()
-        if error:
-            raise SystemExit(f"{name}: {error['message']}")
+        assert not error, f"{name}: {error['message']}"
         return result
 
     def value(self, script: str) -> Any:
-        """What a script returns in the page."""
-        return self.ask("WebDriver:ExecuteScript", script=f"return {script}", args=[])["value"]
+        """What an expression has as its value in the page."""
+        # evaluated among the page's own names
+        script = f"return window.eval({json.dumps(script)})"
+        return self.ask("WebDriver:ExecuteScript", script=script, args=[])["value"]
+
+    def wait(self, condition: str, patience: float = PATIENCE) -> None:
+        """Until an expression is true in the page."""
+        end = time.monotonic() + patience
+        while not self.value(condition):
+            assert time.monotonic() < end, f"not within {patience} s: {condition}"
+            time.sleep(0.05)
+
+    def key(self, kind: str, value: str) -> None:
+        """Press a key (keyDown) or let it go (keyUp)."""
+        actions = [{"type": "key", "id": "keys", "actions": [{"type": kind, "value": value}]}]
+        self.ask("WebDriver:PerformActions", actions=actions)
+
+
+def _port(profile: Path) -> int:
+    """Where a Firefox listens: it writes this once it does."""
+    told = profile / "MarionetteActivePort"
+    end = time.monotonic() + PATIENCE
+    while not (told.exists() and told.read_text().strip()):
+        assert time.monotonic() < end, "Firefox does not answer"
+        time.sleep(0.1)
+    return int(told.read_text())
 
 
 @contextmanager
 def firefox() -> Iterator[Firefox]:
-    """A Firefox without a window and with an empty profile."""
-    place = shutil.which("firefox") or shutil.which("firefox-esr")
-    if place is None:
-        raise SystemExit("no Firefox found (firefox, firefox-esr)")
-    with tempfile.TemporaryDirectory() as profile:
+    """A Firefox without a window, with an empty profile, on a port of its own."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        profile = Path(folder)
+        (profile / "user.js").write_text('user_pref("marionette.port", 0);\n')
         process = subprocess.Popen(
-            [place, "--headless", "--marionette", "--no-remote", "--profile", profile],
-            env=os.environ | {"HOME": profile}, stdout=subprocess.DEVNULL,
+            [PLACE, "--headless", "--marionette", "--no-remote", "--profile", folder],
+            env=os.environ | {"HOME": folder}, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
         try:
-            yield Firefox()
+            with closing(Firefox(_port(profile))) as found:
+                yield found
         finally:
             process.terminate()
             process.wait()
-
-
-def drive(browser: Firefox, page: Path) -> None:
-    """Hold a key for three seconds; the load moves, and rests behind it."""
-    browser.ask("WebDriver:Navigate", url=page.as_uri())
-    while browser.value("document.body.dataset.drawn") != "yes":
-        time.sleep(0.1)
-    first = browser.value("document.getElementById('place').textContent")
-    # the long rope of a ship-to-shore crane is slow
-    browser.value("document.getElementById('pace').value = '5'")
-    keys = [{"type": "keyDown", "value": RIGHT}, {"type": "pause", "duration": 3000},
-            {"type": "keyUp", "value": RIGHT}]
-    browser.ask("WebDriver:PerformActions", actions=[{"type": "key", "id": "k", "actions": keys}])
-    time.sleep(8.0)
-    rate, place, sway = (
-        browser.value(f"document.getElementById('{name}').textContent")
-        for name in ("rate", "place", "now")
-    )
-    print(f"{page.name}: from {first} to {place} m, sway {sway}; {rate}")
-    assert place != first and sway == "0.000°", (place, sway)
-
-
-def main() -> None:
-    """Drive cranes of both sizes."""
-    with tempfile.TemporaryDirectory() as folder, firefox() as browser:
-        print("Firefox", browser.version)
-        for name in MISSIONS:
-            drive(browser, segfmu.live(MODELS / name, Path(folder) / f"{name}.html"))
-
-
-if __name__ == "__main__":
-    main()
