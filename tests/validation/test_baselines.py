@@ -125,15 +125,16 @@ def test_pd_knows_nothing_of_the_sway_and_feedback_does(runner: Runner) -> None:
 
 def told() -> list[dict[tuple[str, str], float]]:
     """The tables of the page: distances [mm] by disturbance and method."""
-    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "methods.md").read_text(encoding="utf-8")
     found = []
     for block in re.findall(r"^\| \[mm\] .*(?:\n\|.*)+", page, re.MULTILINE):
         head, _, *rows = [
             [cell.strip() for cell in line.strip("|").split("|")] for line in block.splitlines()
         ]
         found.append({
-            (row[0], name): float(value)
-            for row in rows for name, value in zip(head[1:], row[1:], strict=True)
+            (disturbance, name): float(value)
+            for row in rows for disturbance in row[0].split(", ")
+            for name, value in zip(head[1:], row[1:], strict=True)
         })
     return found
 
