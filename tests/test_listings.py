@@ -38,6 +38,7 @@ BEFORE = {
     "docs/control.md": MOVE + (
         "lengths, payloads, lag = [0.2, 0.5], [0.5, 1.0], (0.025, 0.025, 0.025)\n"
     ),
+    "docs/cosimulation.md": "",
     "docs/fmus.md": "",
     "docs/howto/csv_path.md": f"from pathlib import Path\nPath('path.csv').write_text({TABLE!r})\n",
     "docs/operator.md": "",
