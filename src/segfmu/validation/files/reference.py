@@ -23,21 +23,21 @@ from segfmu.validation.files.scenario_tables import ScenarioFile
 BANNER = "<!-- Written by `make generate` from src/segfmu/validation; do not edit. -->"
 INTRODUCTION = """# Mission, crane, scenario and campaign files
 
-All are TOML in UTF-8. A *crane file* says all that is known of a crane. A *mission* says what the
-load has to do, and names its crane: `crane = "crane.toml"`, relative to the mission, or a table
-`[crane]` with the same keys. Angles are in deg, all else in SI units. A key that is left out has
-the default. Any other key is an error.
+For those who write these files. All are TOML in UTF-8; angles are in deg, all else in SI units. A key
+that is left out has the default. Any other key is an error.
 
-A *scenario* (`docs/validation.md`) has a mission, what disturbs it, and criteria; a *campaign*
-(`docs/campaign.md`) runs scenarios many times.
+- A *mission* says what the load has to do, and names its crane: `crane = "crane.toml"`, relative to
+  the mission, or a table `[crane]` with the same keys.
+- A *crane file* says all that is known of a crane. Its bounds hold in every plan. Plan and
+  feedforward are for `crane`; `[true_crane]` states, with the same keys, what differs from it in the
+  crane that is simulated. The feedback in GantryCrane is designed for the load of `crane`, and for
+  all else of the simulated crane.
+- A *scenario* has a mission, what disturbs it, and criteria ([validation](validation.md)).
+- A *campaign* runs scenarios many times ([campaigns](campaign.md)).
 
 `segfmu init` writes a commented mission and crane. `segfmu schema mission` prints the JSON schema,
 with which an editor completes and checks: for Taplo and Even Better TOML, write it to
 `mission.schema.json` and begin the mission with `#:schema ./mission.schema.json`.
-
-Bounds of a crane file hold in every plan. Plan and feedforward are for `crane`; `[true_crane]`
-states, with the same keys, what differs from it in the crane that is simulated. The feedback in
-GantryCrane is designed for the load of `crane`, and for all else of the simulated crane.
 """
 BASE = """`base` names a scenario file that all other keys are merged into. An instant is a time
 [s], or `"start"`, `"arrival"` or `"end"`, plus or minus a time: `"arrival + 1"`."""
