@@ -20,10 +20,10 @@ INTRODUCTION = """# Records
 
 <!-- Generated from kernels/*/records.py by `python -m segfmu.codegen`; never edited. -->
 
-For contributors: what the entries of the kernels' arrays are. A record names the entries of an array, or the rows of
-one with two dimensions; codes are numbers with a meaning. Kernels, the Python layer and the C of
-the FMUs use these names alone: `Plant.LAG` in Python is `PLANT_LAG` in C. A record that begins
-with the fields of another one can be passed in its place.
+For contributors: what the entries of the kernels' arrays are. A record names the entries of an
+array, or the rows of one with two dimensions; codes are numbers with a meaning. Kernels, the Python
+layer and the C of the FMUs use these names alone: `Plant.LAG` in Python is `PLANT_LAG` in C. A
+record that begins with the fields of another one can be passed in its place.
 """
 
 

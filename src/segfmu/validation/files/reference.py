@@ -23,15 +23,15 @@ from segfmu.validation.files.scenario_tables import ScenarioFile
 BANNER = "<!-- Written by `make generate` from src/segfmu/validation; do not edit. -->"
 INTRODUCTION = """# Mission, crane, scenario and campaign files
 
-For those who write these files. All are TOML in UTF-8; angles are in deg, all else in SI units. A key
-that is left out has the default. Any other key is an error.
+For those who write these files. All are TOML in UTF-8; angles are in deg, all else in SI units. A
+key that is left out has the default. Any other key is an error.
 
 - A *mission* says what the load has to do, and names its crane: `crane = "crane.toml"`, relative to
   the mission, or a table `[crane]` with the same keys.
 - A *crane file* says all that is known of a crane. Its bounds hold in every plan. Plan and
-  feedforward are for `crane`; `[true_crane]` states, with the same keys, what differs from it in the
-  crane that is simulated. The feedback in GantryCrane is designed for the load of `crane`, and for
-  all else of the simulated crane.
+  feedforward are for `crane`; `[true_crane]` states, with the same keys, what differs from it in
+  the crane that is simulated. The feedback in GantryCrane is designed for the load of `crane`, and
+  for all else of the simulated crane.
 - A *scenario* has a mission, what disturbs it, and criteria ([validation](validation.md)).
 - A *campaign* runs scenarios many times ([campaigns](campaign.md)).
 
