@@ -71,6 +71,11 @@ class HookCrane:
         """[m/s2], as of a `Crane`."""
         return self.crane.gravity
 
+    @property
+    def weight(self) -> float:
+        """Of hook and load [N]."""
+        return self.crane.weight + self.hook_mass * self.gravity
+
     def frequencies(self, rope: float) -> FloatArray:
         """Both natural frequencies [rad/s] of small swings, the slower one first, shape (2,).
 

@@ -66,6 +66,11 @@ class Crane:
         return self.bridge_mass, self.trolley_mass, self.payload_mass, self.gravity
 
     @property
+    def weight(self) -> float:
+        """Of what hangs on the rope [N]."""
+        return self.payload_mass * self.gravity
+
+    @property
     def hook(self) -> tuple[float, float]:
         """Mass of the hook [kg] and length of its sling [m]: there is none."""
         return 0.0, 0.0

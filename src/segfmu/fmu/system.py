@@ -8,14 +8,14 @@ from importlib.metadata import version
 from pathlib import Path
 
 from segfmu.errors import BuildError
-from segfmu.fmu.models import named
+from segfmu.fmu.feedforward.interface import WAYPOINTS
 from segfmu.fmu.native.archive import pack
+from segfmu.fmu.pairs import GANTRY, native
 from segfmu.fmu.standard import osp, ssp
 from segfmu.fmu.standard.spec import Spec
 from segfmu.fmu.standard.system import System, archive
 from segfmu.folders import work_folder
 
-NAMES = ("GantryFeedforward", "GantryCrane")
 PACKAGE = "mission.ssp"
 STRUCTURE = "OspSystemStructure.xml"
 
@@ -33,9 +33,9 @@ def write_system(
     folder
         That of the archives.
     archives
-        Native FMUs, GantryFeedforward and GantryCrane.
+        Native FMUs of a planner and the crane that follows it.
     specs
-        Their interfaces; by default with the usual start values.
+        Their interfaces; by default GantryFeedforward and GantryCrane with the usual start values.
     title
         The mission's name.
     fmi
@@ -46,11 +46,7 @@ def write_system(
     BuildError
         When the folder cannot be written.
     """
-    models = [named(name) for name in NAMES]
-    source, sink = (
-        m.native_spec(s)
-        for m, s in zip(models, specs or [m.spec() for m in models], strict=True)
-    )
+    source, sink = native(specs or (GANTRY.planner(WAYPOINTS), GANTRY.plant()))
     system = System(title or "planner and crane", source, sink, fmi)
     entries = ssp.files(system, version("segfmu"))
     names = (PACKAGE, STRUCTURE) if fmi == 2 else (PACKAGE,)

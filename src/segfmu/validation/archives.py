@@ -10,11 +10,14 @@ from pathlib import Path
 from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe
 from segfmu.fmu.choice import Choice, chosen, require_native
-from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
+from segfmu.fmu.feedforward.interface import MOST_WAYPOINTS
+from segfmu.fmu.pairs import GANTRY
 from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import as_index, shown
+from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_parameters import with_keys
+from segfmu.validation.files.hook_checks import require_gantry
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.output import about, folder, require_folder
 from segfmu.validation.planned import planned
@@ -29,7 +32,8 @@ class Archives:
     Attributes
     ----------
     feedforward, crane : Path
-        GantryFeedforward.fmu and GantryCrane.fmu.
+        GantryFeedforward.fmu and GantryCrane.fmu, with a hook HookFeedforward.fmu and
+        HookCrane.fmu.
     others : tuple of Path
         Files for other tools, such as mission.ssp.
     note : str
@@ -69,7 +73,7 @@ def build(
     ssp: bool = False,
     progress: Progress = quiet,
 ) -> Archives:
-    """Build GantryFeedforward.fmu and GantryCrane.fmu.
+    """Build GantryFeedforward.fmu and GantryCrane.fmu, with a hook HookFeedforward and HookCrane.
 
     Native FMUs support co-simulation and model exchange; those of the Python backend support FMI
     2.0 co-simulation.
@@ -132,10 +136,14 @@ def build(
         require_native(choice, "modelica", (2,))
     if ssp:
         require_native(choice, "ssp")
-    title, interfaces, file = "", sized(waypoints), None
-    require_folder(output, *(f"{spec.name}.fmu" for spec in interfaces))
-    if mission is not None:
-        task = load_mission(mission)
+    task = None if mission is None else load_mission(mission)
+    if task is not None:
+        with about(task.file):
+            _require_options(task, choice, modelica)
+    models = GANTRY if task is None else crane_parameters.models(task.crane)
+    title, interfaces, file = "", sized(waypoints, models), None
+    require_folder(output, *(f"{name}.fmu" for name in models.names))
+    if task is not None:
         file = task.file
         with about(file):
             title, interfaces = task.name, specs(task, planned(task, progress), waypoints)
@@ -146,6 +154,15 @@ def build(
         target, (feedforward, crane), interfaces, title, fmi=choice.fmi, modelica=modelica, ssp=ssp
     )
     return Archives(feedforward, crane, tuple(others), choice.note)
+
+
+def _require_options(task: Mission, choice: Choice, modelica: bool) -> None:
+    """Refuse what the FMUs of a crane with a hook do not have."""
+    crane = task.build_crane()
+    if modelica:
+        require_gantry(crane, "Modelica package")
+    if choice.connected:
+        require_gantry(crane, "commands")
 
 
 def for_simulation(

@@ -25,6 +25,7 @@ from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane.interface import STATE
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files import crane_parameters
+from segfmu.validation.files.hook_checks import require_gantry
 from segfmu.validation.files.keys import AXES, DRIVES
 from segfmu.validation.files.mission import Mission
 
@@ -150,6 +151,17 @@ class Course:
         return np.stack(forces, axis=-1) - weight, np.stack(velocities, axis=-1)
 
 
+def baseline_crane(mission: Mission) -> Crane:
+    """The crane that a baseline moves.
+
+    Raises
+    ------
+    InputError
+        For one with a hook.
+    """
+    return require_gantry(mission.build_crane(), "method but feedforward")
+
+
 def course(mission: Mission, method: str) -> Course:
     """The course of "trapezoid", "pd", "zv" or "zvd" through a mission's waypoints.
 
@@ -158,8 +170,9 @@ def course(mission: Mission, method: str) -> Course:
     Raises
     ------
     InputError
-        Where neither are known.
+        Where neither are known, and for a crane with a hook.
     """
+    crane, frequencies = baseline_crane(mission), [0.0, 0.0]
     points = np.array([w.position for w in mission.waypoints]) * [1.0, 1.0, -1.0]
     limits = [_limits(mission, axis) for axis in range(3)]
     lengths = np.array([
@@ -168,7 +181,6 @@ def course(mission: Mission, method: str) -> Course:
     ]) + [w.dwell for w in mission.waypoints[1:]]
     legs = [Legs(points[:, i], lengths, *own) for i, own in enumerate(limits)]
     drives = [getattr(mission.crane, name) for name in DRIVES]
-    crane, frequencies = mission.build_crane(), [0.0, 0.0]
     if method in SHAPERS:
         mean = float(legs[2](np.linspace(0.0, legs[2].duration, 1001)).mean())
         driven = crane_parameters.parameters(mission.crane)["drive.mode"] == "velocity"

@@ -67,7 +67,7 @@ class Criteria:
     tracking_error : float
         Largest distance of the load from its reference [m].
     residual_sway : float
-        Largest sway angle after the planned duration [deg].
+        Largest sway angle, of the rope and of a sling, after the planned duration [deg].
     uses : tuple of BoundUse
         Of the bounds of the drives, if any are known.
     """
@@ -124,7 +124,7 @@ def judge(
         raise InputError(
             f"the run ends at {rows['time'][-1]:.3f} s, before the plan does at {duration:.3f} s"
         )
-    sway = np.maximum(np.abs(rows["sway.x.angle"]), np.abs(rows["sway.y.angle"]))
+    sway = np.max([np.abs(rows[name]) for name in angles(rows)], axis=0)
     return Criteria(
         duration=duration,
         peak_force={d: _peak(rows[f"drive.{d}.force"]) for d in DRIVES},
@@ -135,6 +135,12 @@ def judge(
         sway_tolerance=sway_tolerance,
         uses=() if bounds is None else run_uses(rows, bounds),
     )
+
+
+def angles(rows: NDArray[np.void]) -> list[str]:
+    """Names of the sway angles in rows, with a hook of the sling's as well."""
+    every = [f"{part}.{axis}.angle" for part in ("sway", "sling") for axis in "xy"]
+    return [name for name in every if name in (rows.dtype.names or ())]
 
 
 def _peak(values: NDArray[np.float64]) -> float:

@@ -149,7 +149,10 @@ def note(name: str, every: int, step: float) -> str:
 
 
 def plan_samples(mission: Mission, trajectory: Trajectory, every: int) -> NDArray[np.void]:
-    """The plan and its feedforward every so many communication steps, and at its end."""
+    """The plan and its feedforward every so many communication steps, and at its end.
+
+    Forces are left out where they jump, see `FlatInverse.force`.
+    """
     step = every * mission.simulation.step
     times = np.append(np.arange(0.0, trajectory.duration, step), trajectory.duration)
     columns = {"time": times}
@@ -157,7 +160,10 @@ def plan_samples(mission: Mission, trajectory: Trajectory, every: int) -> NDArra
         for axis, values in zip("xyz", trajectory(times, order).T, strict=True):
             columns[f"reference.load.{name}.{axis}"] = values
     inverse = FlatInverse(mission.build_crane(), trajectory, mission.build_friction())
-    for kind, table in (("force", inverse.force(times)), ("velocity", inverse.velocity(times))):
+    tables = {"velocity": inverse.velocity(times)}
+    if trajectory.smoothness >= inverse.model.orders - 1:
+        tables = {"force": inverse.force(times), **tables}
+    for kind, table in tables.items():
         for drive, values in zip(("bridge", "trolley", "hoist"), table.T, strict=True):
             columns[f"{kind}.{drive}"] = values
     rows = np.zeros(times.size, dtype=[(n, np.float64) for n in columns])

@@ -9,12 +9,12 @@ from typing import Any
 
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import chosen
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.feedforward.interface import WAYPOINTS
+from segfmu.fmu.pairs import native
 from segfmu.fmu.standard.spec import Spec
 from segfmu.folders import make_folder, remove_folder
 from segfmu.planning import Trajectory
-from segfmu.validation.files.crane_parameters import with_keys
+from segfmu.validation.files.crane_parameters import models, with_keys
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_tables import SimulationEntry
 from segfmu.validation.kept import Kept
@@ -23,7 +23,7 @@ from segfmu.validation.scenario import specs
 # of start values: a mission has those of some kB
 MOST_STARTS = 64
 TABLE = "feedback.table"
-# parameters of GantryFeedforward and GantryCrane, and gains
+# parameters of planner and crane, and gains
 Starts = tuple[dict[str, Any], dict[str, Any], dict[str, Any]]
 
 
@@ -44,7 +44,7 @@ class Pairs:
 
     def __init__(self) -> None:
         self._folder = make_folder()
-        self._pairs: dict[tuple[int, int], Pair] = {}
+        self._pairs: dict[tuple[str, int, int], Pair] = {}
         self._starts: Kept[Starts] = Kept(MOST_STARTS)
 
     def close(self) -> None:
@@ -61,7 +61,8 @@ class Pairs:
         BuildError
             If they cannot be built.
         """
-        key = fmi, max(len(mission.waypoints), gantry_feedforward.WAYPOINTS)
+        planner = models(mission.crane).feedforward
+        key = planner, fmi, max(len(mission.waypoints), WAYPOINTS)
         if key not in self._pairs:
             folder = self._folder / "_".join(map(str, key))
             interfaces = specs(_planned(mission), trajectory)
@@ -92,9 +93,8 @@ def _planned(mission: Mission) -> Mission:
 
 
 def _native(interfaces: Sequence[Spec]) -> tuple[Spec, Spec]:
-    feedforward, crane = interfaces
     with with_keys():
-        return gantry_feedforward.native_spec(feedforward), gantry_crane.native_spec(crane)
+        return native(interfaces)
 
 
 def _differences(old: Spec, new: Spec) -> dict[str, Any]:

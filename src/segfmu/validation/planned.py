@@ -7,12 +7,11 @@ import numpy as np
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.crane.bounds import DRIVES
-from segfmu.crane.inverse import DRIVE_ACCELERATION, POSITION, VELOCITY
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.crane.records import Contact
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.files.crane_parameters import bounds
+from segfmu.validation.files.crane_parameters import bounds, feedback_source
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
 
@@ -53,7 +52,7 @@ def require_travel(task: Mission, trajectory: Trajectory, inverse: FlatInverse) 
     if not any(found):
         return
     times = _samples(trajectory)
-    places = inverse.evaluate(times)[:, POSITION]
+    places = inverse.evaluate(times)[:, inverse.model.columns.position]
     for axis, (name, stops) in enumerate(zip(STOPPED, found, strict=True)):
         if stops is None:
             continue
@@ -80,7 +79,7 @@ def _farthest(
     """Time and place of a drive's farthest position in a direction, from samples of it."""
     row = int((sign * places).argmax())
     near = np.linspace(times[max(row - 1, 0)], times[min(row + 1, len(times) - 1)], AROUND)
-    closer = inverse.evaluate(near)[:, POSITION][:, axis]
+    closer = inverse.evaluate(near)[:, inverse.model.columns.position][:, axis]
     best = int((sign * closer).argmax())
     return float(near[best]), float(closer[best])
 
@@ -94,10 +93,11 @@ def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
     if (task.simulation.drive or task.simulated.drive) != "velocity":
         return ""
     times = _samples(trajectory)
-    values = FlatInverse(task.build_crane(), trajectory).evaluate(times)
+    inverse = FlatInverse(task.build_crane(), trajectory)
+    values, columns = inverse.evaluate(times), inverse.model.columns
     lags = np.array([getattr(task.crane, drive).lag or 0.0 for drive in DRIVES])
     known = bounds(task.crane)
-    setpoints = values[:, VELOCITY] + lags * values[:, DRIVE_ACCELERATION]
+    setpoints = values[:, columns.velocity] + lags * values[:, columns.drive_acceleration]
     both = np.minimum([known.velocity, known.lower("velocity")], 1e99)
     needs = np.array([setpoints, -setpoints])
     missed = lags * (needs - both[:, None])
@@ -124,8 +124,9 @@ def sticking(task: Mission, trajectory: Trajectory) -> str:
     if (task.simulation.drive or task.simulated.drive) == "velocity" or not any(friction.static):
         return ""
     inverse = FlatInverse(task.build_crane(), trajectory, friction)
-    crane = task.build_crane()
-    moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, crane.payload_mass)
+    crane = task.crane
+    hanging = crane.payload_mass + (0.0 if crane.hook is None else crane.hook.mass)
+    moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, hanging)
     found = []
     for axis, rows in enumerate(inverse.contacts.rows):
         excess = max(friction.static[axis] - friction.coulomb[axis], 0.0)
@@ -154,7 +155,7 @@ def unknown_wind(task: Mission) -> str:
     """
     crane, settings = task.simulated, task.simulation
     acts = crane.controller.enabled if settings.feedback is None else settings.feedback
-    source = settings.feedback_source or crane.controller.source
+    source = settings.feedback_source or feedback_source(crane)
     wind = [*(crane.wind.constant or ()), *(crane.wind.speed or ())]
     if not acts or source != "state" or not any(wind):
         return ""

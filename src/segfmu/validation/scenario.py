@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from segfmu.cosim import simulate
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.errors import InputError
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.feedforward.interface import FAR, WAYPOINTS
+from segfmu.fmu.pairs import GANTRY, ModelPair
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import DriveBounds
@@ -32,9 +32,9 @@ FREE = QUANTITIES[1:]
 AT_BUILD = "feedback.weight."
 
 
-def sized(waypoints: int | None = None) -> tuple[Spec, Spec]:
-    """Interfaces of both FMUs; GantryFeedforward with room for so many waypoints, 16 by default."""
-    return gantry_feedforward.spec(waypoints or gantry_feedforward.WAYPOINTS), gantry_crane.spec()
+def sized(waypoints: int | None = None, models: ModelPair = GANTRY) -> tuple[Spec, Spec]:
+    """Interfaces of both FMUs; the planner with room for so many waypoints, 16 by default."""
+    return models.planner(waypoints or WAYPOINTS), models.plant()
 
 
 def specs(
@@ -50,9 +50,8 @@ def specs(
             f"waypoints: room for {waypoints} is less than the {len(mission.waypoints)} of the "
             "mission; ask for more, or omit it"
         )
-    feedforward, crane = sized(
-        max(waypoints or gantry_feedforward.WAYPOINTS, len(mission.waypoints))
-    )
+    models = crane_parameters.models(mission.crane)
+    feedforward, crane = sized(max(waypoints or WAYPOINTS, len(mission.waypoints)), models)
     changes = {
         "stop_time": ending(mission, trajectory) + mission.simulation.settle,
         "step_size": mission.simulation.step,
@@ -62,7 +61,7 @@ def specs(
             feedforward, feedforward_values(mission, trajectory) | limits_to_find(mission),
             **changes,
         ),
-        gantry_crane.held(started(crane, crane_values(mission), **changes)),
+        models.held(started(crane, crane_values(mission), **changes)),
     )
 
 
@@ -73,13 +72,13 @@ def ending(mission: Mission, trajectory: Trajectory) -> float:
 
 
 def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:
-    """Parameters of GantryFeedforward: the arguments of the mission's trajectory.
+    """Parameters of the planner: the arguments of the mission's trajectory.
 
     Free waypoint states, and limits scaled for the actuators, come from the trajectory. What the
     crane file says of the drives as well is that of the crane that is planned for; their bounds
     are those that the mission tightens.
     """
-    known = gantry_feedforward.spec().references
+    known = crane_parameters.models(mission.crane).planner(WAYPOINTS).references
     values = {n: v for n, v in crane_parameters.parameters(mission.crane).items() if n in known}
     values |= limit_values(trajectory.limits)
     bounds = (mission.build_bounds() or ActuatorBounds()).record.tolist()
@@ -101,7 +100,7 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
 
 
 def limits_to_find(mission: Mission) -> dict[str, float | str]:
-    """Parameters of a GantryFeedforward that finds the limits of the load by itself.
+    """Parameters of a planner that finds the limits of the load by itself.
 
     So it plans what `segfmu plan` does, also after a change; what is free stays free. Without
     bounds of the drives the limits are those given.
@@ -116,7 +115,7 @@ def limits_to_find(mission: Mission) -> dict[str, float | str]:
 
 
 def free_values(mission: Mission) -> dict[str, float | str]:
-    """Parameters of GantryFeedforward for free velocities and accelerations; empty without any."""
+    """Parameters of the planner for free velocities and accelerations; empty without any."""
     values: dict[str, float | str] = {}
     for i, point in enumerate(mission.build_waypoints(), 1):
         for state in FREE:
@@ -128,7 +127,7 @@ def free_values(mission: Mission) -> dict[str, float | str]:
 
 
 def limit_values(limits: Limits) -> dict[str, float]:
-    """Parameters of GantryFeedforward for limits of the load, 0 where there are none."""
+    """Parameters of the planner for limits of the load, 0 where there are none."""
     table = limits.table(len(AXES), len(LIMITS))
     lower = limits.lower(len(AXES))
     least = np.where(lower == table[:, :2], 0.0, -lower)
@@ -140,7 +139,7 @@ def limit_values(limits: Limits) -> dict[str, float]:
 
 
 def space_values(clearance: Clearance) -> dict[str, float]:
-    """Parameters of GantryFeedforward for workspace, obstacles and the size of the load.
+    """Parameters of the planner for workspace, obstacles and the size of the load.
 
     Raises
     ------
@@ -150,12 +149,12 @@ def space_values(clearance: Clearance) -> dict[str, float]:
     most, obstacles = SpaceLimits.OBSTACLES, clearance.obstacles
     if len(obstacles) > most:
         raise InputError(
-            f"obstacles: GantryFeedforward has room for {most}, the mission has {len(obstacles)}; "
+            f"obstacles: the planner's FMU has room for {most}, the mission has {len(obstacles)}; "
             "join those that are close to each other, or drop those out of reach"
         )
     vectors = {
-        "workspace.{}.min": np.maximum(clearance.minimum, -gantry_feedforward.FAR),
-        "workspace.{}.max": np.minimum(clearance.maximum, gantry_feedforward.FAR),
+        "workspace.{}.min": np.maximum(clearance.minimum, -FAR),
+        "workspace.{}.max": np.minimum(clearance.maximum, FAR),
         "load.size.{}": clearance.load_size, "load.centre.{}": clearance.load_centre,
     }
     values: dict[str, float] = {"obstacle.count": len(obstacles)}
@@ -169,22 +168,25 @@ def space_values(clearance: Clearance) -> dict[str, float]:
 
 
 def crane_values(mission: Mission) -> dict[str, float | str]:
-    """Parameters and start values of GantryCrane: the load hangs at the first waypoint.
+    """Parameters and start values of the crane's FMU: the load hangs at the first waypoint.
 
-    The crane is the true one; the feedback is designed for the load of the nominal one.
+    The crane is the true one; the feedback is designed for the load of the nominal one. The rope is
+    as planned, so on another sling the load hangs higher or lower. An initial sway leaves rope and
+    sling in one line.
     """
     values = crane_parameters.parameters(mission.simulated)
     if mission.true_crane is not None:
         values["feedback.payload_mass"] = mission.crane.payload_mass
     x, y, z = mission.waypoints[0].position
-    sway_x, sway_y = mission.simulation.initial_sway
+    sway = dict(zip("xy", map(radians, mission.simulation.initial_sway), strict=True))
+    hook = mission.crane.hook
     values |= {
         "bridge.position": x,
         "trolley.position": y,
-        "rope.length": -z,
-        "sway.x.angle": radians(sway_x),
-        "sway.y.angle": radians(sway_y),
+        "rope.length": -z if hook is None else -z - hook.sling,
     }
+    for name in ("sway",) if hook is None else ("sway", "sling"):
+        values |= {f"{name}.{axis}.angle": angle for axis, angle in sway.items()}
     chosen = {
         "drive.mode": mission.simulation.drive,
         "feedback.enabled": mission.simulation.feedback,

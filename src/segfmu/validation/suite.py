@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from segfmu.cosim import Change, System, profile
 from segfmu.cosim.points import communication_points
 from segfmu.errors import BuildError, InputError, SegfmuError
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.pairs import GANTRY
 from segfmu.planning import Trajectory
-from segfmu.validation.baselines import Course, course, position_gains
+from segfmu.validation.baselines import Course, baseline_crane, course, position_gains
 from segfmu.validation.baselines import changes as inputs
+from segfmu.validation.files.crane_parameters import models
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.files.scenario_tables import moment, moments
@@ -31,7 +31,6 @@ from segfmu.validation.scenario import (
     feedforward_values,
 )
 
-FEEDFORWARD, CRANE = "GantryFeedforward", "GantryCrane"
 LEAD = "setpoint.lead"
 # control of positions knows no disturbances
 NO_REJECTION = {
@@ -188,7 +187,7 @@ class Runner:
         found: list[Change] = []
         if own is not None:
             times = communication_points(0.0, known["end"], scenario.mission.simulation.step)
-            found += inputs(own, CRANE, times)
+            found += inputs(own, GANTRY.crane, times)
         found += [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
         for p in file.profiles:
             found += profile(p.fmu, p.variable, moments(p.times, known), p.values)
@@ -230,28 +229,31 @@ class Runner:
         }
         if file.method == "pd":
             driven = sink["drive.mode"] == "velocity"
-            sink |= NO_REJECTION | position_gains(mission.build_crane(), driven, gains)
+            crane = baseline_crane(mission)
+            sink |= NO_REJECTION | position_gains(crane, driven, gains)
         if file.fmi == 3:
             interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
             source, sink = with_arrays(interfaces[0], source), with_arrays(interfaces[1], sink)
+        own = models(mission.crane)
         values: dict[str, dict[str, Any]] = {
-            FEEDFORWARD: source | lead, CRANE: sink | lead,
+            own.feedforward: source | lead, own.crane: sink | lead,
             **{unit.name: dict(unit.values) for unit in file.fmus},
         }
         if file.method != "feedforward":
-            del values[FEEDFORWARD]
-        for fmu, own in file.parameters.items():
-            values[fmu] = values.get(fmu, {}) | own
+            del values[own.feedforward]
+        for fmu, given in file.parameters.items():
+            values[fmu] = values.get(fmu, {}) | given
         return values
 
     def _system(self, scenario: Scenario, trajectory: Trajectory) -> System:
         file, step = scenario.file, scenario.mission.simulation.step
         pair = self._pairs.get(scenario.mission, trajectory, file.fmi)
+        both = models(scenario.mission.crane)
         archives, outputs = pair.paths, [v.name for v in pair.interfaces[1].where("output")]
         others = {unit.name: Path(unit.path) for unit in file.fmus}
         steps = {unit.name: unit.step for unit in file.fmus if unit.step is not None}
         for name in others:
-            if name in (FEEDFORWARD, CRANE):
+            if name in both.names:
                 raise InputError(f"fmus: {name} is the name of one of the two FMUs")
         links = [tuple(link) for unit in file.fmus for link in unit.connections]
         planned = file.method == "feedforward"
@@ -259,25 +261,19 @@ class Runner:
         def make() -> System:
             taken = {link[2:] for link in links}
             own = [
-                (FEEDFORWARD, name, CRANE, name) for name in _shared()
-                if planned and (CRANE, name) not in taken
+                (both.feedforward, name, both.crane, name) for name in both.shared
+                if planned and (both.crane, name) not in taken
             ]
-            first = {FEEDFORWARD: archives[0]} if planned else {}
-            # of GantryCrane alone: what it follows is among the rows too
-            rows = None if planned else {**dict.fromkeys(others), CRANE: [*outputs, *_shared()]}
+            first = {both.feedforward: archives[0]} if planned else {}
+            # of the crane alone: what it follows is among the rows too
+            alone = {**dict.fromkeys(others), both.crane: [*outputs, *both.shared]}
             return System(
-                {**first, **others, CRANE: archives[1]}, record=rows,
+                {**first, **others, both.crane: archives[1]}, record=None if planned else alone,
                 step=step, steps=steps, coupling=file.coupling, connections=[*own, *links],
             )
 
         key = (planned, *archives, step, *steps.items(), file.coupling, *others.items(), *links)
         return self._systems.get(key, make)
-
-
-def _shared() -> list[str]:
-    """Outputs of GantryFeedforward that GantryCrane takes."""
-    taken = {v.name for v in gantry_crane.spec().where("input")}
-    return [v.name for v in gantry_feedforward.spec().where("output") if v.name in taken]
 
 
 def _without_feedback(scenario: Scenario) -> Scenario:

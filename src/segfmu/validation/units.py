@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees
 
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.models import registered
 
 # from this magnitude on in the first unit, the second one, larger by a factor of 1000
 LARGE = 2000.0
@@ -29,8 +28,8 @@ def shown(values: Sequence[float], unit: str) -> tuple[tuple[float, ...], str]:
 
 
 def signal_units() -> dict[str, str]:
-    """Units of the signals of both FMUs and of time, for the headers of tables."""
-    specs = (gantry_feedforward.spec(), gantry_crane.spec())
+    """Units of the signals of all FMUs and of time, for the headers of tables."""
+    specs = (model.spec() for model in registered())
     own = {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
     return {"time": "s"} | own
 

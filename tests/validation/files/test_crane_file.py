@@ -1,4 +1,4 @@
-"""The crane file: every parameter of GantryCrane has a key or a reason, and every key arrives."""
+"""The crane file: every parameter of both cranes has a key or a reason, and every key arrives."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ import pytest
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.hook_crane import interface as hook_crane
+from segfmu.fmu.standard.spec import Spec, started
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import entries
@@ -20,8 +22,11 @@ from segfmu.validation.files.reading import checked
 from segfmu.validation.scenario import crane_values, ending, feedforward_values, specs
 
 MODELS = Path(__file__).parents[3] / "models"
-SPEC = gantry_crane.spec()
+# has all of GantryCrane, and hook and sling
+SPEC = hook_crane.spec()
 PARAMETERS = SPEC.where("parameter")
+# start values, where the cranes differ of GantryCrane
+NEUTRAL = {v.name: v.start for v in (*PARAMETERS, *gantry_crane.spec().where("parameter"))}
 FED = {name for entry in entries(CraneFile) for name in entry.feeds}
 MASSES = 'bridge_mass = 300e3\ntrolley_mass = 15e3\npayload_mass = 40e3\n'
 
@@ -120,16 +125,17 @@ air_density = 1.3
 turbulence = { deviation = [1.0, 1.1, 1.2], length = 900.0, bandwidth = 0.7, seed = 5 }
 noise = { deviation = [1e3, 2e3, 3e3], bandwidth = 0.5, seed = 9 }
 """
+HOOK = "[hook]\nmass = 900.0\nsling = 3.0\n"
 
 
 def crane(text: str = "") -> CraneFile:
     return checked(CraneFile, tomllib.loads(MASSES + text), "crane.toml")
 
 
-def starts(text: str) -> dict[str, float]:
-    """Start values of GantryCrane for a crane file."""
+def starts(text: str, spec: Spec = SPEC) -> dict[str, float]:
+    """Start values of a crane's FMU for a crane file."""
     own = checked(CraneFile, tomllib.loads(text), "crane.toml")
-    changed = gantry_crane.started(SPEC, crane_parameters.parameters(own))
+    changed = started(spec, crane_parameters.parameters(own))
     return {v.name: v.start for v in changed.variables}
 
 
@@ -150,7 +156,7 @@ def test_every_parameter_has_a_key_or_a_reason() -> None:
 
 
 def test_reasons_are_for_parameters_that_exist_and_have_no_key() -> None:
-    names = [v.name for v in gantry_crane.native_spec().where("parameter")]
+    names = [v.name for v in hook_crane.native_spec().where("parameter")]
     for start in crane_parameters.WITHOUT_KEY:
         assert any(n.startswith(start) for n in names), start
         assert not any(n.startswith(start) for n in FED), start
@@ -166,9 +172,9 @@ def test_units_of_keys_are_those_of_the_parameters() -> None:
 
 def test_every_key_arrives() -> None:
     """A file with all keys changes all parameters that have one, to its values in SI units."""
-    given = starts(EVERYTHING)
+    given = starts(EVERYTHING + HOOK)
     same = [
-        v.name for v in PARAMETERS if has_key(v.name) and given[v.name] == v.start
+        v.name for v in PARAMETERS if has_key(v.name) and given[v.name] == NEUTRAL[v.name]
         # of eight changes two are used
         and not v.name.startswith(tuple(f"payload[{i}]" for i in range(3, 9)))
     ]
@@ -176,12 +182,13 @@ def test_every_key_arrives() -> None:
     assert given["drive.trolley.lag"] == 0.2
     assert given["travel.rope.max"] == 33.0
     assert given["sensor.sway.y.angle.offset"] == pytest.approx(-math.pi / 360.0)
+    assert (given["hook.mass"], given["hook.sling"]) == (900.0, 3.0)
     assert given["payload.count"] == 2 and given["payload[2].mass"] == 30e3
     assert SPEC.variable("drive.mode").enumeration.items[given["drive.mode"] - 1] == "velocity"
 
 
 def test_every_key_of_the_model_is_in_that_file() -> None:
-    data = tomllib.loads(EVERYTHING)
+    data = tomllib.loads(EVERYTHING + HOOK)
     for entry in entries(CraneFile):
         value = data
         for name in entry.path:
@@ -191,8 +198,9 @@ def test_every_key_of_the_model_is_in_that_file() -> None:
 
 
 def test_a_bare_crane_is_ideal_and_has_no_rope_bounds() -> None:
-    given = starts(MASSES)
-    neutral = {v.name: v.start for v in PARAMETERS}
+    spec = gantry_crane.spec()
+    given = starts(MASSES, spec)
+    neutral = {v.name: v.start for v in spec.where("parameter")}
     changed = {n for n in neutral if given[n] != neutral[n]}
     assert changed == {
         "crane.bridge_mass", "crane.trolley_mass", "crane.payload_mass", "crane.rope_min",

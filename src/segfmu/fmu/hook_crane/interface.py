@@ -39,7 +39,9 @@ def spec() -> Spec:
             *inputs, *_inputs(), *rest, *_outputs(), *hook_parameters("true crane"), *_weights(),
         ),
     )
-    return _held(own)
+    return started(
+        held(own), {"feedback.enabled": False, "feedback.source": "measured"}
+    )
 
 
 def _inputs() -> list[Variable]:
@@ -77,15 +79,17 @@ def _weights() -> list[Variable]:
     ]
 
 
-def _held(own: Spec) -> Spec:
-    """Start values with which the load hangs at rest; the feedback is off."""
+def held(own: Spec) -> Spec:
+    """Add start values of the inputs that hold the crane in its initial position.
+
+    If an importer connects nothing, the load hangs at rest instead of falling.
+    """
     starts = {v.name: v.start for v in own.variables}
     mass = float(starts["crane.payload_mass"] or 0.0) + float(starts["hook.mass"] or 0.0)
     depth = float(starts["rope.length"] or 0.0) + float(starts["hook.sling"] or 0.0)
-    return started(own, {
+    return started(gantry_crane.held(own), {
         "force.hoist": -mass * float(starts["crane.gravity"] or 0.0),
-        "reference.load.position.z": -depth, "feedback.enabled": False,
-        "feedback.source": "measured",
+        "reference.load.position.z": -depth,
     })
 
 

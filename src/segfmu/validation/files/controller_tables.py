@@ -90,9 +90,10 @@ class ControllerTable(Table):
 
     enabled: Annotated[StrictBool, Key("whether it acts", "", ("feedback.enabled",))] = True
     source: Annotated[
-        Literal["state", "measured"],
-        Key("what it knows: the true state, or the measured signals", "", ("feedback.source",)),
-    ] = "state"
+        Literal["state", "measured"] | None,
+        Key("what it knows: the true state, or the measured signals", "", ("feedback.source",),
+            '`"state"`; with a hook `"measured"`'),
+    ] = None
     design: Annotated[
         Literal["lqr", "flatness"],
         Key("gains of a linear-quadratic design, or in closed form", "", ("feedback.design",)),

@@ -63,6 +63,15 @@ class LoadTable(Table):
     ] = []
 
 
+class HookTable(Table):
+    """A hook between rope and load, which makes a double pendulum."""
+
+    mass: Annotated[Quantity, Key("mass of the hook", "kg", ("hook.mass",))]
+    sling: Annotated[
+        Quantity, Key("length of the sling, from hook to load", "m", ("hook.sling",))
+    ]
+
+
 class CraneFile(Table):
     """A crane."""
 
@@ -86,7 +95,8 @@ class CraneFile(Table):
     ] = 9.81
     rope_min: Annotated[
         Quantity | None,
-        Key("shortest rope of a plan", "m", ("crane.rope_min",), "no bound", none=(0.0,)),
+        Key("shortest rope of a plan; with a hook it leads from trolley to hook", "m",
+            ("crane.rope_min",), "no bound", none=(0.0,)),
     ] = None
     rope_max: Annotated[
         Quantity | None,
@@ -107,5 +117,8 @@ class CraneFile(Table):
     friction: Annotated[FrictionTable, Key("friction")] = FrictionTable()
     sensors: Annotated[SensorTable, Key("sensors")] = SensorTable()
     load: Annotated[LoadTable, Key("the load")] = LoadTable()
+    hook: Annotated[
+        HookTable | None, Key("hook on the rope, from which the load hangs by a sling")
+    ] = None
     controller: Annotated[ControllerTable, Key("the sway feedback")] = ControllerTable()
     wind: Annotated[WindTable, Key("wind on the load")] = WindTable()

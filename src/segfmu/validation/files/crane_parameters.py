@@ -12,19 +12,21 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import ActuatorBounds, Crane, Friction, Rig
+from segfmu.crane import ActuatorBounds, Crane, Friction, HookCrane, Rig
 from segfmu.crane.bounds import DIRECTED
 from segfmu.crane.linear import usual_sample_time
 from segfmu.errors import InputError
-from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair
 from segfmu.fmu.standard.spec import started
 from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.hook_checks import check_crane
 from segfmu.validation.files.keys import DRIVES, Entry, entries
 
-# parameters of GantryCrane that no key sets, by the beginning of their names, and why
+# parameters of GantryCrane and HookCrane that no key sets, by the beginning of their names, and why
 WITHOUT_KEY = {
     "feedback.payload_mass": "the load's mass of the crane that the mission is planned for",
     "feedback.table": "gains of the native FMU, designed from crane and weights at the build",
+    "feedback.hook": "weights of HookCrane's feedback, dimensionless, so that one set suits all",
     "setpoint.lead": "a matter of the importer that couples the FMUs, not of the crane",
     "start.on_reference": "the crane of a mission starts at the first waypoint",
 }
@@ -36,7 +38,7 @@ def _entries() -> tuple[Entry, ...]:
 
 
 def parameters(crane: CraneFile) -> dict[str, float | str]:
-    """Parameters of GantryCrane that a crane file sets, by name."""
+    """Parameters of GantryCrane, with a hook of HookCrane, that a crane file sets, by name."""
     found: dict[str, float | str] = {}
     for entry in _entries():
         if entry.feeds and "[" not in entry.feeds[0]:
@@ -45,10 +47,22 @@ def parameters(crane: CraneFile) -> dict[str, float | str]:
         found["feedback.sample_time"] = usual_sample_time(
             crane.gravity, crane.rope_min, crane.sensors.sample_time or 0.0
         )
+    found["feedback.source"] = feedback_source(crane)
     for i, change in enumerate(crane.load.changes, 1):
         found[f"payload[{i}].time"] = change.time
         found[f"payload[{i}].mass"] = change.mass
     return found
+
+
+def feedback_source(crane: CraneFile) -> str:
+    """What the feedback knows."""
+    usual = "state" if crane.hook is None else "measured"
+    return crane.controller.source or usual
+
+
+def models(crane: CraneFile) -> ModelPair:
+    """The models that plan for a crane and are it."""
+    return GANTRY if crane.hook is None else HOOK
 
 
 def _at(table: Any, path: tuple[str, ...]) -> Any:
@@ -85,8 +99,8 @@ def with_keys(where: str | Path | None = None) -> Iterator[None]:
         raise InputError(text if where is None else f"{where}: {text}") from None
 
 
-def nominal(crane: CraneFile) -> Crane:
-    """Masses, gravity and rope range.
+def nominal(crane: CraneFile) -> Crane | HookCrane:
+    """Masses, gravity, rope range and hook.
 
     Raises
     ------
@@ -94,7 +108,8 @@ def nominal(crane: CraneFile) -> Crane:
         For an empty rope range.
     """
     names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
-    return Crane(**{name: getattr(crane, name) for name in names})
+    own = Crane(**{name: getattr(crane, name) for name in names})
+    return own if crane.hook is None else HookCrane(own, crane.hook.mass, crane.hook.sling)
 
 
 def bounds(crane: CraneFile) -> ActuatorBounds:
@@ -142,7 +157,8 @@ def check(crane: CraneFile, where: str) -> None:
     """
     with with_keys(where):
         nominal(crane)
-        values = started(gantry_crane.spec(), parameters(crane))
+        check_crane(crane)
+        values = started(models(crane).plant(), parameters(crane))
         Rig.of({v.name: v.start for v in values.variables}.__getitem__)
     allowed = crane.load.mass_range
     if allowed is not None:

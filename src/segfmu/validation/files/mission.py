@@ -9,7 +9,14 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
-from segfmu.crane import ActuatorBounds, Crane, Friction, Operator, plan_actuated
+from segfmu.crane import (
+    ActuatorBounds,
+    Crane,
+    Friction,
+    HookCrane,
+    Operator,
+    plan_actuated,
+)
 from segfmu.errors import InputError
 from segfmu.planning import (
     Clearance,
@@ -23,6 +30,7 @@ from segfmu.planning import (
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.clearance_tables import ObstacleEntry, WorkspaceTable
 from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.hook_checks import check_mission, require_gantry
 from segfmu.validation.files.keys import AXES, Key, NotNegativeTriple, Place, Table, printable
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission_checks import check_waypoints
@@ -38,7 +46,9 @@ from segfmu.validation.files.reading import checked, merged, read
 
 # that the FMUs can have
 MOST_WAYPOINTS = 256
-
+# defaults of a crane with a hook: forces follow the sixth derivative of the load's position, which
+# is large in the short parts of a plateau's ramps
+WITH_HOOK = {"smoothness": 6, "shape": "smoothstep"}
 
 
 class Mission(Table):
@@ -47,7 +57,7 @@ class Mission(Table):
     Attributes
     ----------
     crane : CraneFile
-        What is known of the crane; `build_crane` makes the `Crane` of it.
+        What is known of the crane; `build_crane` makes a `Crane` of it, or a `HookCrane`.
     """
 
     _file: Path | None = PrivateAttr(default=None)
@@ -74,10 +84,12 @@ class Mission(Table):
     ]
     smoothness: Annotated[
         Annotated[int, Field(ge=4, le=6, strict=True)],
-        Key("the load's position is so many times continuously differentiable"),
+        Key("the load's position is so many times continuously differentiable; with a hook 6, or 5 "
+            "for velocity drives without known bounds", default="`4`; with a hook `6`"),
     ] = 4
     shape: Annotated[
-        Literal["plateau", "smoothstep"], Key("shape of the acceleration ramps")
+        Literal["plateau", "smoothstep"],
+        Key("shape of the acceleration ramps", default='`"plateau"`; with a hook `"smoothstep"`'),
     ] = "plateau"
     synchronization: Annotated[
         Literal["waypoints", "total", "none"], Key("where the axes meet in time")
@@ -114,11 +126,13 @@ class Mission(Table):
     @model_validator(mode="before")
     @classmethod
     def _complete(cls, data: Any) -> Any:
-        """Take from the nominal crane what the true one does not state."""
+        """Take from the nominal crane what the true one does not state; defaults with a hook."""
         if isinstance(data, dict):
             crane, true = data.get("crane"), data.get("true_crane")
-            if isinstance(crane, dict) and isinstance(true, dict):
-                return {**data, "true_crane": merged(crane, true)}
+            if isinstance(crane, dict):
+                usual = WITH_HOOK if crane.get("hook") is not None else {}
+                own = {"true_crane": merged(crane, true)} if isinstance(true, dict) else {}
+                return {**usual, **data, **own}
         return data
 
     def __repr__(self) -> str:
@@ -145,7 +159,7 @@ class Mission(Table):
         """The crane that is simulated."""
         return self.true_crane or self.crane
 
-    def build_crane(self) -> Crane:
+    def build_crane(self) -> Crane | HookCrane:
         """The crane that is planned for."""
         return crane_parameters.nominal(self.crane)
 
@@ -214,10 +228,19 @@ class Mission(Table):
         return trajectory
 
     def operator(self) -> Operator:
-        """The mission's crane under an operator's hand; at first it follows the mission's plan."""
+        """The mission's crane under an operator's hand; at first it follows the mission's plan.
+
+        Raises
+        ------
+        InputError
+            For a crane with a hook, and as `plan`.
+        InfeasibleError
+            As `plan`.
+        """
+        crane = require_gantry(self.build_crane(), "operator")
         trajectory = self.plan()
         return Operator(
-            self.build_crane(), trajectory.limits, trajectory,
+            crane, trajectory.limits, trajectory,
             bounds=self.build_bounds() or ActuatorBounds(), clearance=self.build_clearance(),
             shape=self.shape, synchronize=self.synchronization, friction=self.build_friction(),
         )
@@ -305,6 +328,7 @@ def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
     try:
         for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
             crane_parameters.check(crane, name)
+        check_mission(mission)
         check_waypoints(mission)
         mission.build_clearance()
     except InputError as error:

@@ -167,11 +167,12 @@ class SimulationEntry(Table):
     ] = None
     initial_sway: Annotated[
         Annotated[list[Angle], Field(min_length=2, max_length=2)],
-        Key("sway angles at the start", "deg", parts=SWAY),
+        Key("sway angles at the start, of the rope and of a sling", "deg", parts=SWAY),
     ] = [0.0, 0.0]
     tracking_tolerance: Annotated[
         Positive, Key("largest distance of the load from its plan", "m")
     ] = 0.001
     sway_tolerance: Annotated[
-        Positive, Key("largest sway angle after the end of the plan", "deg")
+        Positive,
+        Key("largest sway angle, of the rope and of a sling, after the end of the plan", "deg"),
     ] = 0.02

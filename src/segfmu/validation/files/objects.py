@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import Crane
+from segfmu.crane import Crane, HookCrane
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Obstacle, Waypoint
 from segfmu.planning.limits import LOWER, NAMES, limited
@@ -45,6 +45,10 @@ def plain(value: Any) -> Any:
 def _crane(crane: Crane) -> dict[str, Any]:
     names = (*MASSES, "rope_min", "rope_max")
     return {name: getattr(crane, name) for name in names if getattr(crane, name) is not None}
+
+
+def _hook_crane(hook: HookCrane) -> dict[str, Any]:
+    return {**_crane(hook.crane), "hook": {"mass": hook.hook_mass, "sling": hook.sling}}
 
 
 def _limits(limits: Limits) -> dict[str, Any]:
@@ -83,5 +87,6 @@ def _obstacle(box: Obstacle) -> dict[str, Any]:
 
 
 MAKERS: tuple[tuple[type, Callable[[Any], dict[str, Any]]], ...] = (
-    (Crane, _crane), (Limits, _limits), (Waypoint, _waypoint), (Obstacle, _obstacle),
+    (Crane, _crane), (HookCrane, _hook_crane), (Limits, _limits), (Waypoint, _waypoint),
+    (Obstacle, _obstacle),
 )

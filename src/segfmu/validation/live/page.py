@@ -12,6 +12,7 @@ from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_parameters import with_keys
+from segfmu.validation.files.hook_checks import require_gantry
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.live.system import interfaces, system
@@ -71,6 +72,7 @@ def live(
     require_file(target)
     task = load_mission(mission)
     with about(task.file):
+        require_gantry(task.build_crane(), "page")
         trajectory = planned(task, progress)
         progress("compiling", 0.0)
         with with_keys():

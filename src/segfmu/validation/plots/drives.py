@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from segfmu.crane import ActuatorBounds, Crane, Friction
+from segfmu.crane import ActuatorBounds, Crane, Friction, HookCrane
 from segfmu.crane.bounds import DRIVES, UNITS
 from segfmu.crane.contacts import NONE
 from segfmu.crane.demand import demands
@@ -28,7 +28,7 @@ FARTHEST = 1.5
 
 
 def plot_drives(
-    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, title: str,
+    crane: Crane | HookCrane, trajectory: Trajectory, bounds: ActuatorBounds, title: str,
     friction: Friction = NONE,
 ) -> Figure:
     """Velocity, acceleration, force and power of the drives, and the sway; bounds dashed."""
@@ -40,14 +40,14 @@ def plot_drives(
 
 def draw_demands(
     panels: Sequence[Axes], times: FloatArray, values: FloatArray, bounds: ActuatorBounds,
-    crane: Crane,
+    crane: Crane | HookCrane,
 ) -> list[float]:
     """Draw demands (times, 14) in the panels of `PANELS`; returns the factor of each panel.
 
-    The hoist's force is shown without the load's weight, as the difference between pull and weight.
+    The hoist's force is shown without the weight on the rope, as the difference of the pull to it.
     """
     limits = bounds.table
-    weight = crane.payload_mass * crane.gravity
+    weight = crane.weight
     factors = []
     for panel, (quantity, first, names) in zip(panels, PANELS, strict=True):
         columns = slice(first, first + len(names))

@@ -9,10 +9,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from segfmu.crane import ActuatorBounds, Crane
+from segfmu.crane import ActuatorBounds, Crane, HookCrane
 from segfmu.crane.bounds import DRIVES
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.drive_use import run_demands
+from segfmu.validation.criteria import angles
+from segfmu.validation.drive_use import SWAYS, run_demands
 from segfmu.validation.plots.drives import PANELS, draw_demands
 from segfmu.validation.plots.style import COLOURS, finish, legend, stack
 
@@ -26,8 +27,8 @@ VELOCITY, SWAY = QUANTITIES.index("velocity"), QUANTITIES.index("sway angle")
 
 
 def plot_run(
-    rows: NDArray[np.void], waypoint_times: FloatArray, title: str, crane: Crane,
-    bounds: ActuatorBounds,
+    rows: NDArray[np.void], waypoint_times: FloatArray, title: str,
+    crane: Crane | HookCrane, bounds: ActuatorBounds,
 ) -> Figure:
     """Drives with setpoints and bounds, sway with the planned one, tracking error of the load."""
     figure, panels = stack(len(PANELS) + 1)
@@ -35,9 +36,14 @@ def plot_run(
     factors = draw_demands(panels[:-1], time, run_demands(rows), bounds, crane)
     for drive in DRIVES:
         panels[VELOCITY].plot(time, factors[VELOCITY] * rows[f"velocity.{drive}"], **DOTTED)
-    for axis in "xy":
-        planned = rows[f"reference.sway.{axis}.angle"]
-        panels[SWAY].plot(time, factors[SWAY] * planned, **DOTTED)
+    for signal in angles(rows):
+        if signal not in SWAYS:
+            axis = signal.split(".")[1]
+            panels[SWAY].plot(
+                time, factors[SWAY] * rows[signal], color=COLOURS["xy".index(axis)],
+                linestyle="--", label=f"ψ{axis}, sling",
+            )
+        panels[SWAY].plot(time, factors[SWAY] * rows[f"reference.{signal}"], **DOTTED)
     for panel, what in ((panels[VELOCITY], "setpoint"), (panels[SWAY], "planned")):
         panel.plot([], [], label=what, **DOTTED)
         legend(panel)

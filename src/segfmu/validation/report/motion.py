@@ -9,10 +9,12 @@ from numpy.lib.recfunctions import rename_fields
 from numpy.typing import NDArray
 
 from segfmu.crane.bounds import DRIVES, UNITS, ActuatorBounds
+from segfmu.fmu.pairs import PAIRS
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES
+from segfmu.validation.criteria import angles
 from segfmu.validation.drive_use import run_demands
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.report.curves import digits, thinned
@@ -170,18 +172,21 @@ def _drive(
 
 
 def sway_section(rows: Rows, bounds: ActuatorBounds) -> Section:
-    """Sway about both axes, as planned and as it was."""
+    """Sway about both axes, of the rope and of a sling, as planned and as it was."""
     charts = []
-    for i, axis in enumerate("xy"):
+    most = dict(zip(("sway.x.angle", "sway.y.angle"), bounds.sway_angle, strict=True))
+    for signal in angles(rows):
+        part, axis, _ = signal.split(".")
         values = np.column_stack([
-            np.degrees(rows[f"{name}sway.{axis}.angle"]) for name in ("", "reference.")
+            np.degrees(rows[f"{name}{signal}"]) for name in ("", "reference.")
         ])
-        peak, bound = float(np.abs(values[:, 0]).max()), float(np.degrees(bounds.sway_angle[i]))
+        peak = float(np.abs(values[:, 0]).max())
+        bound = float(np.degrees(most.get(signal, np.inf)))
         known = bool(np.isfinite(bound))
         words = f"peak {pretty(peak)} deg" + (f" of {pretty(bound)} deg" if known else "")
         near = known and peak >= NEAR * bound
         charts.append(Chart(
-            f"sway along {axis}", "deg", words,
+            f"{part} along {axis}", "deg", words,
             curves(rows["time"], values, ("run", "plan"), ("run", "plan"),
                    max(2.0 * bound if near else 0.0, np.degrees(NO_SWAY))),
             (-bound, bound) if near else (None, None),
@@ -225,7 +230,7 @@ def owned(rows: Rows) -> Rows:
     """Rows in which the variables of both FMUs have their names, whatever others are called."""
     names = rows.dtype.names or ()
     changed: dict[str, str] = {}
-    for fmu in ("GantryCrane", "GantryFeedforward"):
+    for fmu in (name for pair in PAIRS for name in reversed(pair.names)):
         for name in names:
             bare = name.removeprefix(f"{fmu}.")
             if bare != name and bare not in names and bare not in changed.values():
@@ -237,7 +242,7 @@ def owned(rows: Rows) -> Rows:
 def arrivals(rows: Rows, end: float) -> list[float]:
     """Times at which the load is at the waypoints [s], from the rows of a run.
 
-    A run without GantryFeedforward tells the start and the end alone.
+    A run without a planner's FMU tells the start and the end alone.
     """
     if "plan.interval" not in (rows.dtype.names or ()):
         return [0.0, round(end, 4)]

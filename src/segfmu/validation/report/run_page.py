@@ -110,12 +110,13 @@ def _task(mission: Mission, trajectory: Trajectory) -> Section:
         ],
     )
     crane = mission.simulated
-    masses = [
-        (name, crane_mass(getattr(crane, key)))
-        for name, key in (
-            ("bridge", "bridge_mass"), ("trolley", "trolley_mass"), ("load", "payload_mass"),
-        )
-    ]
+    parts = [("bridge", crane.bridge_mass), ("trolley", crane.trolley_mass)]
+    parts += [("load", crane.payload_mass)]
+    if crane.hook is not None:
+        parts.append(("hook", crane.hook.mass))
+    masses = [(name, crane_mass(mass)) for name, mass in parts]
+    if crane.hook is not None:
+        masses.append(("sling", f"{pretty(crane.hook.sling)} m"))
     plan = [
         ("smoothness", str(mission.smoothness)), ("shape of the ramps", mission.shape),
         ("communication step", f"{mission.simulation.step:g} s"),

@@ -18,14 +18,17 @@ SIGNALS = (
     "bridge.position", "trolley.position", "load.position.x", "load.position.y",
     "load.position.z", "sway.x.angle", "sway.y.angle",
 )
+# of a crane with a hook besides
+HOOK = (*(f"hook.position.{axis}" for axis in AXES), "sling.x.angle", "sling.y.angle")
 
 
 def scene(
     mission: Mission, rows: NDArray[np.void], name: str, frames: int = FRAMES
 ) -> dict[str, Any]:
-    """Positions [m] over time and what stands around, for scene.js."""
+    """Positions [m] and angles [deg] over time and what stands around, for scene.js."""
     times = np.linspace(0.0, float(rows["time"][-1]), frames)
-    columns = [np.interp(times, rows["time"], rows[name].astype(float)) for name in SIGNALS]
+    signals = SIGNALS if mission.simulated.hook is None else (*SIGNALS, *HOOK)
+    columns = [np.interp(times, rows["time"], rows[name].astype(float)) for name in signals]
     path = np.column_stack([rows[f"reference.load.position.{axis}"] for axis in AXES])
     places = decimals(path)
     return {
@@ -33,8 +36,9 @@ def scene(
         **surroundings(mission, path),
         "times": _rounded(times, 3 + max(0, ceil(-log10(times[-1])))),
         "frames": [
-            *(_rounded(column, places) for column in columns[:5]),
-            *(_rounded(np.degrees(column), 3) for column in columns[5:]),
+            _rounded(np.degrees(column), 3) if signal.endswith(".angle")
+            else _rounded(column, places)
+            for signal, column in zip(signals, columns, strict=True)
         ],
     }
 

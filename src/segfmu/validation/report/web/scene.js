@@ -26,12 +26,15 @@
 
   function draw() {
     const {i, values} = state();
-    const [bridge, trolley, x, y, z, swayX, swayY] = values, trail = [];
+    const [bridge, trolley, x, y, z, swayX, swayY, ...rest] = values, trail = [];
+    // of a crane with a hook: its place, and the angles of the sling
+    const hook = rest.length ? rest.slice(0, 3) : null, sling = rest.slice(3);
     for (let j = 0; j <= i; j += 1) trail.push([2, 3, 4].map((row) => scene.frames[row][j]));
     trail.push([x, y, z]);
-    view.draw({bridge, trolley, load: [x, y, z], trail});
+    view.draw({bridge, trolley, hook, load: [x, y, z], trail});
     const words = `${time.toFixed(2)} s: load at x ${x.toFixed(3)}, y ${y.toFixed(3)}, z ${z.toFixed(3)} m; `
-      + `sway ${swayX.toFixed(2)} and ${swayY.toFixed(2)} deg`;
+      + `sway ${swayX.toFixed(2)} and ${swayY.toFixed(2)} deg`
+      + (hook ? `, sling ${sling[0].toFixed(2)} and ${sling[1].toFixed(2)} deg` : "");
     find("state").textContent = words;
     slider.setAttribute("aria-valuetext", `${time.toFixed(1)} seconds`);
     document.dispatchEvent(new CustomEvent("scenetime", {detail: {time, scene: number}}));

@@ -1,0 +1,115 @@
+"""What a crane with a hook does not have, and which values of a mission do not fit one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from segfmu.crane import Crane, HookCrane
+from segfmu.errors import InputError
+from segfmu.validation.files.controller_tables import ControllerTable
+
+if TYPE_CHECKING:
+    from segfmu.validation.files.crane_file import CraneFile
+    from segfmu.validation.files.mission import Mission
+
+# keys of [controller] that the feedback with a hook has
+TAKEN = ("enabled", "source", "sample_time", "fade")
+
+
+def check_crane(crane: CraneFile) -> None:
+    """Refuse what the crane of a hook cannot do; nothing is wrong without a hook.
+
+    Raises
+    ------
+    InputError
+        For the first key that does not fit.
+    """
+    if crane.hook is None:
+        return
+    own = crane.controller
+    if own.source == "state":
+        raise InputError(
+            'controller.source: with a hook it is "measured", as no gains are by the true state; '
+            "leave it out"
+        )
+    for name, field in ControllerTable.model_fields.items():
+        if name not in TAKEN and getattr(own, name) != field.default:
+            raise InputError(
+                f"controller.{name}: the feedback with a hook is a design of its own, which takes "
+                f"{', '.join(TAKEN)}; leave it out"
+            )
+    if crane.travel.slack != "error":
+        raise InputError(
+            'travel.slack: with a hook a slack rope or sling is an error; use "error", or leave it '
+            "out"
+        )
+
+
+def check_mission(mission: Mission) -> None:
+    """Refuse what a mission asks of a hook in vain.
+
+    Raises
+    ------
+    InputError
+        For the first key that does not fit.
+    """
+    if mission.crane.hook is None:
+        if mission.true_crane is not None and mission.true_crane.hook is not None:
+            raise InputError(
+                "true_crane.hook: the crane that is planned for has no hook; add [crane.hook], or "
+                "[hook] to the crane file"
+            )
+        return
+    _check_smoothness(mission)
+    if mission.simulation.feedback_source == "state":
+        raise InputError(
+            'simulation.feedback_source: with a hook it is "measured"; leave it out'
+        )
+    for number, box in enumerate(mission.obstacles, 1):
+        if box.rope:
+            raise InputError(
+                f"obstacles.{number}.rope: rope and sling of a crane with a hook are not judged; "
+                "write rope = false, and a margin that keeps them off"
+            )
+    for i, entry in enumerate(mission.waypoints, 1):
+        if entry.position[2] >= -mission.crane.hook.sling:
+            raise InputError(
+                f"waypoints.{i}.position: z {entry.position[2]} m puts the hook at the trolley or "
+                f"above; z must be below -{mission.crane.hook.sling:g} m, the sling (hook.sling of "
+                "the crane)"
+            )
+
+
+def _check_smoothness(mission: Mission) -> None:
+    own = mission.smoothness
+    if own == 6:
+        return
+    way = "write smoothness = 6, or leave it out"
+    if own < 5:
+        raise InputError(
+            f"smoothness: {own} is too low for a hook, as the carriages' velocities need the fifth "
+            f"derivative of the load's position; {way}"
+        )
+    driven = (mission.simulation.drive or mission.simulated.drive) == "velocity"
+    if not driven or mission.build_bounds() is not None:
+        why = "the bounds of drives are judged by" if driven else "force drives need"
+        raise InputError(
+            f"smoothness: 5 is too low, as {why} forces, which with a hook need the sixth "
+            f"derivative of the load's position; {way}"
+        )
+
+
+def require_gantry(crane: Crane | HookCrane, what: str) -> Crane:
+    """The crane, if it has no hook.
+
+    Raises
+    ------
+    InputError
+        Telling `what` there is not with a hook.
+    """
+    if isinstance(crane, HookCrane):
+        raise InputError(
+            f"hook: a crane with a hook has no {what}; take [hook] out of the crane file, or "
+            "[crane.hook] out of the mission"
+        )
+    return crane
