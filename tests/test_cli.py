@@ -309,8 +309,8 @@ def test_a_system_of_fmi_3_is_ssp_2(tmp_path, monkeypatch, capsys) -> None:
         ("--modelica", ("--fmi", "3"), "modelica needs FMUs of FMI 2"),
         ("--modelica", ("--backend", "python"), "modelica needs native FMUs"),
         ("--ssp", ("--backend", "python"), "ssp needs native FMUs"),
-        ("--ssp", ("--fmi", "3", "--enumerations", "integer"), "ssp has enumerations"),
-        ("--ssp", ("--commands", "inputs"), "ssp has commands that are parameters"),
+        ("--ssp", ("--fmi", "3", "--enumerations", "integer"), "ssp needs enumerations"),
+        ("--ssp", ("--commands", "inputs"), "ssp needs commands as parameters"),
     ],
 )
 def test_files_for_other_tools_need_fmus_that_have_all(

@@ -33,7 +33,7 @@ def test_limits_of_a_mission_are_those_of_three_axes() -> None:
 
 
 @pytest.mark.parametrize(("scenarios", "words"), [
-    ([], "scenarios are none; name files"), ((), "scenarios are none; name files"),
+    ([], "no scenarios; name files"), ((), "no scenarios; name files"),
     (None, "scenarios must be a sequence, got None"),
     ([None], "scenarios must be files or folders, got None"), (5, "scenarios must be a sequence"),
 ])

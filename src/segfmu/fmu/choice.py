@@ -40,11 +40,9 @@ def require_native(choice: Choice, option: str, versions: tuple[int, ...] = (2, 
         For other FMUs than native ones with enumerations, of one of these versions of FMI.
     """
     if choice.connected:
-        raise InputError(f"{option} has commands that are parameters: leave out commands inputs")
+        raise InputError(f"{option} needs commands as parameters: leave out commands inputs")
     if choice.numbered:
-        raise InputError(
-            f"{option} has enumerations that arrive: leave out enumerations integer"
-        )
+        raise InputError(f"{option} needs enumerations: leave out enumerations integer")
     if not choice.native:
         raise InputError(
             f"{option} needs native FMUs: omit backend, and install a C compiler, or the extra "

@@ -34,11 +34,11 @@ class Limits(Frozen):
     velocity, acceleration : array_like, scalar or shape (axes,)
         Required, finite and positive.
     jerk, snap, crackle, pop : array_like, scalar or shape (axes,), optional
-        Positive; None or infinity if a derivative is not limited, which is infinity afterwards.
+        Positive; None or infinity for no limit, stored as infinity.
     velocity_min, acceleration_min : array_like, scalar or shape (axes,), optional
         Limits in the negative direction, below zero: a hoist that lowers slower than it lifts, an
         axis that drives and brakes differently. None or -infinity for the same limit in both
-        directions, which is -infinity afterwards.
+        directions, stored as -infinity.
 
     Raises
     ------

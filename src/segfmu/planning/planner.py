@@ -58,8 +58,8 @@ def plan(
         Round the duration of every waypoint interval and of every dwell up to a multiple of it [s].
         What `duration` or "total" prolong after that are no multiples.
     duration : float, optional
-        Requested total duration [s], dwells included. With `synchronize="none"` every axis is
-        prolonged to it, so it is refused if one cannot last it, also where the plan does already.
+        Requested total duration [s], dwells included. With `synchronize="none"` every axis has to
+        last it, also where the longest one does already.
     position_min, position_max : array_like, scalar or shape (axes,), optional
         Range that no axis may leave [m]; None or infinity for no bound of an axis. Checked exactly.
     axis_names : sequence of str, optional

@@ -39,16 +39,16 @@ class Verification:
         Time in which a first state that cannot keep the limits is brought inside [s], else 0. It
         follows from that state alone, not from the trajectory.
     excess : ndarray, shape (smoothness + 1, axes)
-        Largest magnitude of the derivatives until then, over that which they have while the state
-        is brought inside as soon as possible, or over their limit if that is larger; in the
-        direction in which this is more.
+        Largest magnitude of the derivatives until then, as a multiple of what bringing the state
+        inside as soon as possible needs, or of the limit if that is larger; in the direction with
+        the larger multiple.
     limits : ndarray, shape (smoothness + 1, axes)
         Magnitudes of their limits in that direction, infinite where absent.
     waypoint_errors : ndarray, shape (waypoints, axes)
-        Largest deviation from a waypoint's state on arrival and during its dwell, in units of the
-        distance covered (position), of the limits or, where there is none or it cannot be reached
-        in time, of the peaks. Peaks below 1e-5 of their limit, or of what other limits imply, count
-        as that.
+        Largest deviation from a waypoint's state on arrival and during its dwell. Units are the
+        distance covered (position) and the limits, or the peaks where there is no limit or it
+        cannot be reached in time. A peak counts as at least 1e-5 of its limit, or of what other
+        limits imply.
     jumps : ndarray, shape (smoothness + 1, axes)
         Largest jump of the derivatives 0 .. smoothness at a switching time, in units of the
         distance covered (position) and of the peak, counted in the same way.

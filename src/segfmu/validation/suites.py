@@ -130,7 +130,7 @@ def validate(scenarios: Scenarios, *, progress: Progress = quiet) -> Suite:
         if not isinstance(entry, str | Path | Scenario):
             raise InputError(f"scenarios must be files or folders, got {shown(entry)}")
     if not given:
-        raise InputError("scenarios are none; name files or folders of them")
+        raise InputError("no scenarios; name files or folders of them")
     loaded = [entry for entry in given if isinstance(entry, Scenario)]
     paths = [Path(entry) for entry in given if not isinstance(entry, Scenario)]
     loaded += [load_scenario(path) for path in find(paths)]

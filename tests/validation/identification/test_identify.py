@@ -151,7 +151,7 @@ def bad(**changes: Any) -> dict[str, Any]:
     (bad(), {"piece": 0.0}, "piece must be positive"),
     (bad(), {"columns": {"rope": "l"}}, "column rope: no signal that is used"),
     (bad(), {"columns": {"measured.rope.length": "l"}}, "no column l, which is to be"),
-    ([], {}, "logs: none is named"),
+    ([], {}, "no logs; name at least one"),
 ])
 def test_wrong_input_is_told(columns: Any, options: Any, text: str) -> None:
     with pytest.raises(InputError, match=text):

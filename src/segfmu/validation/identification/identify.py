@@ -55,7 +55,7 @@ def identify(
     Parameters
     ----------
     logs : path, mapping or sequence of these
-        CSV files, or columns by name: "time" [s]; what the drives were told, "velocity.bridge"
+        CSV files, or columns by name: "time" [s]; setpoints of the drives, "velocity.bridge"
         [m/s] or "force.bridge" [N] and so on, corrections of a feedback included; and what was
         measured, "measured.bridge.position" and the other outputs of GantryCrane of this kind [m]
         and [rad].
@@ -195,7 +195,7 @@ def _logs(
 ) -> list[Log]:
     sources = [logs] if isinstance(logs, str | Path | Mapping) else list(logs)
     if not sources:
-        raise InputError("logs: none is named")
+        raise InputError("no logs; name at least one")
     return [
         read_log(source, file.drive, columns, f"log {i}") for i, source in enumerate(sources, 1)
     ]
