@@ -41,6 +41,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "rec": ("recordings", ()),
     "k": ("free_states", ("casadi",)),
     "p": ("feedback", ()),
+    "hook": ("hooks", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())
