@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pytest
-
 from benchmarks import hooks
 
 
@@ -25,7 +24,7 @@ def test_the_feedback_leaves_less_than_a_quarter_of_the_gantrys() -> None:
         assert not row["hook + feedback deg"] >= 0.25 * row["gantry + feedback deg"]
 
 
-def test_the_optimum_without_a_hook_is_that_of_one_pendulum(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_optimum_without_a_hook_is_that_of_one_pendulum(monkeypatch) -> None:
     """With next to no hook and sling it is the transfer of `benchmarks.drive_oracle`."""
     from benchmarks.drive_oracle import shortest_transfer
 

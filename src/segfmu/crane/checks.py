@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container, Mapping
 from math import isfinite
 
 import numpy as np
@@ -43,6 +44,13 @@ def require_not_negative(name: str, value: object) -> None:
     """Raise InputError unless `value` is a finite number of at least 0."""
     if not _finite(value) or value < 0:  # type: ignore[operator]
         raise InputError(f"{name} must be a finite number >= 0, got {shown(value)}")
+
+
+def require_weights(weights: Mapping[str, float], needed: Container[str]) -> None:
+    """Raise InputError unless weights by name are finite and at least 0, those needed above 0."""
+    for name, value in weights.items():
+        if not 0.0 <= value < np.inf or (name in needed and value == 0.0):
+            raise InputError(f"weight {name} must be positive and finite, got {value!r}")
 
 
 def require_seed(name: str, value: object) -> None:

@@ -14,7 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import solve_discrete_are
 
-from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.crane.checks import (
+    require_not_negative,
+    require_positive,
+    require_weights,
+    sized,
+)
 from segfmu.crane.linear import (
     ROWS,
     lagged,
@@ -61,10 +66,7 @@ class Weights:
     rope: float = 9.0
 
     def __post_init__(self) -> None:
-        for name in ("position", "angle", "velocity", "rate", "effort", "rope"):
-            value = getattr(self, name)
-            if not 0.0 <= value < np.inf or (name in NEEDED and value == 0.0):
-                raise InputError(f"weight {name} must be positive and finite, got {value!r}")
+        require_weights(vars(self), NEEDED)
 
 
 @dataclass(frozen=True, eq=False)

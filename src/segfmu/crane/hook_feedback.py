@@ -16,7 +16,7 @@ from dataclasses import astuple, dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.crane.checks import require_positive
+from segfmu.crane.checks import require_positive, require_weights
 from segfmu.crane.hook import HookCrane
 from segfmu.crane.linear import lags_of, scheduled_lengths
 from segfmu.errors import InputError
@@ -59,10 +59,7 @@ class HookWeights:
     noise: float = 1e-3
 
     def __post_init__(self) -> None:
-        for name, value in vars(self).items():
-            needed = name in ("position", "effort", "rope", "push", "drift", "noise")
-            if not 0.0 <= value < np.inf or (needed and value == 0.0):
-                raise InputError(f"weight {name} must be positive and finite, got {value!r}")
+        require_weights(vars(self), ("position", "effort", "rope", "push", "drift", "noise"))
 
 
 @dataclass(frozen=True, eq=False)
