@@ -139,8 +139,8 @@ def _kind(choice: dict[str, Any]) -> str:
     if "anyOf" in choice:
         return " or ".join(_kind(c) for c in choice["anyOf"])
     words = {
-        "number": "number", "integer": "integer", "boolean": "`true` or `false`",
-        "object": "table", "": "number, text, `true` or `false`",
+        "number": "number", "integer": "integer", "boolean": "boolean",
+        "object": "table", "": "number, text or boolean",
     }
     return f"{words.get(choice.get('type', ''), 'text')}{_range(choice)}"
 
