@@ -228,6 +228,24 @@ def test_corrections_stay_within_what_drives_can_do() -> None:
     assert controller.sample_time == found.sample_time == 0.01
 
 
+def test_corrections_keep_the_velocities_of_the_drives() -> None:
+    """They accelerate a drive until its bound, and never turn back a plan beyond it."""
+    reference = np.array([0.0, 0.0, 0.7, 0.0, 0.0, 0.499, 0.6, -0.3025, 0.0, 0.0])
+    planned = np.array([0.05, 0.0, 0.0])
+    for side in (-1.0, 1.0):
+        away = 1e-3 * side
+        measured = np.array([away, away, 0.7 + away, 0.0, 0.0])
+        controller = HookController(feedback("lab", True), velocity_min=-0.3, velocity_max=0.5)
+        value = controller.sample(0.0, measured, reference, planned)
+        ahead = reference[5:8] + controller.estimates[:3, HookAxis.VELOCITY] + 0.01 * planned
+        reached = ahead + 0.01 * value
+        assert (reached <= np.maximum(ahead, 0.5) + 1e-12).all()
+        assert (reached >= np.minimum(ahead, -0.3) - 1e-12).all()
+        free = HookController(feedback("lab", True)).sample(0.0, measured, reference, planned)
+        assert (np.abs(value) <= np.abs(free) + 1e-12).all() and (value * free >= 0.0).all()
+        assert not np.array_equal(value, free)
+
+
 @pytest.mark.parametrize(
     "values", [{"sample_time": 0.0}, {"shortest": 2.0}, {"lag": -1.0, "driven": True},
                {"shortest": 1e-300, "longest": 1e-299}]

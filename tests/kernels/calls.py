@@ -650,8 +650,8 @@ def rig_calls() -> dict[str, Call]:
             zeros(HookDesign.SIZE, 2 * HookAxis.CORRECTION), hook_table[0].copy(),
         ),
         "hook_correction": (
-            hook_table, np.repeat([-1.0, 1.0], 3), HANGING[:5] + 0.01, HANGING, zeros(3),
-            zeros(4, HookAxis.SIZE), zeros(3),
+            hook_table, np.append(np.repeat([-1.0, 1.0, -2.0, 2.0], 3), 0.01),
+            HANGING[:5] + 0.01, HANGING, zeros(3), zeros(4, HookAxis.SIZE), zeros(3),
         ),
         "hook_outputs": (memory, zeros(HookOutputs.SIZE)),
         "rig_balance": (memory, balance.copy()),

@@ -98,6 +98,21 @@ def test_the_scenario_passes_as_it_says() -> None:
     assert result.rows["load.position.z"][0] == pytest.approx(-10.4, abs=1e-6)
 
 
+def test_the_feedback_helps_a_plan_that_leaves_the_drives_no_room() -> None:
+    """It knows the velocity bounds: it does not take for made what a drive cannot follow."""
+    require_native()
+    far = []
+    for enabled in (False, True):
+        run = segfmu.simulate(load_mission(MODELS / "overhead.toml", {
+            "true_crane": {"payload_mass": 13000.0, "hook": {"sling": 4.4}},
+            "simulation": {"step": 0.01, "feedback": enabled},
+        }))
+        error = np.hypot(run["error.load.x"], run["error.load.y"])
+        far.append((error.max(), error[run.time > run.trajectory.duration + 6.4].max()))
+    assert far[1][0] < 0.6 * far[0][0]
+    assert far[1][1] < 0.1 * far[0][1]
+
+
 def test_a_scenario_by_another_method_is_refused(tmp_path) -> None:
     require_native()
     path = tmp_path / "s.toml"

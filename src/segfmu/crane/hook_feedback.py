@@ -144,6 +144,8 @@ class HookController:
     feedback : HookFeedback
     lower, upper : array_like, shape (3,), optional
         Least and greatest setpoints that the drives can follow [N] or [m/s2].
+    velocity_min, velocity_max : array_like, shape (3,), optional
+        Least and greatest velocities of velocity drives [m/s], which corrections keep.
 
     Attributes
     ----------
@@ -152,13 +154,17 @@ class HookController:
     """
 
     def __init__(
-        self, feedback: HookFeedback, lower: ArrayLike = -1e99, upper: ArrayLike = 1e99
+        self, feedback: HookFeedback, lower: ArrayLike = -1e99, upper: ArrayLike = 1e99,
+        velocity_min: ArrayLike = -1e99, velocity_max: ArrayLike = 1e99,
     ) -> None:
         self.feedback = feedback
         self.estimates = np.zeros((Axes.SIZE + 1, HookAxis.SIZE))
         self._limits = np.zeros(HookLimits.SIZE)
         self._limits[HookLimits.LEAST : HookLimits.GREATEST] = lower
-        self._limits[HookLimits.GREATEST :] = upper
+        self._limits[HookLimits.GREATEST : HookLimits.SLOWEST] = upper
+        self._limits[HookLimits.SLOWEST : HookLimits.FASTEST] = velocity_min
+        self._limits[HookLimits.FASTEST : HookLimits.PERIOD] = velocity_max
+        self._limits[HookLimits.PERIOD] = feedback.sample_time
         self._correction = np.zeros(Axes.SIZE)
 
     @property

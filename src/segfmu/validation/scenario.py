@@ -170,16 +170,17 @@ def space_values(clearance: Clearance) -> dict[str, float]:
 def crane_values(mission: Mission) -> dict[str, float | str]:
     """Parameters and start values of the crane's FMU: the load hangs at the first waypoint.
 
-    The crane is the true one; the feedback is designed for the load of the nominal one. The rope is
-    as planned, so on another sling the load hangs higher or lower. An initial sway leaves rope and
-    sling in one line.
+    The crane is the true one; the feedback is designed for load and sling of the nominal one. The
+    rope is as planned, so on another sling the load hangs higher or lower. An initial sway leaves
+    rope and sling in one line.
     """
-    values = crane_parameters.parameters(mission.simulated)
+    values, hook = crane_parameters.parameters(mission.simulated), mission.crane.hook
     if mission.true_crane is not None:
         values["feedback.payload_mass"] = mission.crane.payload_mass
+        if hook is not None:
+            values["feedback.sling"] = hook.sling
     x, y, z = mission.waypoints[0].position
     sway = dict(zip("xy", map(radians, mission.simulation.initial_sway), strict=True))
-    hook = mission.crane.hook
     values |= {
         "bridge.position": x,
         "trolley.position": y,

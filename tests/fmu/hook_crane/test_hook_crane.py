@@ -125,16 +125,21 @@ ASIDE = {
 
 @pytest.mark.parametrize(("fmi", "driven"), [(2, False), (2, True), (3, True)])
 def test_the_feedback_is_that_of_python(archives, fmi: int, driven: bool) -> None:
-    """Designed in C at initialisation: the same corrections, with lag, sensors and another load."""
-    lag = 0.03 if driven else 0.0
+    """Designed in C at initialisation: the same corrections.
+
+    With lag, sensors, bounds of velocities, and another load and sling than it is designed for.
+    """
+    lag, most = (0.03, 0.2) if driven else (0.0, 0.0)
     values = FEEDBACK | ASIDE | {
         "drive.mode": 1 + driven, "crane.payload_mass": 1.3, "feedback.payload_mass": 1.0,
+        "hook.sling": 0.33, "feedback.sling": 0.3,
         "force.hoist": -1.1 * 9.81, "sensor.sample_time": 0.01,
         "sensor.bridge.position.resolution": 1e-4, "sensor.sway.x.angle.resolution": 1e-3,
     } | {f"drive.{d}.lag": lag for d in ("bridge", "trolley", "hoist")}
+    values |= {f"drive.{d}.velocity_max": most for d in ("bridge", "trolley", "hoist")}
     rows = simulated(archives[fmi], "CoSimulation", values, 4.0)
     plain = Crane(*MASSES[:2], 1.3, rope_min=0.2, rope_max=1.2)
-    rig = Rig(*(Drive(lag=lag) for _ in range(3)),
+    rig = Rig(*(Drive(lag=lag, velocity_max=most or None) for _ in range(3)),
               sensors=Sensors(sample_time=0.01, resolution=(1e-4, 0.0, 0.0, 1e-3, 0.0)))
     expected = HookCrane(Crane(*MASSES[:4]), 0.1, 0.3)
     feedback = design_hook(
@@ -144,8 +149,9 @@ def test_the_feedback_is_that_of_python(archives, fmi: int, driven: bool) -> Non
     start[2], start[3:7] = 0.6, (0.1, -0.08, -0.05, 0.12)
     reference = np.array([0.0, 0.0, 0.6, *np.zeros(7)])
     given = Setpoints(np.array([0.0, 0.0, -1.1 * 9.81]), np.zeros(3), reference)
-    plant = Plant(HookCrane(plain, 0.1, 0.3), start, given, HookController(feedback),
-                  driven=driven, rig=rig)
+    speed = most or 1e99
+    controller = HookController(feedback, velocity_min=-speed, velocity_max=speed)
+    plant = Plant(HookCrane(plain, 0.1, 0.33), start, given, controller, driven=driven, rig=rig)
     for i in range(1, 401):
         plant.step(0.01, given)
         if i % 50 == 0:

@@ -63,6 +63,7 @@ def test_the_rope_ends_at_the_hook() -> None:
 def test_another_sling_starts_with_the_planned_rope() -> None:
     own = mission(true_crane={"hook": {"sling": 4.5}})
     values = crane_values(own)
+    assert values["feedback.sling"] == 4.0
     assert (values["rope.length"], values["hook.sling"], values["hook.mass"]) == (6.0, 4.5, 500.0)
     _, crane = specs(own, own.plan())
     starts = {v.name: v.start for v in crane.variables}

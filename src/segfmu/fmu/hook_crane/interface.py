@@ -68,9 +68,13 @@ def _outputs() -> list[Variable]:
 
 
 def _weights() -> list[Variable]:
-    """Of the feedback of measured signals, as `segfmu.crane.HookWeights` has them."""
+    """Of the feedback of measured signals: its sling, and what `segfmu.crane.HookWeights` has."""
     chosen = HookWeights()
-    return [
+    sling = parameter(
+        "feedback.sling", 0.0, "m",
+        "length of the sling that the feedback is designed for; 0: hook.sling", minimum=0.0,
+    )
+    return [sling] + [
         parameter(
             variable, getattr(chosen, variable.rpartition(".")[2]), None,
             f"feedback of source measured, dimensionless: {field.meaning}", minimum=0.0,

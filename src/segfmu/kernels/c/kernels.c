@@ -290,6 +290,7 @@ static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, 
 static int64_t hook_row(int64_t* result_0, double* result_1_0001, double length, array_double_3d table);
 static double hook_entry(int64_t row, double share, int64_t i, int64_t j, array_double_3d table);
 static double hook_axis(int64_t axis, int64_t row, double share, array_double_3d table, double seen, double tilted, array_double_1d estimate, array_double_1d work);
+static double hook_kept(int64_t axis, double velocity, double planned, double wanted, array_double_1d limits);
 static void write_direction(array_double_1d state, int64_t angle, int64_t rate, int64_t row, array_double_2d work);
 static void write_margins(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
 static bool is_dip(array_double_2d work);
@@ -10961,6 +10962,18 @@ static double hook_axis(int64_t axis, int64_t row, double share, array_double_3d
     }
     return wanted;
 }
+static double hook_kept(int64_t axis, double velocity, double planned, double wanted, array_double_1d limits)
+{
+    double period;
+    double ahead;
+    double room;
+    double back;
+    period = (*cspan_at(&limits, INT64_C(12)));
+    ahead = velocity + period * planned;
+    room = span_max((*cspan_at(&limits, INT64_C(9) + axis)) - ahead, 0.0);
+    back = span_min((*cspan_at(&limits, INT64_C(6) + axis)) - ahead, 0.0);
+    return span_min(span_max(wanted, back / period), room / period);
+}
 void segfmu_hook_correction(array_double_3d table, array_double_1d limits, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d estimates, array_double_1d correction)
 {
     int64_t row;
@@ -10973,6 +10986,7 @@ void segfmu_hook_correction(array_double_3d table, array_double_1d limits, array
     double planned;
     double least;
     double bounded;
+    double velocity;
     hook_row(&row, &share, (*cspan_at(&measured, INT64_C(2))), table);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -10988,7 +11002,8 @@ void segfmu_hook_correction(array_double_3d table, array_double_1d limits, array
         planned = (*cspan_at(&feedforward, axis));
         least = (*cspan_at(&limits, INT64_C(0) + axis));
         bounded = span_min(span_max(planned + wanted, least), (*cspan_at(&limits, INT64_C(3) + axis)));
-        (*cspan_at(&correction, axis)) = bounded - planned;
+        velocity = (*cspan_at(&reference, INT64_C(5) + axis)) + (*cspan_at(&estimate, INT64_C(3)));
+        (*cspan_at(&correction, axis)) = hook_kept(axis, velocity, planned, bounded - planned, limits);
     }
 }
 void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found)

@@ -2276,7 +2276,7 @@ static PyObject *call_hook_correction(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "table", 1, in_table->shape[1], 34)
         && has_at_least(&call, "table", 2, in_table->shape[2], 9)
-        && has_at_least(&call, "limits", 0, in_limits->shape[0], 6)
+        && has_at_least(&call, "limits", 0, in_limits->shape[0], 13)
         && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
         && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
         && has_at_least(&call, "feedforward", 0, in_feedforward->shape[0], 3)

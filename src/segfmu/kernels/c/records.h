@@ -1148,7 +1148,10 @@ enum {
 enum {
     HOOK_LIMITS_LEAST = 0,
     HOOK_LIMITS_GREATEST = 3,
-    HOOK_LIMITS_SIZE = 6
+    HOOK_LIMITS_SLOWEST = 6,
+    HOOK_LIMITS_FASTEST = 9,
+    HOOK_LIMITS_PERIOD = 12,
+    HOOK_LIMITS_SIZE = 13
 };
 
 /* kernels/limits/records.py */

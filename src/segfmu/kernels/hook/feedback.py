@@ -3,7 +3,7 @@
 The sling is not measured: an observer of each axis has its angle, see kernels/hook/design.py.
 """
 
-from segfmu.kernels.crane.records import Axes
+from segfmu.kernels.crane.records import Axes, State
 from segfmu.kernels.hook.records import HookAxis, HookAxisTable, HookLimits, HookTable
 
 
@@ -55,6 +55,20 @@ def hook_axis(
     return wanted
 
 
+def hook_kept(
+    axis: int, velocity: float, planned: float, wanted: float, limits: 'float[:]'
+) -> float:
+    """What of a wanted correction keeps the velocity of a drive in its bounds until the next tick.
+
+    A drive beyond them is not turned back: that is the plan's matter.
+    """
+    period = limits[HookLimits.PERIOD]
+    ahead = velocity + period * planned
+    room = max(limits[HookLimits.FASTEST + axis] - ahead, 0.0)
+    back = min(limits[HookLimits.SLOWEST + axis] - ahead, 0.0)
+    return min(max(wanted, back / period), room / period)
+
+
 def hook_correction(
     table: 'float[:,:,:]', limits: 'float[:]', measured: 'float[:]', reference: 'float[:]',
     feedforward: 'float[:]', estimates: 'float[:,:]', correction: 'float[:]',
@@ -80,4 +94,5 @@ def hook_correction(
         planned = feedforward[axis]
         least = limits[HookLimits.LEAST + axis]
         bounded = min(max(planned + wanted, least), limits[HookLimits.GREATEST + axis])
-        correction[axis] = bounded - planned
+        velocity = reference[State.VELOCITY + axis] + estimate[HookAxis.VELOCITY]
+        correction[axis] = hook_kept(axis, velocity, planned, bounded - planned, limits)

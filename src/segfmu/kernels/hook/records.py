@@ -242,3 +242,6 @@ class HookLimits(Record):
 
     LEAST = field("least forces or accelerations", size=3)
     GREATEST = field("greatest ones", size=3)
+    SLOWEST = field("least velocities of drives that corrections accelerate", "m/s", size=3)
+    FASTEST = field("greatest ones", "m/s", size=3)
+    PERIOD = field("period of the corrections", "s")

@@ -25,6 +25,7 @@ from segfmu.validation.files.keys import DRIVES, Entry, entries
 # parameters of GantryCrane and HookCrane that no key sets, by the beginning of their names, and why
 WITHOUT_KEY = {
     "feedback.payload_mass": "the load's mass of the crane that the mission is planned for",
+    "feedback.sling": "the sling of the crane that the mission is planned for",
     "feedback.table": "gains of the native FMU, designed from crane and weights at the build",
     "feedback.hook": "weights of HookCrane's feedback, dimensionless, so that one set suits all",
     "setpoint.lead": "a matter of the importer that couples the FMUs, not of the crane",

@@ -37,6 +37,9 @@ static bool design(crane *m, char message[MESSAGE])
         return false;
     }
     crane_nominal(m, plant);
+    if (m->base.real[V_FEEDBACK_SLING] > 0.0) {
+        plant[PLANT_SLING] = m->base.real[V_FEEDBACK_SLING];
+    }
     feed_record(&feeds_hook_weighing, &m->base, weights);
     for (int64_t i = 0; i < m->count_hook; i++) {
         memset(work, 0, sizeof work);
@@ -65,12 +68,33 @@ bool crane_set_feedback(crane *m, char message[MESSAGE])
     return design(m, message);
 }
 
+/* Velocities that corrections keep; force drives have none. */
+static void set_speeds(const crane *m, double limits[HOOK_LIMITS_SIZE])
+{
+    const double *real = m->base.real;
+    const double most[] = {
+        real[V_DRIVE_BRIDGE_VELOCITY_MAX], real[V_DRIVE_TROLLEY_VELOCITY_MAX],
+        real[V_DRIVE_HOIST_VELOCITY_MAX]
+    };
+    const double least[] = {
+        real[V_DRIVE_BRIDGE_VELOCITY_MIN], real[V_DRIVE_TROLLEY_VELOCITY_MIN],
+        real[V_DRIVE_HOIST_VELOCITY_MIN]
+    };
+    for (int i = 0; i < AXES_SIZE; i++) {
+        const double fastest = driven(m) && most[i] > 0.0 ? most[i] : 1e99;
+        limits[HOOK_LIMITS_FASTEST + i] = fastest;
+        limits[HOOK_LIMITS_SLOWEST + i] = driven(m) && least[i] < 0.0 ? least[i] : -fastest;
+    }
+    limits[HOOK_LIMITS_PERIOD] = real[V_FEEDBACK_SAMPLE_TIME];
+}
+
 void crane_correct(crane *m)
 {
     const double *drives = setting(m, SETTINGS_TRACKING);
     double limits[HOOK_LIMITS_SIZE];
     memcpy(limits + HOOK_LIMITS_LEAST, drives + TRACKING_LEAST, AXES_SIZE * sizeof *limits);
     memcpy(limits + HOOK_LIMITS_GREATEST, drives + TRACKING_GREATEST, AXES_SIZE * sizeof *limits);
+    set_speeds(m, limits);
     segfmu_hook_correction(
         table_of(m), vector(limits, HOOK_LIMITS_SIZE),
         vector(row(m, MEMORY_SIGNALS), COORDINATES_SIZE),
