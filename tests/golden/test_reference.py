@@ -9,16 +9,19 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate, write_csv
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
-
-pytestmark = pytest.mark.interpreted
+from segfmu.fmu.build import build_all
+from segfmu.fmu.choice import Choice
+from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair
+from tests.compiler import require_native
+from tests.sharing import shared
 
 FOLDER = Path(__file__).parents[2] / "fmus"
 
 
-def names(spec, causality: str) -> list[str]:
-    return [v.name for v in spec.where(causality)]
+def signals_of(models: ModelPair, file: str) -> list[str]:
+    """Names of a file's columns behind time."""
+    spec = models.planner(2) if "feedforward" in file else models.plant()
+    return [v.name for v in spec.where("input" if file.endswith("_in.csv") else "output")]
 
 
 @pytest.fixture(scope="module")
@@ -26,15 +29,37 @@ def run(fmus: tuple[Path, Path]) -> np.ndarray:
     return simulate(*fmus, stop_time=5.0, step=1e-3)[::100]
 
 
-@pytest.mark.parametrize(
-    ("file", "signals"),
-    [
-        ("gantry_feedforward/reference_out.csv", names(gantry_feedforward.spec(), "output")),
-        ("gantry_crane/reference_in.csv", names(gantry_crane.spec(), "input")),
-        ("gantry_crane/reference_out.csv", names(gantry_crane.spec(), "output")),
-    ],
-)
-def test_reference_signals(run: np.ndarray, file: str, signals: list[str]) -> None:
+@pytest.fixture(scope="module")
+def hook_run(tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+    """The crane with a hook, whose feedback of measured signals brings a deviation to rest."""
+    require_native()
+    specs = [HOOK.planner(16), HOOK.plant()]
+    folder = shared(
+        tmp_path_factory, "hooks2", lambda place: build_all(place, Choice(True, 2), specs)
+    )
+    rows: np.ndarray = simulate(
+        *(folder / f"{name}.fmu" for name in HOOK.names), stop_time=9.0, step=1e-3,
+        sink_values={"feedback.enabled": True, "sling.x.angle": 0.02, "sway.y.angle": 0.01},
+    )
+    return rows[::100]
+
+
+FILES = ("feedforward/reference_out.csv", "crane/reference_in.csv", "crane/reference_out.csv")
+
+
+@pytest.mark.interpreted
+@pytest.mark.parametrize("file", FILES)
+def test_reference_signals(run: np.ndarray, file: str) -> None:
+    _compare(run, f"gantry_{file}", signals_of(GANTRY, file))
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_reference_signals_with_a_hook(hook_run: np.ndarray, file: str) -> None:
+    _compare(hook_run, f"hook_{file}", signals_of(HOOK, file))
+
+
+def _compare(run: np.ndarray, file: str, signals: list[str]) -> None:
+    """Compare a run with the file, or write this."""
     # the wind is not connected and stays zero
     used = ["time", *(n for n in signals if not n.startswith("wind."))]
     rows = np.zeros(run.size, dtype=[(n, float) for n in used])
