@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from segfmu.fmu import pairs
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
@@ -43,12 +44,25 @@ def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Pat
 
 
 @pytest.fixture(scope="session")
+def hook_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Path, Path]]:
+    """Native archives of HookFeedforward and HookCrane, by version of FMI."""
+    require_native()
+    specs = pairs.native((pairs.HOOK.planner(16), pairs.HOOK.plant()))
+    return {
+        fmi: pair(shared(
+            tmp_path_factory, f"hooks{fmi}", partial(native.build_all, specs, fmi=fmi),
+        ), pairs.HOOK)
+        for fmi in (2, 3)
+    }
+
+
+@pytest.fixture(scope="session")
 def planner(tmp_path_factory: pytest.TempPathFactory) -> Planner:
     """The C entry points of plans."""
     require_cc()
     return Planner(shared(tmp_path_factory, "planner", Planner))
 
 
-def pair(folder: Path) -> tuple[Path, Path]:
+def pair(folder: Path, models: pairs.ModelPair = pairs.GANTRY) -> tuple[Path, Path]:
     """The two archives of a folder."""
-    return folder / "GantryFeedforward.fmu", folder / "GantryCrane.fmu"
+    return folder / f"{models.feedforward}.fmu", folder / f"{models.crane}.fmu"

@@ -8,17 +8,26 @@ from typing import Any
 import numpy as np
 
 from segfmu.cosim import simulate
-from segfmu.fmu.gantry_crane import interface as gantry_crane
-from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair, native
+from segfmu.fmu.standard.spec import Spec
 
 STEP, STOP = 0.005, 4.5
-SPECS = {
-    "GantryFeedforward": gantry_feedforward.native_spec(),
-    "GantryCrane": gantry_crane.native_spec(),
-}
-SIGNALS = [n for n in SPECS["GantryCrane"].references
-           if n in {v.name for v in SPECS["GantryFeedforward"].where("output")}
-           and n in {v.name for v in SPECS["GantryCrane"].where("input")}]
+
+
+def natives(models: ModelPair) -> dict[str, Spec]:
+    """Native interfaces of a planner and of its crane by their names."""
+    return dict(zip(models.names, native((models.planner(16), models.plant())), strict=True))
+
+
+def signals(specs: dict[str, Spec]) -> list[str]:
+    """What the second one takes of the first one."""
+    source, sink = specs.values()
+    given = {v.name for v in source.where("output")}
+    return [v.name for v in sink.where("input") if v.name in given]
+
+
+SPECS, HOOKS = natives(GANTRY), natives(HOOK)
+SIGNALS = signals(SPECS)
 # importers give outputs as they were before the inputs at the end of the step were handed on
 FEEDTHROUGH = ("error.load.",)
 
@@ -32,6 +41,12 @@ def place(number: int, position: list[float]) -> dict[str, float]:
     }
 
 
+# of the pair with a hook: its feedback of measured signals brings a deviation to rest in the wind
+HOOKED: tuple[dict[str, Any], dict[str, Any]] = (
+    {"limits.x.velocity": 0.4, "hook.sling": 0.28},
+    {"hook.sling": 0.28, "sling.x.angle": 0.03, "feedback.enabled": True,
+     "wind.gust.start": 1.0, "wind.gust.duration": 0.5, "wind.gust.force.x": 0.4},
+)
 MISSIONS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "paper": ({}, {}),
     "short move in the wind": (

@@ -10,10 +10,11 @@ import pytest
 
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
+from segfmu.fmu.standard.spec import Spec
 from segfmu.validation.scenario import sized
 from tests.compiler import needs_native
 from tests.cosim.importers import load_threads, require
-from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
+from tests.cosim.pair import HOOKED, HOOKS, MISSIONS, SPECS, STEP, STOP, compare, signals
 
 # Of FMI 3.0, Ecos knows scalars only, and sets whole numbers with the function of another type.
 SCALARS: tuple[dict[str, Any], dict[str, Any]] = (
@@ -38,20 +39,21 @@ def load() -> Any:
 
 
 def ecos(
-    paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP
+    paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP,
+    specs: dict[str, Spec] = SPECS,
 ) -> dict[str, np.ndarray]:
     """All real outputs of both FMUs at every communication point after the first."""
     library = load()
-    names = [(s, v.name) for s, spec in SPECS.items() for v in spec.where("output")
+    names = [(s, v.name) for s, spec in specs.items() for v in spec.where("output")
              if v.kind == "Real"]
-    given = {f"{s}::{n}": x for s, part in zip(SPECS, values, strict=True)
+    given = {f"{s}::{n}": x for s, part in zip(specs, values, strict=True)
              for n, x in part.items()}
     rows = []
     with library.EcosSimulationStructure() as structure:
-        for name, path in zip(SPECS, paths, strict=True):
+        for name, path in zip(specs, paths, strict=True):
             structure.add_model(name, path)
-        for signal in SIGNALS:
-            structure.make_real_connection(*(f"{s}::{signal}" for s in SPECS))
+        for signal in signals(specs):
+            structure.make_real_connection(*(f"{s}::{signal}" for s in specs))
         assert structure.add_parameter_set("given", given)
         with library.EcosSimulation(structure=structure, step_size=step) as simulation:
             assert simulation.init(parameter_set="given")
@@ -66,6 +68,13 @@ def ecos(
 def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
     version, values = CASES[case]
     compare(ecos(native_fmus[version], *values), native_fmus[2], values)
+
+
+@pytest.mark.parametrize("fmi", (2, 3))
+def test_ecos_runs_the_pair_with_a_hook(hook_fmus, fmi: int) -> None:
+    found = ecos(hook_fmus[fmi], *HOOKED, specs=HOOKS)
+    compare(found, hook_fmus[2], HOOKED)
+    assert np.abs(found["sling.x.angle"]).max() > 0.02
 
 
 @needs_native

@@ -16,10 +16,11 @@ import pytest
 from segfmu.cosim import simulate
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
+from segfmu.fmu.standard.spec import Spec
 from segfmu.validation.scenario import sized
 from tests.compiler import needs_native
 from tests.cosim.importers import require
-from tests.cosim.pair import MISSIONS, SIGNALS, SPECS, STEP, STOP, compare
+from tests.cosim.pair import HOOKED, HOOKS, MISSIONS, SPECS, STEP, STOP, compare, signals
 
 # libcosim has no enumerations, so missions have none
 SETTERS = {"Real": "real", "Integer": "integer", "Boolean": "boolean"}
@@ -42,7 +43,7 @@ def late_execution(start: float, step: float) -> Any:
 
 def libcosim(
     paths: tuple[Path, Path], *values: dict[str, Any], step: float = STEP, stop: float = STOP,
-    start: float = 0.0,
+    start: float = 0.0, specs: dict[str, Spec] = SPECS,
 ) -> dict[str, np.ndarray]:
     """All real outputs of both FMUs at every communication point after the first, at `start`."""
     require("libcosimpy")
@@ -53,31 +54,31 @@ def libcosim(
     execution = late_execution(start, step)
     slaves = [
         CosimLocalSlave(fmu_path=str(path), instance_name=name)
-        for path, name in zip(paths, SPECS, strict=True)
+        for path, name in zip(paths, specs, strict=True)
     ]
-    places = dict(zip(SPECS, (execution.add_local_slave(s) for s in slaves), strict=True))
+    places = dict(zip(specs, (execution.add_local_slave(s) for s in slaves), strict=True))
     observer = CosimObserver.create_last_value()
     assert execution.add_observer(observer)
-    for (name, spec), given in zip(SPECS.items(), values, strict=True):
+    for (name, spec), given in zip(specs.items(), values, strict=True):
         kinds = {v.name: v.kind for v in spec.variables}
         for variable, wanted in given.items():
             # enumerations are there in FMUs with integers in their place
             kind = SETTERS.get(kinds[variable], "integer")
             set_value = getattr(execution, f"{kind}_initial_value")
             assert set_value(places[name], spec.references[variable], wanted)
-    source, sink = SPECS.values()
-    for signal in SIGNALS:
+    source, sink = specs.values()
+    for signal in signals(specs):
         done = execution.connect_real_variables(
-            places["GantryFeedforward"], source.references[signal],
-            places["GantryCrane"], sink.references[signal],
+            places[source.name], source.references[signal],
+            places[sink.name], sink.references[signal],
         )
         assert done == success
-    names = {n: [v.name for v in s.where("output") if v.kind == "Real"] for n, s in SPECS.items()}
+    names = {n: [v.name for v in s.where("output") if v.kind == "Real"] for n, s in specs.items()}
     rows = []
     for _ in range(round(stop / step)):
         assert execution.step()
         rows.append([
-            x for n, spec in SPECS.items()
+            x for n, spec in specs.items()
             for x in observer.last_real_values(places[n], [spec.references[v] for v in names[n]])
         ])
     return dict(zip((*names[source.name], *names[sink.name]), np.array(rows).T, strict=True))
@@ -88,6 +89,12 @@ def test_libcosim_gives_what_our_master_gives(native_fmus, mission: str) -> None
     values = MISSIONS[mission]
     found = libcosim(native_fmus[2], *values)
     compare(found, native_fmus[2], values)
+
+
+def test_libcosim_runs_the_pair_with_a_hook(hook_fmus) -> None:
+    found = libcosim(hook_fmus[2], *HOOKED, specs=HOOKS)
+    compare(found, hook_fmus[2], HOOKED)
+    assert np.abs(found["sling.x.angle"]).max() > 0.02
 
 
 def test_a_late_start_is_the_start_of_the_motion(native_fmus) -> None:

@@ -9,11 +9,7 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate, write_csv
-from segfmu.fmu.build import build_all
-from segfmu.fmu.choice import Choice
 from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair
-from tests.compiler import require_native
-from tests.sharing import shared
 
 FOLDER = Path(__file__).parents[2] / "fmus"
 
@@ -30,15 +26,10 @@ def run(fmus: tuple[Path, Path]) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def hook_run(tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+def hook_run(hook_fmus: dict[int, tuple[Path, Path]]) -> np.ndarray:
     """The crane with a hook, whose feedback of measured signals brings a deviation to rest."""
-    require_native()
-    specs = [HOOK.planner(16), HOOK.plant()]
-    folder = shared(
-        tmp_path_factory, "hooks2", lambda place: build_all(place, Choice(True, 2), specs)
-    )
     rows: np.ndarray = simulate(
-        *(folder / f"{name}.fmu" for name in HOOK.names), stop_time=9.0, step=1e-3,
+        *hook_fmus[2], stop_time=9.0, step=1e-3,
         sink_values={"feedback.enabled": True, "sling.x.angle": 0.02, "sway.y.angle": 0.01},
     )
     return rows[::100]
