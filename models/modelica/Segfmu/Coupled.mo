@@ -1,5 +1,5 @@
 within Segfmu;
-partial model Coupled "Planner and crane, connected by name"
+partial model Coupled "GantryFeedforward and GantryCrane, connected by name"
   GantryFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -450}, {200, 450}})));
   GantryCrane gantry annotation(Placement(transformation(origin = {300, 0}, extent = {{-200, -800}, {200, 800}})));
 equation

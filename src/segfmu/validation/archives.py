@@ -139,7 +139,7 @@ def build(
     task = None if mission is None else load_mission(mission)
     if task is not None:
         with about(task.file):
-            _require_options(task, choice, modelica)
+            _require_options(task, choice)
     models = GANTRY if task is None else crane_parameters.models(task.crane)
     title, interfaces, file = "", sized(waypoints, models), None
     require_folder(output, *(f"{name}.fmu" for name in models.names))
@@ -156,13 +156,10 @@ def build(
     return Archives(feedforward, crane, tuple(others), choice.note)
 
 
-def _require_options(task: Mission, choice: Choice, modelica: bool) -> None:
+def _require_options(task: Mission, choice: Choice) -> None:
     """Refuse what the FMUs of a crane with a hook do not have."""
-    crane = task.build_crane()
-    if modelica:
-        require_gantry(crane, "Modelica package")
     if choice.connected:
-        require_gantry(crane, "commands")
+        require_gantry(task.build_crane(), "commands")
 
 
 def for_simulation(

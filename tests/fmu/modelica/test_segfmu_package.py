@@ -60,10 +60,10 @@ end Loop;
 
 
 @pytest.fixture(scope="module")
-def package(native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def package(native_fmus, hook_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the package and the FMUs in it."""
     folder = tmp_path_factory.mktemp("modelica")
-    write_package(folder, archives=native_fmus[2])
+    write_package(folder, archives=[*native_fmus[2], *hook_fmus[2]])
     return folder
 
 
@@ -81,6 +81,15 @@ def test_the_paper_mission_with_every_solver(package, native_fmus) -> None:
         assert load_distance(results, "gantry.", expected) < 1e-6, solver
     assert results["feedforward.plan_done"][-1] == 1.0
     assert set(results["feedforward.plan_interval"]) == {1.0, 2.0}
+
+
+def test_a_load_on_hook_and_sling_with_every_solver(package, hook_fmus) -> None:
+    expected = simulate(*hook_fmus[2], stop_time=5.0, step=1e-3)
+    mission = program(package, "Segfmu.Examples.HookMission")
+    for solver in SOLVERS:
+        results, _ = simulated(mission, f"-s={solver}")
+        assert load_distance(results, "crane.", expected) < 1e-6, solver
+    assert np.abs(results["crane.sling_x_angle"]).max() > 0.02
 
 
 def test_a_late_start_is_the_start_of_the_motion(package, native_fmus) -> None:

@@ -9,10 +9,11 @@ import pytest
 
 from segfmu.fmu.modelica.drawing import HALF_CONNECTOR, HALF_WIDTH, half_height, places
 from segfmu.fmu.modelica.names import identifier
-from segfmu.fmu.modelica.package import NAMES, package
+from segfmu.fmu.modelica.package import COUPLED, package
 from segfmu.fmu.models import named
 from segfmu.fmu.standard.spec import Spec
 
+NAMES = [name for models in COUPLED for name in models.names]
 COMMITTED = Path(__file__).parents[3] / "models" / "modelica" / "Segfmu"
 NUMBER = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?")
 TOKEN = re.compile(r"\{[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\}")
@@ -25,7 +26,7 @@ def specs() -> dict[str, Spec]:
 
 @pytest.fixture(scope="module")
 def texts(specs) -> dict[str, str]:
-    return {n: t.decode() for n, t in package(*specs.values()).items()}
+    return {n: t.decode() for n, t in package([*specs.values()]).items()}
 
 
 def test_committed_package_is_that_of_the_specifications(texts) -> None:
@@ -96,9 +97,21 @@ def test_connectors_lie_at_the_edges_and_apart(specs, name: str) -> None:
         assert abs(found[v.name].y) <= half_height(specs[name])
 
 
-def test_both_fmus_are_connected_by_name(texts) -> None:
-    pairs = re.findall(r"connect\(feedforward\.(\w+), gantry\.(\w+)\)", texts["Coupled.mo"])
-    assert len(pairs) == 19 and all(a == b for a, b in pairs)
+@pytest.mark.parametrize(("name", "crane", "count"), [
+    ("Coupled", "gantry", 19), ("HookCoupled", "crane", 23),
+])
+def test_both_fmus_are_connected_by_name(texts, name: str, crane: str, count: int) -> None:
+    text = texts[f"{name}.mo"]
+    pairs = re.findall(rf"connect\(feedforward\.(\w+), {crane}\.(\w+)\)", text)
+    assert len(pairs) == count and all(a == b for a, b in pairs)
+
+
+def test_cranes_with_a_hook_have_an_icon_of_their_own(texts) -> None:
+    def drawn(name: str) -> str:
+        return "".join(re.findall(r"^.*(?:Line|Ellipse)\(.*$", texts[f"{name}.mo"], re.M))
+
+    assert drawn("HookCrane") == drawn("HookFeedforward") != drawn("GantryCrane")
+    assert drawn("HookCrane").count("Ellipse") == drawn("GantryCrane").count("Ellipse") + 1
 
 
 def test_no_line_names_a_tool(texts) -> None:

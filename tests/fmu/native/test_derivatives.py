@@ -9,6 +9,8 @@ import pytest
 
 from segfmu import plan
 from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.hook_crane import interface as hook_crane
+from segfmu.fmu.standard.spec import Spec
 from tests.fmu.native.importer import Importer
 from tests.fmu.python.test_slaves import LIMITS, POINTS
 from tests.fmu.test_drive_compensation import DRIVEN
@@ -52,18 +54,22 @@ def directional(fmu: Importer, unknowns: list[str], knowns: list[str]) -> np.nda
     return np.array(columns).T
 
 
+GANTRY = gantry_crane.native_spec()
+
+
 class Point:
     """A crane in continuous-time mode whose states, inputs and time can be moved."""
 
-    def __init__(self, fmu: Importer, seed: int) -> None:
+    def __init__(self, fmu: Importer, seed: int, spec: Spec = GANTRY) -> None:
         random = np.random.default_rng(seed)
         self.fmu = fmu
-        self.states, self.inputs = gantry_crane.STATES, INPUTS
-        state = random.uniform(-0.4, 0.4, len(gantry_crane.STATES))
+        self.states = tuple(name for name, _ in spec.states)
+        self.inputs = tuple(v.name for v in spec.where("input"))
+        state = random.uniform(-0.4, 0.4, len(self.states))
         state[2] = 0.8 + state[2]
-        self.place = np.concatenate([state, random.uniform(-1.0, 1.0, len(INPUTS)), [0.005]])
+        self.place = np.concatenate([state, random.uniform(-1.0, 1.0, len(self.inputs)), [0.005]])
         # FMI 2.0 has no variable for time
-        self.names = (*gantry_crane.STATES, *INPUTS, *(["time"] if fmu.three else []))
+        self.names = (*self.states, *self.inputs, *(["time"] if fmu.three else []))
 
     def go(self, place: np.ndarray) -> None:
         fmu, n = self.fmu, len(self.states)
@@ -127,6 +133,27 @@ def test_structure_names_every_dependency(native_fmus) -> None:
         for row, unknown in zip(jacobian, continuous, strict=True):
             used = {n for n, x in zip(point.names, row, strict=True) if x != 0.0}
             assert used <= listed[unknown], unknown
+
+
+@pytest.mark.parametrize("case", ["force", "friction", "driven in air", "buffers"])
+def test_structure_names_every_dependency_with_a_hook(hook_fmus, case: str) -> None:
+    """By differences, as this crane has no directional derivatives."""
+    spec = hook_crane.native_spec()
+    with Importer(hook_fmus[2][1], "ModelExchange") as fmu:
+        fmu.set(CASES[case] | {"rope.length": 0.8, "sling.x.angle": 0.1})
+        fmu.initialise()
+        point = Point(fmu, 2, spec)
+        point.go(point.place)
+        found = fmu.description
+        listed = {
+            u.variable.name: {v.name for v in u.dependencies}
+            for u in (*found.outputs, *found.derivatives)
+        }
+        continuous = [n for n in listed if fmu.variables[n].variability == "continuous"]
+        assert {"sling.tension", "hook.position.x", "sway.frequency.slow"} <= set(continuous)
+        for row, unknown in zip(point.differences(continuous), continuous, strict=True):
+            used = {n for n, x in zip(point.names, row, strict=True) if x != 0.0}
+            assert used <= listed[unknown], (unknown, used - listed[unknown])
 
 
 def longest_pieces(fmu: Importer, count: int) -> np.ndarray:

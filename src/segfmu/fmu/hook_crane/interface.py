@@ -119,8 +119,26 @@ def native_spec(own: Spec | None = None) -> Spec:
         *plain.states, *zip(SLING, (*(r.name for r in rates), *ACCELERATIONS), strict=True)
     )
     *variables, last = plain.variables
-    # hook and sling are not in the gantry crane's dependencies and derivatives
+    # hook and sling are not in the gantry crane's derivatives
     return replace(
         plain, variables=(*variables, *accelerations, *rates, last), states=states,
-        dependencies=(), orders=0, partials=(), terminals=(),
+        dependencies=_dependencies(plain), orders=0, partials=(), terminals=(),
     )
+
+
+def _dependencies(plain: Spec) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Those of the gantry crane, where what depends on the rope's sway does on the sling's too."""
+    found = {
+        name: (*known, *SLING) if "sway.x.angle" in known and len(known) > 1 else known
+        for name, known in plain.dependencies
+    }
+    places = dict(plain.dependencies)["load.position.x"]
+    acting = found["sway.x.acceleration"]
+    own = {name: (name,) for name in SLING} | dict.fromkeys(ACCELERATIONS, acting)
+    own |= {f"der({angle})": (rate,) for angle, rate in zip(SLING[:2], SLING[2:], strict=True)}
+    for axis in "xyz":
+        own[f"hook.position.{axis}"] = places
+        own[f"hook.velocity.{axis}"] = dict(plain.dependencies)["load.velocity.x"]
+    own["sling.tension"] = acting
+    own |= {f"sway.frequency.{name}": ("rope.length", "time") for name in ("slow", "fast")}
+    return tuple((found | own).items())

@@ -71,15 +71,28 @@ def icon(spec: Spec) -> str:
         f"Text({extent(0, high + 40, HALF_WIDTH, 30)}, textString = \"%name\", "
         "textColor = {0, 0, 255})",
         "Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3)",
-        "Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60})",
-        f"Ellipse({extent(20, -30, 22)}, lineColor = {{200, 90, 0}}, "
-        "fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid)",
+        *_hanging(spec),
         *_labels(spec),
     ]
     shown = ",\n      ".join(shapes)
     return (
         f"\n    Diagram({system}),\n    Icon({system}, graphics = {{\n      {shown}}})"
     )
+
+
+def _hanging(spec: Spec) -> list[str]:
+    """Rope and load, with a hook between them."""
+    grey, orange = ("{60, 60, 60}", "{200, 90, 0}")
+    points, balls = "{{-20, 60}, {10, -10}}", [(20, -30, 22, orange)]
+    if "hook.mass" in spec.references:
+        points, balls = "{{-20, 60}, {-2, 10}, {6, -55}}", [
+            (-2, 10, 8, grey), (10, -75, 22, orange)
+        ]
+    return [
+        f"Line(points = {points}, color = {grey})",
+        *(f"Ellipse({extent(x, y, half)}, lineColor = {colour}, fillColor = {colour}, "
+          "fillPattern = FillPattern.Solid)" for x, y, half, colour in balls),
+    ]
 
 
 def _labels(spec: Spec) -> list[str]:

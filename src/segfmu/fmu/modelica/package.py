@@ -10,16 +10,20 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from segfmu.errors import BuildError
+from segfmu.fmu.feedforward.interface import WAYPOINTS
 from segfmu.fmu.modelica.declarations import UNUSED
 from segfmu.fmu.modelica.drawing import HALF_WIDTH, extent, half_height
 from segfmu.fmu.modelica.names import identifier, quoted, title
 from segfmu.fmu.modelica.wrapper import wrapper
 from segfmu.fmu.models import named
+from segfmu.fmu.pairs import GANTRY, HOOK
 from segfmu.fmu.standard.spec import Spec
 
 LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
-NAMES = ("GantryFeedforward", "GantryCrane")
-CLASSES = ("Examples", "Coupled", "PlainCrane", "Interfaces", "Types", "FMI")
+# of both FMUs, connected, and the name of the crane in it
+COUPLED = {GANTRY: ("Coupled", "gantry"), HOOK: ("HookCoupled", "crane")}
+CLASSES = ("Examples", *(name for name, _ in COUPLED.values()), "PlainCrane", "Interfaces",
+           "Types", "FMI")
 
 
 def write_package(
@@ -32,7 +36,7 @@ def write_package(
     folder
         In which the package becomes a folder.
     specs
-        Interfaces of GantryFeedforward and GantryCrane; by default with the usual start values.
+        Interfaces with other than the usual start values.
     archives
         Native FMUs of FMI 2.0 of these interfaces.
 
@@ -47,13 +51,11 @@ def write_package(
         When the folder cannot be written.
     """
     target = folder / "Segfmu"
-    models = [named(name) for name in NAMES]
-    feedforward, crane = (
-        m.native_spec(s)
-        for m, s in zip(models, specs or [m.spec() for m in models], strict=True)
-    )
+    given = {own.name: own for own in specs or ()}
+    usual = (own for models in COUPLED for own in (models.planner(WAYPOINTS), models.plant()))
+    every = [given.get(own.name, own) for own in usual]
     try:
-        for name, text in package(feedforward, crane).items():
+        for name, text in package([named(own.name).native_spec(own) for own in every]).items():
             path = target / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(text)
@@ -64,15 +66,17 @@ def write_package(
     return target / "package.mo"
 
 
-def package(feedforward: Spec, crane: Spec) -> dict[str, bytes]:
-    """All files of the package but the FMUs, by their paths in it."""
-    found = _library(LIBRARY, "")
+def package(specs: Sequence[Spec]) -> dict[str, bytes]:
+    """All files of the package but the FMUs, by their paths in it; specs: all native interfaces."""
+    found, named_specs = _library(LIBRARY, ""), {spec.name: spec for spec in specs}
     texts = {
-        "Types.mo": _types((feedforward, crane)),
-        "Coupled.mo": coupled(feedforward, crane),
-        "package.order": "\n".join((feedforward.name, crane.name, *CLASSES, "")),
+        "Types.mo": _types(specs),
+        "package.order": "\n".join((*named_specs, *CLASSES, "")),
     }
-    for spec in (feedforward, crane):
+    for models, (name, crane) in COUPLED.items():
+        feedforward, plant = (named_specs[own] for own in models.names)
+        texts[f"{name}.mo"] = coupled(name, feedforward, crane, plant)
+    for spec in specs:
         texts[f"{spec.name}.mo"] = wrapper(spec)
     return found | {name: text.encode() for name, text in texts.items()}
 
@@ -105,30 +109,30 @@ def _types(specs: Sequence[Spec]) -> str:
     return "\n".join((*lines, "end Types;", ""))
 
 
-def coupled(feedforward: Spec, crane: Spec) -> str:
-    """The text of the class in which both FMUs are connected by name."""
+def coupled(label: str, feedforward: Spec, own: str, crane: Spec) -> str:
+    """The text of a class in which both FMUs are connected by name; own: the crane's name in it."""
     sources = {v.name for v in feedforward.where("output")}
     shared = [v.name for v in crane.where("input") if v.name in sources]
     high = max(half_height(feedforward), half_height(crane))
     middle = HALF_WIDTH + 100
     lines = [
         "within Segfmu;",
-        'partial model Coupled "Planner and crane, connected by name"',
+        f'partial model {label} "{feedforward.name} and {crane.name}, connected by name"',
         *(
             f"  {spec.name} {name} annotation(Placement(transformation(origin = {{{x}, 0}}, "
             f"{extent(0, 0, HALF_WIDTH, half_height(spec))})));"
             for spec, name, x in (
-                (feedforward, "feedforward", -middle), (crane, "gantry", middle)
+                (feedforward, "feedforward", -middle), (crane, own, middle)
             )
         ),
         "equation",
         *(
-            f"  connect(feedforward.{identifier(n)}, gantry.{identifier(n)}) "
+            f"  connect(feedforward.{identifier(n)}, {own}.{identifier(n)}) "
             "annotation(Line(color = {0, 0, 127}));"
             for n in shared
         ),
         f"  annotation(Diagram(coordinateSystem({extent(0, 0, 2 * middle, high + 60)})));",
-        "end Coupled;", "",
+        f"end {label};", "",
     ]
     left = {title(v.name) for v in crane.where("input") if v.name not in sources}
     if not left <= set(UNUSED):

@@ -1,0 +1,30 @@
+within Segfmu;
+partial model HookCoupled "HookFeedforward and HookCrane, connected by name"
+  HookFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -470}, {200, 470}})));
+  HookCrane crane annotation(Placement(transformation(origin = {300, 0}, extent = {{-200, -970}, {200, 970}})));
+equation
+  connect(feedforward.force_bridge, crane.force_bridge) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.force_trolley, crane.force_trolley) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.force_hoist, crane.force_hoist) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.velocity_bridge, crane.velocity_bridge) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.velocity_trolley, crane.velocity_trolley) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.velocity_hoist, crane.velocity_hoist) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_bridge_position, crane.reference_bridge_position) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_trolley_position, crane.reference_trolley_position) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_rope_length, crane.reference_rope_length) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sway_x_angle, crane.reference_sway_x_angle) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sway_y_angle, crane.reference_sway_y_angle) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_bridge_velocity, crane.reference_bridge_velocity) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_trolley_velocity, crane.reference_trolley_velocity) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_rope_velocity, crane.reference_rope_velocity) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sway_x_rate, crane.reference_sway_x_rate) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sway_y_rate, crane.reference_sway_y_rate) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_load_position_x, crane.reference_load_position_x) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_load_position_y, crane.reference_load_position_y) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_load_position_z, crane.reference_load_position_z) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sling_x_angle, crane.reference_sling_x_angle) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sling_y_angle, crane.reference_sling_y_angle) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sling_x_rate, crane.reference_sling_x_rate) annotation(Line(color = {0, 0, 127}));
+  connect(feedforward.reference_sling_y_rate, crane.reference_sling_y_rate) annotation(Line(color = {0, 0, 127}));
+  annotation(Diagram(coordinateSystem(extent = {{-600, -1030}, {600, 1030}})));
+end HookCoupled;
