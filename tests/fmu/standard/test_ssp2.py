@@ -19,14 +19,15 @@ from lxml import etree
 from segfmu.cosim import simulate
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.pairs import GANTRY
 from segfmu.fmu.standard.spec import started
 from segfmu.fmu.standard.system import LEAD
-from segfmu.fmu.system import NAMES, write_system
+from segfmu.fmu.system import write_system
 from tests.fmu.native.importer import Importer
 from tests.fmu.standard.test_system import SSC, SSD, SSV
 
 SCHEMAS = Path(__file__).parents[2] / "data" / "ssp2"
-SETS = [f"resources/{n}.ssv" for n in (*NAMES, "choices")]
+SETS = [f"resources/{n}.ssv" for n in (*GANTRY.names, "choices")]
 DOCUMENTS = {"SystemStructure.ssd": "SystemStructureDescription.xsd"} | dict.fromkeys(
     SETS, "SystemStructureParameterValues.xsd"
 )
@@ -68,7 +69,7 @@ def described(native_fmus) -> dict[str, dict]:
     """Variables of both FMUs as another reader has them."""
     return {
         name: {v.name: v for v in read_model_description(str(path)).modelVariables}
-        for name, path in zip(NAMES, native_fmus[3], strict=True)
+        for name, path in zip(GANTRY.names, native_fmus[3], strict=True)
     }
 
 
@@ -167,7 +168,7 @@ def test_a_run_as_the_package_says(folder, entries, native_fmus) -> None:
     the FMUs of FMI 2.0."""
     root = ET.fromstring(entries["SystemStructure.ssd"])
     with ExitStack() as stack:
-        fmus = {n: stack.enter_context(Importer(folder / f"{n}.fmu")) for n in NAMES}
+        fmus = {n: stack.enter_context(Importer(folder / f"{n}.fmu")) for n in GANTRY.names}
         for name, entry in sets(entries):
             fmu = fmus[name]
             variable = fmu.variables[entry.get("name")]

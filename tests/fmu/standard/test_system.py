@@ -12,16 +12,17 @@ import pytest
 from fmpy import read_model_description
 from lxml import etree
 
+from segfmu.fmu.pairs import GANTRY
 from segfmu.fmu.standard import osp, ssp
 from segfmu.fmu.standard.spec import Spec, parameter
 from segfmu.fmu.standard.system import LEAD, System, values
-from segfmu.fmu.system import NAMES, write_system
+from segfmu.fmu.system import write_system
 from tests.cosim.pair import SIGNALS, SPECS
 
 SCHEMAS = Path(fmpy.__file__).parent / "ssp" / "schema"
 SSP = "{http://ssp-standard.org/SSP1/SystemStructure%s}"
 SSC, SSD, SSV = (SSP % n for n in ("Common", "Description", "ParameterValues"))
-SETS = [f"resources/{n}.ssv" for n in (*NAMES, "choices")]
+SETS = [f"resources/{n}.ssv" for n in (*GANTRY.names, "choices")]
 DOCUMENTS = {"SystemStructure.ssd": "SystemStructureDescription.xsd"} | dict.fromkeys(
     SETS, "SystemStructureParameterValues.xsd"
 )
@@ -46,7 +47,7 @@ def described(native_fmus) -> dict[str, dict]:
     """Variables of both FMUs as another reader has them."""
     return {
         name: {v.name: v for v in read_model_description(str(path)).modelVariables}
-        for name, path in zip(NAMES, native_fmus[2], strict=True)
+        for name, path in zip(GANTRY.names, native_fmus[2], strict=True)
     }
 
 
@@ -80,7 +81,7 @@ def test_connectors_are_variables_of_the_fmus(entries, described) -> None:
     root = ET.fromstring(entries["SystemStructure.ssd"])
     units = {u.get("name") for u in root.iter(f"{SSC}Unit")}
     components = list(root.iter(f"{SSD}Component"))
-    assert [c.get("name") for c in components] == list(NAMES)
+    assert [c.get("name") for c in components] == list(GANTRY.names)
     for component in components:
         variables = described[component.get("name")]
         connectors = list(component.iter(f"{SSD}Connector"))
@@ -103,12 +104,12 @@ def test_connections_are_those_by_name(entries, written) -> None:
         for c in root.iter(f"{SSD}Connection")
     ]
     assert len(SIGNALS) == 19
-    assert found == [(NAMES[0], n, NAMES[1], n) for n in SIGNALS]
+    assert found == [(GANTRY.names[0], n, GANTRY.names[1], n) for n in SIGNALS]
     pairs = [
         [(v.get("simulator"), v.get("name")) for v in c]
         for c in ET.parse(written[1]).iter(f"{OSP}VariableConnection")
     ]
-    assert pairs == [[(NAMES[0], n), (NAMES[1], n)] for n in SIGNALS]
+    assert pairs == [[(GANTRY.names[0], n), (GANTRY.names[1], n)] for n in SIGNALS]
 
 
 def given(entries: dict[str, bytes], name: str) -> dict[str, tuple[str, str, str | None]]:
@@ -123,7 +124,7 @@ def given(entries: dict[str, bytes], name: str) -> dict[str, tuple[str, str, str
     return found
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", GANTRY.names)
 def test_parameters_are_start_values_of_the_fmus(
     entries, written, described, name: str
 ) -> None:
@@ -165,7 +166,7 @@ def test_enumerations_are_bound_at_the_system_alone(entries, described) -> None:
 
 
 def test_default_experiment_and_step_are_those_of_the_mission(entries, written) -> None:
-    spec = SPECS[NAMES[0]]
+    spec = SPECS[GANTRY.names[0]]
     root = ET.fromstring(entries["SystemStructure.ssd"])
     experiment = root.find(f"{SSD}DefaultExperiment")
     assert float(experiment.get("stopTime")) == spec.stop_time
@@ -185,7 +186,7 @@ def leading(spec: Spec) -> Spec:
 
 def test_the_lead_is_the_step() -> None:
     """What parallel coupling needs, wherever the parameter is there."""
-    source = replace(leading(SPECS[NAMES[0]]), step_size=0.004)
+    source = replace(leading(SPECS[GANTRY.names[0]]), step_size=0.004)
     assert {v.name: x for v, x in values(source)}[LEAD] == 0.004
-    texts = ssp.files(System("", source, SPECS[NAMES[1]]), "0")
+    texts = ssp.files(System("", source, SPECS[GANTRY.names[1]]), "0")
     assert given(texts, SETS[0])[LEAD] == ("Real", "0.004", "s")
