@@ -13,6 +13,8 @@ from pathlib import Path
 
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from segfmu.fmu.hook_crane import interface as hook_crane
+from segfmu.fmu.hook_feedforward import interface as hook_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.standard.spec import Spec, started
 
@@ -24,7 +26,10 @@ COMMANDED = started(gantry_feedforward.native_spec(), {
     "command.enabled": True, "command.mode": "velocity", "command.velocity.x": 0.2,
     "command.velocity.z": 0.05, "workspace.x.max": 1.2, "drive.bridge.acceleration_max": 1.5,
 })
-SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec(), COMMANDED)
+# the feedback with a hook, which is off by default, designs its tables at initialisation
+HOOKED = started(hook_crane.native_spec(), {"feedback.enabled": True, "sling.x.angle": 0.05})
+HOOKS = (hook_feedforward.native_spec(), HOOKED)
+SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec(), COMMANDED, *HOOKS)
 
 
 def program(compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1") -> Path:

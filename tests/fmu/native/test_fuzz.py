@@ -33,10 +33,10 @@ def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 @campaign(200, 20_000)
-# every source is in one of the two; the command makes all four
+# every source is in one of these; the command makes all, of both versions
 @pytest.mark.parametrize(
     ("fmi", "spec"),
-    [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1]), *COMMANDED],
+    [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1]), (2, fuzz.HOOKS[0]), (3, fuzz.HOOKS[1]), *COMMANDED],
 )
 def test_random_calls_end_with_a_status(
     compiler: str, tmp_path: Path, spec, fmi: int, count: int
