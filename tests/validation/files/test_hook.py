@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import segfmu
@@ -123,6 +124,11 @@ def test_what_a_hook_lacks_is_refused_with_the_way_out(tmp_path) -> None:
     with pytest.raises(InputError, match="no commands"):
         segfmu.build(own, tmp_path, commands="inputs")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_crane_with_a_hook_is_not_identified() -> None:
+    with pytest.raises(InputError, match=r"^crane: hook: .* take \[hook\] out"):
+        segfmu.identify({"time": np.arange(30.0)}, CRANE)
 
 
 def test_smoothness_5_serves_velocity_drives_without_bounds() -> None:

@@ -187,6 +187,11 @@ def _crane(source: str | Path | Mapping[str, Any]) -> tuple[CraneFile, Path | No
     require_kind("crane", data, where)
     file = checked(CraneFile, data, where)
     check(file, where)
+    if file.hook is not None:
+        raise InputError(
+            f"{where}: hook: a log is told by the model of a load on its rope; measure without a "
+            "sling, and take [hook] out of the crane file meanwhile"
+        )
     return file, path
 
 
