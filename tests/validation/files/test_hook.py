@@ -78,6 +78,7 @@ REFUSED: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
     "negative sling": ({"hook": {"mass": 1.0, "sling": -1.0}}, {},
                        r"hook\.sling: must be at least"),
     "no mass": ({"hook": {"sling": 1.0}}, {}, r"hook\.mass: this key is missing"),
+    "light hook": ({"hook": {"mass": 0.9, "sling": 1.0}}, {}, r"hook\.mass: .* give it 1 kg"),
     "of the mission": ({}, {"hook": {"mass": 1.0, "sling": 1.0}}, r"elsewhere: crane\.hook"),
     "state": ({"controller": {"source": "state"}}, {}, r"controller\.source: .* leave it out"),
     "state here": ({}, {"simulation": {"feedback_source": "state"}}, r"simulation\.feedback_sou"),

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from segfmu.validation.files.crane_file import CraneFile
     from segfmu.validation.files.mission import Mission
 
+# hook over load; the fast swing is as the root of it faster than the slow one
+LIGHTEST = 1e-4
 # keys of [controller] that the feedback with a hook has
 TAKEN = ("enabled", "source", "sample_time", "fade")
 
@@ -26,6 +28,12 @@ def check_crane(crane: CraneFile) -> None:
     """
     if crane.hook is None:
         return
+    least = LIGHTEST * crane.payload_mass
+    if crane.hook.mass < least:
+        raise InputError(
+            f"hook.mass: {crane.hook.mass:g} kg swings against a load of {crane.payload_mass:g} kg "
+            f"too fast to be followed; give it {least:g} kg or more, or leave [hook] out"
+        )
     own = crane.controller
     if own.source == "state":
         raise InputError(
