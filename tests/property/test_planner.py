@@ -48,7 +48,7 @@ def planned(problem: AxisProblem, **changes) -> Trajectory:
 @given(axis_problems())
 def test_time_reversal(problem: AxisProblem) -> None:
     reversed_ = planned(problem, v=problem.w, w=problem.v, a=-problem.b, b=-problem.a)
-    assert reversed_.duration == pytest.approx(planned(problem).duration, rel=TOLERANCE)
+    assert reversed_.duration == pytest.approx(planned(problem).duration, rel=1e-12)
 
 
 @settings(max_examples=150, deadline=None)
@@ -59,7 +59,7 @@ def test_mirror(problem: AxisProblem) -> None:
         problem, v=-problem.v, w=-problem.w, a=-problem.a, b=-problem.b,
         distance=-problem.distance,
     )
-    assert mirrored.duration == pytest.approx(trajectory.duration, rel=TOLERANCE)
+    assert mirrored.duration == pytest.approx(trajectory.duration, rel=1e-12)
 
 
 @settings(max_examples=100, deadline=None)

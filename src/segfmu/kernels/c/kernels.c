@@ -643,6 +643,12 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
 static void note_known(array_double_2d work);
 static void clear_nearest(array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
+static double beyond_rounding(double value, double scale);
+static void mirror_problem(array_double_1d problem);
+static void mirror_search(array_double_1d problem, array_double_1d axis);
+static void reverse_search(array_double_1d problem, array_double_1d axis);
+static int64_t orient(int64_t* result_0, int64_t* result_1, array_double_1d problem, array_double_1d axis);
+static int64_t as_asked(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d passing);
 static bool has_pace(array_double_1d passing);
 static double residual_norm(int64_t count, array_double_1d residual);
 static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -650,7 +656,8 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
 static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double longest_step(array_double_2d work);
-static void take_step(double share, array_double_2d work);
+static double nearest_multiple(double value, double grid);
+static void take_step(double share, double grid, array_double_2d work);
 static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void keep_sequence(int64_t row, array_double_2d work);
 static void restore_sequence(int64_t row, array_double_2d work);
@@ -744,6 +751,7 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
 static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
+static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain);
@@ -19675,7 +19683,7 @@ static void note_excess(int64_t q, int64_t node, bool holding, array_double_1d a
         if (limit > 0.0)
         {
             share = fabs((*cspan_at(&end, order))) / limit - 1.0;
-            if (share > span_max((*cspan_at(&excess, order, INT64_C(0))), 1e-10))
+            if ((share > 1e-10) && (share > 1.000001 * (*cspan_at(&excess, order, INT64_C(0)))))
             {
                 (*cspan_at(&excess, order, INT64_C(0))) = share;
                 (*cspan_at(&excess, order, INT64_C(1))) = node;
@@ -19760,7 +19768,7 @@ static bool measure_excess(array_double_1d axis, array_double_2d work)
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     q = above + INT64_C(2);
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    level = (*cspan_at(&passing, INT64_C(8)));
+    level = (*cspan_at(&passing, INT64_C(9)));
     pieces = rise_pieces(boxes);
     for (order = INT64_C(0); order < INT64_C(4); order += INT64_C(1))
     {
@@ -19866,7 +19874,7 @@ static double highest_at_node(int64_t order, double sign, int64_t i, array_doubl
     double highest;
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     boxes = (int64_t)((*cspan_at(&axis, INT64_C(0)))) - INT64_C(1) - above;
-    before = (*cspan_at(&passing, INT64_C(8)));
+    before = (*cspan_at(&passing, INT64_C(9)));
     if (i > INT64_C(0))
     {
         before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
@@ -19960,49 +19968,49 @@ static double instant_error(int64_t peak, array_double_1d passing, array_double_
     int64_t i;
     double sign;
     double result;
-    order = (int64_t)((*cspan_at(&passing, INT64_C(14) + peak)));
-    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(20) + peak))), INT64_C(0));
-    last = (int64_t)((*cspan_at(&passing, INT64_C(23) + peak)));
+    order = (int64_t)((*cspan_at(&passing, INT64_C(15) + peak)));
+    first = span_max_int((int64_t)((*cspan_at(&passing, INT64_C(21) + peak))), INT64_C(0));
+    last = (int64_t)((*cspan_at(&passing, INT64_C(24) + peak)));
     highest = -1e+300;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         if ((i >= first) && (i <= last))
         {
-            sign = (*cspan_at(&passing, INT64_C(17) + peak));
+            sign = (*cspan_at(&passing, INT64_C(18) + peak));
             highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
         }
     }
-    result = highest - side_limit(order, (*cspan_at(&passing, INT64_C(17) + peak)), axis);
+    result = highest - side_limit(order, (*cspan_at(&passing, INT64_C(18) + peak)), axis);
     return result;
 }
 static void shift_instants(int64_t place, int64_t by, array_double_1d passing)
 {
     int64_t peak;
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(14)))); peak += INT64_C(1))
     {
-        if ((*cspan_at(&passing, INT64_C(20) + peak)) >= place)
+        if ((*cspan_at(&passing, INT64_C(21) + peak)) >= place)
         {
-            (*cspan_at(&passing, INT64_C(20) + peak)) = (*cspan_at(&passing, INT64_C(20) + peak)) + by;
+            (*cspan_at(&passing, INT64_C(21) + peak)) = (*cspan_at(&passing, INT64_C(21) + peak)) + by;
         }
-        if ((*cspan_at(&passing, INT64_C(23) + peak)) >= place)
+        if ((*cspan_at(&passing, INT64_C(24) + peak)) >= place)
         {
-            (*cspan_at(&passing, INT64_C(23) + peak)) = (*cspan_at(&passing, INT64_C(23) + peak)) + by;
+            (*cspan_at(&passing, INT64_C(24) + peak)) = (*cspan_at(&passing, INT64_C(24) + peak)) + by;
         }
     }
 }
 static void place_instant(int64_t peak, int64_t order, double sign, int64_t node, array_double_1d passing)
 {
-    (*cspan_at(&passing, INT64_C(14) + peak)) = order;
-    (*cspan_at(&passing, INT64_C(17) + peak)) = sign;
-    (*cspan_at(&passing, INT64_C(20) + peak)) = node - INT64_C(1);
-    (*cspan_at(&passing, INT64_C(23) + peak)) = node + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(15) + peak)) = order;
+    (*cspan_at(&passing, INT64_C(18) + peak)) = sign;
+    (*cspan_at(&passing, INT64_C(21) + peak)) = node - INT64_C(1);
+    (*cspan_at(&passing, INT64_C(24) + peak)) = node + INT64_C(1);
 }
 static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing)
 {
     int64_t peak;
-    peak = (int64_t)((*cspan_at(&passing, INT64_C(13))));
+    peak = (int64_t)((*cspan_at(&passing, INT64_C(14))));
     place_instant(peak, order, sign, node, passing);
-    (*cspan_at(&passing, INT64_C(13))) = peak + INT64_C(1);
+    (*cspan_at(&passing, INT64_C(14))) = peak + INT64_C(1);
 }
 static double power_of(double base, int64_t exponent)
 {
@@ -20140,7 +20148,7 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
     double square;
     above = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     pace = (*cspan_at(&passing, INT64_C(2)));
-    before = (*cspan_at(&passing, INT64_C(8)));
+    before = (*cspan_at(&passing, INT64_C(9)));
     if (i > INT64_C(0))
     {
         before = (*cspan_at(&nodes, i - INT64_C(1), INT64_C(9)));
@@ -20340,16 +20348,16 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     jerk = INT64_C(0) + INT64_C(3);
     if ((*cspan_at(&passing, INT64_C(1))) > 1.5)
     {
-        (*cspan_at(&nodes, INT64_C(0), jerk)) = (*cspan_at(&passing, INT64_C(9)));
+        (*cspan_at(&nodes, INT64_C(0), jerk)) = (*cspan_at(&passing, INT64_C(10)));
     }
     row = INT64_C(0);
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         row = follow_node(i, row, problem, passing, axis, nodes, residual);
     }
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(14)))); peak += INT64_C(1))
     {
-        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))), passing, axis);
+        scale = residual_scale((int64_t)((*cspan_at(&passing, INT64_C(15) + peak))), passing, axis);
         error = instant_error(peak, passing, axis, nodes);
         (*cspan_at(&residual, INT64_C(0) + row)) = error / scale;
         row = row + INT64_C(1);
@@ -20416,7 +20424,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
     int64_t conditions;
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, INT64_C(1)))) + INT64_C(2);
-    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(13))));
+    conditions = conditions + (int64_t)((*cspan_at(&passing, INT64_C(14))));
     return (conditions == count) && (count <= INT64_C(16));
 }
 static void begin_dip(int64_t above, double v, double a, array_double_2d work)
@@ -20429,7 +20437,7 @@ static void begin_dip(int64_t above, double v, double a, array_double_2d work)
     (*cspan_at(&passing, INT64_C(0))) = above + INT64_C(1);
     (*cspan_at(&passing, INT64_C(1))) = above;
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
-    (*cspan_at(&passing, INT64_C(8))) = 0.0;
+    (*cspan_at(&passing, INT64_C(9))) = 0.0;
     sign = -1.0;
     for (i = INT64_C(0); i < above + INT64_C(2); i += INT64_C(1))
     {
@@ -21186,6 +21194,103 @@ static double nearest_weight(array_double_1d problem, array_double_1d axis, arra
     }
     return 0.0;
 }
+static double beyond_rounding(double value, double scale)
+{
+    if (fabs(value) <= 1e-09 * scale)
+    {
+        return 0.0;
+    }
+    return value;
+}
+static void mirror_problem(array_double_1d problem)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&problem, i)) = -(*cspan_at(&problem, i));
+    }
+}
+static void mirror_search(array_double_1d problem, array_double_1d axis)
+{
+    mirror_problem(problem);
+    mirror_axis(axis);
+}
+static void reverse_search(array_double_1d problem, array_double_1d axis)
+{
+    reverse_problem(problem);
+    reverse_axis(axis);
+}
+static int64_t orient(int64_t* result_0, int64_t* result_1, array_double_1d problem, array_double_1d axis)
+{
+    double speed;
+    double push;
+    double way;
+    int64_t mirrored;
+    int64_t turned;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    push = fabs((*cspan_at(&problem, INT64_C(1)))) + fabs((*cspan_at(&problem, INT64_C(3))));
+    way = beyond_rounding((*cspan_at(&problem, INT64_C(4))), speed * speed / top_acceleration(axis));
+    if (way == 0.0)
+    {
+        way = beyond_rounding((*cspan_at(&problem, INT64_C(0))) + (*cspan_at(&problem, INT64_C(2))), speed);
+    }
+    if (way == 0.0)
+    {
+        way = beyond_rounding((*cspan_at(&problem, INT64_C(1))) - (*cspan_at(&problem, INT64_C(3))), push);
+    }
+    if (way == 0.0)
+    {
+        way = (*cspan_at(&axis, INT64_C(2))) - (*cspan_at(&axis, INT64_C(9)));
+    }
+    mirrored = INT64_C(0);
+    if (way < 0.0)
+    {
+        mirrored = INT64_C(1);
+        mirror_search(problem, axis);
+    }
+    way = beyond_rounding((*cspan_at(&problem, INT64_C(0))) - (*cspan_at(&problem, INT64_C(2))), speed);
+    if (way == 0.0)
+    {
+        way = beyond_rounding((*cspan_at(&problem, INT64_C(1))) + (*cspan_at(&problem, INT64_C(3))), push);
+    }
+    if (way == 0.0)
+    {
+        way = (*cspan_at(&axis, INT64_C(3))) - (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    }
+    turned = INT64_C(0);
+    if (way < 0.0)
+    {
+        turned = INT64_C(1);
+        reverse_search(problem, axis);
+    }
+    (*result_0) = mirrored;
+    (*result_1) = turned;
+    return 0;
+}
+static int64_t as_asked(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d passing)
+{
+    (*cspan_at(&passing, INT64_C(8))) = mirrored;
+    if (turned > INT64_C(0))
+    {
+        (*cspan_at(&passing, INT64_C(7))) = 1.0 - (*cspan_at(&passing, INT64_C(7)));
+        reverse_search(problem, axis);
+        reverse_phases(phases, INT64_C(0), span_max_int(count, INT64_C(0)));
+    }
+    if (mirrored > INT64_C(0))
+    {
+        mirror_search(problem, axis);
+        mirror_phases(phases, span_max_int(count, INT64_C(0)));
+    }
+    if ((turned > INT64_C(0)) && (count == -INT64_C(1)))
+    {
+        return -INT64_C(2);
+    }
+    if ((turned > INT64_C(0)) && (count == -INT64_C(2)))
+    {
+        return -INT64_C(1);
+    }
+    return count;
+}
 static bool has_pace(array_double_1d passing)
 {
     bool result;
@@ -21214,7 +21319,7 @@ static void pace_column(int64_t count, array_double_1d problem, array_double_1d 
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     residual = span_row(&work, INT64_C(202));
-    change = 1e-07;
+    change = 1e-05;
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&passing, INT64_C(2))) = (*cspan_at(&passing, INT64_C(2))) - change;
@@ -21266,7 +21371,7 @@ static void time_column(int64_t column, int64_t count, array_double_1d problem, 
     {
         spent = spent - (*cspan_at(&nodes, column + j, INT64_C(11))) - (*cspan_at(&nodes, column + j, INT64_C(10)));
     }
-    change = 1e-07 * (fabs((*cspan_at(&nodes, column, INT64_C(6)))) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+    change = 1e-05 * (fabs((*cspan_at(&nodes, column, INT64_C(6)))) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
     (*cspan_at(&nodes, column, INT64_C(6))) = (*cspan_at(&nodes, column, INT64_C(6))) + change;
     row = first_row(column, passing, nodes);
     begin = row;
@@ -21323,7 +21428,7 @@ static void whole_column(int64_t column, int64_t count, array_double_1d problem,
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     residual = span_row(&work, INT64_C(202));
     time = (*cspan_at(&nodes, column, INT64_C(6)));
-    change = 1e-07 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
+    change = 1e-05 * (fabs(time) + 0.001 * (*cspan_at(&passing, INT64_C(3))));
     (*cspan_at(&nodes, column, INT64_C(6))) = time + change;
     run_sequence(problem, passing, axis, nodes, residual);
     (*cspan_at(&nodes, column, INT64_C(6))) = time;
@@ -21356,7 +21461,7 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     (*cspan_at(&work, INT64_C(200), INT64_C(4))) = (*cspan_at(&work, INT64_C(200), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        if (((*cspan_at(&passing, INT64_C(13))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) != 0.0))
+        if (((*cspan_at(&passing, INT64_C(14))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) != 0.0))
         {
             whole_column(j, count, problem, axis, work);
         }
@@ -21434,22 +21539,37 @@ static double longest_step(array_double_2d work)
     }
     return share;
 }
-static void take_step(double share, array_double_2d work)
+static double nearest_multiple(double value, double grid)
+{
+    if (grid == 0.0)
+    {
+        return value;
+    }
+    if (value < 0.0)
+    {
+        return (-grid) * (int64_t)floor(0.5 - value / grid);
+    }
+    return grid * (int64_t)floor(0.5 + value / grid);
+}
+static void take_step(double share, double grid, array_double_2d work)
 {
     int64_t count;
+    double time;
     int64_t i;
     int64_t row;
-    double pace;
+    double step;
     count = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0))));
+    time = (*cspan_at(&work, INT64_C(101), INT64_C(3)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         row = INT64_C(102) + i;
-        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + share * (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)));
+        step = nearest_multiple(share * (*cspan_at(&work, INT64_C(219) + i, INT64_C(0))), grid * time);
+        (*cspan_at(&work, row, INT64_C(6))) = (*cspan_at(&work, row, INT64_C(6))) + step;
     }
     if (has_pace(span_row(&work, INT64_C(101))))
     {
-        pace = (*cspan_at(&work, INT64_C(101), INT64_C(2))) + share * (*cspan_at(&work, INT64_C(219) + count, INT64_C(0)));
-        (*cspan_at(&work, INT64_C(101), INT64_C(2))) = pace;
+        step = nearest_multiple(share * (*cspan_at(&work, INT64_C(219) + count, INT64_C(0))), grid);
+        (*cspan_at(&work, INT64_C(101), INT64_C(2))) = (*cspan_at(&work, INT64_C(101), INT64_C(2))) + step;
     }
 }
 static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -21463,6 +21583,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     double earlier;
     int64_t i;
     double share;
+    double grid;
     double reached;
     int64_t j;
     passing = span_row(&work, INT64_C(101));
@@ -21475,7 +21596,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     }
     run_sequence(problem, passing, axis, nodes, residual);
     error = residual_norm(count, residual);
-    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(12))) > 0.5);
+    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(13))) > 0.5);
     earlier = error;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
@@ -21493,6 +21614,11 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
         }
         newton_step(count, problem, axis, work);
         share = longest_step(work);
+        grid = 0.0;
+        if (error > 0.0001)
+        {
+            grid = 1e-10;
+        }
         reached = error;
         for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
         {
@@ -21500,14 +21626,14 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
             {
                 break;
             }
-            take_step(share, work);
+            take_step(share, grid, work);
             run_sequence(problem, passing, axis, nodes, residual);
             reached = residual_norm(count, residual);
             if (reached < error * (1.0 - 0.0001 * share))
             {
                 break;
             }
-            take_step(-share, work);
+            take_step(-share, grid, work);
             share = 0.5 * share;
         }
         if (!(reached < error * (1.0 - 0.0001 * share)))
@@ -21523,7 +21649,7 @@ static void keep_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
     {
         (*cspan_at(&work, row, i)) = (*cspan_at(&work, INT64_C(101), i));
     }
@@ -21539,7 +21665,7 @@ static void restore_sequence(int64_t row, array_double_2d work)
 {
     int64_t i;
     int64_t j;
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(101), i)) = (*cspan_at(&work, row, i));
     }
@@ -21776,7 +21902,7 @@ static bool rotate_levels(array_double_2d work)
     {
         return 0;
     }
-    if (at_first <= at_last)
+    if (at_first <= 1.000001 * at_last)
     {
         remove_node(INT64_C(0), work);
         insert_node(count - INT64_C(1), INT64_C(0), -(*cspan_at(&work, last - INT64_C(1), INT64_C(5))), tiny, 0, work);
@@ -21818,7 +21944,7 @@ static int64_t overlong_plateau(array_double_2d work)
         if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
         {
             found = i;
-            least = (*cspan_at(&work, row, INT64_C(6)));
+            least = 1.000001 * (*cspan_at(&work, row, INT64_C(6)));
         }
     }
     return found;
@@ -22019,7 +22145,7 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
         return 0;
     }
     row = INT64_C(102) + beside;
-    if (((*cspan_at(&passing, INT64_C(13))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
+    if (((*cspan_at(&passing, INT64_C(14))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
     {
         return 0;
     }
@@ -22036,9 +22162,9 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
     int64_t peak;
     passing = span_row(&work, INT64_C(101));
     node = (int64_t)((*cspan_at(&work, INT64_C(196) + order, INT64_C(1))));
-    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(13)))); peak += INT64_C(1))
+    for (peak = INT64_C(0); peak < (int64_t)((*cspan_at(&passing, INT64_C(14)))); peak += INT64_C(1))
     {
-        if (((int64_t)((*cspan_at(&passing, INT64_C(14) + peak))) == order) && may_go_on(work))
+        if (((int64_t)((*cspan_at(&passing, INT64_C(15) + peak))) == order) && may_go_on(work))
         {
             place_instant(peak, order, (*cspan_at(&work, INT64_C(196) + order, INT64_C(3))), node, passing);
             if (solve_rotated(problem, axis, work))
@@ -22094,7 +22220,7 @@ static bool insert_instant(int64_t order, array_double_1d problem, array_double_
             cost = sequence_cost(work);
             if (cost < least)
             {
-                least = cost;
+                least = cost - 1e-09 * fabs(cost);
                 keep_sequence(INT64_C(177), work);
             }
         }
@@ -22264,7 +22390,7 @@ static int64_t vanishing_level(int64_t step, array_double_2d work)
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
         {
             found = i;
-            least = fabs((*cspan_at(&work, row, INT64_C(6))));
+            least = 0.999999 * fabs((*cspan_at(&work, row, INT64_C(6))));
         }
     }
     return found;
@@ -22282,7 +22408,7 @@ static bool release_plateau(array_double_2d work)
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     kind = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     end = vanishing_level(span_max_int(count - INT64_C(1), INT64_C(1)), work);
-    if ((end < INT64_C(0)) || ((*cspan_at(&passing, INT64_C(13))) > 2.5))
+    if ((end < INT64_C(0)) || ((*cspan_at(&passing, INT64_C(14))) > 2.5))
     {
         return 0;
     }
@@ -22326,7 +22452,7 @@ static bool follow(double target, array_double_1d problem, array_double_1d axis,
     for (change = INT64_C(0); change < INT64_C(3); change += INT64_C(1))
     {
         restore_sequence(INT64_C(158), work);
-        (*cspan_at(&work, INT64_C(101), INT64_C(12))) = 1.0;
+        (*cspan_at(&work, INT64_C(101), INT64_C(13))) = 1.0;
         (*cspan_at(&work, INT64_C(101), INT64_C(5))) = target;
         changed = 1;
         if (change == INT64_C(1))
@@ -22472,8 +22598,8 @@ static void begin_sequence(int64_t count, array_double_2d phases, array_double_1
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
+    (*cspan_at(&passing, INT64_C(14))) = 0.0;
     (*cspan_at(&passing, INT64_C(13))) = 0.0;
-    (*cspan_at(&passing, INT64_C(12))) = 0.0;
     (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
     (*cspan_at(&passing, INT64_C(4))) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -22597,7 +22723,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
     duration = sequence_duration(passing, nodes);
     sign = (*cspan_at(&work, INT64_C(102), INT64_C(5)));
     scale = duration;
-    (*cspan_at(&passing, INT64_C(12))) = 1.0;
+    (*cspan_at(&passing, INT64_C(13))) = 1.0;
     for (attempt = INT64_C(0); attempt < INT64_C(4); attempt += INT64_C(1))
     {
         sign = -sign;
@@ -22615,7 +22741,7 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
             shorter = sequence_duration(passing, nodes) < 0.9 * duration;
             if (shorter && (largest_excess(axis, work) < most))
             {
-                (*cspan_at(&passing, INT64_C(12))) = 0.0;
+                (*cspan_at(&passing, INT64_C(13))) = 0.0;
                 keep_sequence(INT64_C(158), work);
                 return 1;
             }
@@ -22786,7 +22912,7 @@ static double idle_time(int64_t i, array_double_1d axis, array_double_2d work)
     double spent;
     passing = span_row(&work, INT64_C(101));
     row = INT64_C(102) + i;
-    before = (*cspan_at(&passing, INT64_C(8)));
+    before = (*cspan_at(&passing, INT64_C(9)));
     if (i > INT64_C(0))
     {
         before = (*cspan_at(&work, row - INT64_C(1), INT64_C(9)));
@@ -22822,7 +22948,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
     int64_t used;
     flush_levels(problem, axis, work);
     above = (*cspan_at(&work, INT64_C(101), INT64_C(1)));
-    level = (*cspan_at(&work, INT64_C(101), INT64_C(8)));
+    level = (*cspan_at(&work, INT64_C(101), INT64_C(9)));
     used = INT64_C(0);
     idle = 0.0;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
@@ -22907,7 +23033,7 @@ static int64_t usual_ways(array_double_1d axis, array_double_2d work)
     {
         return INT64_C(2);
     }
-    if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(12))) < 0.5)
     {
         return INT64_C(4);
     }
@@ -22936,7 +23062,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t wa
             }
             if ((way == INT64_C(3)) || ((way < INT64_C(2)) && (!stays_below(work))))
             {
-                (*cspan_at(&work, INT64_C(101), INT64_C(10))) = 1.0;
+                (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 1.0;
                 break;
             }
         }
@@ -22952,17 +23078,17 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
     int64_t used;
     int64_t others;
     passing = span_row(&work, INT64_C(101));
-    (*cspan_at(&passing, INT64_C(10))) = 0.0;
+    (*cspan_at(&passing, INT64_C(11))) = 0.0;
     ways = usual_ways(axis, work);
     if (!first_solution(count, ramps, problem, axis, work))
     {
         return INT64_C(0);
     }
     used = INT64_C(0);
-    if (((*cspan_at(&passing, INT64_C(11))) < 0.5) && shorter_solution(problem, axis, work))
+    if (((*cspan_at(&passing, INT64_C(12))) < 0.5) && shorter_solution(problem, axis, work))
     {
         shortest_way(&used, &shortest, ways, shortest, longest, phases, problem, axis, work);
-        if ((*cspan_at(&passing, INT64_C(10))) > 0.5)
+        if ((*cspan_at(&passing, INT64_C(11))) > 0.5)
         {
             return used;
         }
@@ -23027,7 +23153,7 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
         return INT64_C(0);
     }
     ways = INT64_C(1);
-    if ((*cspan_at(&work, INT64_C(101), INT64_C(13))) > 0.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(14))) > 0.5)
     {
         ways = INT64_C(2);
     }
@@ -23044,21 +23170,30 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     bool backwards;
+    bool mirrored;
     if (!is_passing(phases, count, axis))
     {
         return INT64_C(0);
     }
     backwards = (*cspan_at(&work, INT64_C(101), INT64_C(7))) > 0.5;
+    mirrored = (*cspan_at(&work, INT64_C(101), INT64_C(8))) > 0.5;
     if (backwards)
     {
-        reverse_problem(problem);
-        reverse_axis(axis);
+        reverse_search(problem, axis);
+    }
+    if (mirrored)
+    {
+        mirror_search(problem, axis);
     }
     count = timed_passing(phases, problem, axis, work);
+    if (mirrored)
+    {
+        mirror_search(problem, axis);
+        mirror_phases(phases, count);
+    }
     if (backwards)
     {
-        reverse_problem(problem);
-        reverse_axis(axis);
+        reverse_search(problem, axis);
         reverse_phases(phases, INT64_C(0), count);
     }
     return count;
@@ -23375,13 +23510,13 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     int64_t backwards;
     ramps = span_rows(&work, INT64_C(0), INT64_C(21));
     passing = span_row(&work, INT64_C(101));
-    (*cspan_at(&passing, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(9))) = 0.0;
+    (*cspan_at(&passing, INT64_C(10))) = 0.0;
     copy_phases(phases, ramps, count);
     longest = total_duration(ramps, count) * (1.0 - 1e-09);
     whole = longest;
     forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
-    settled = (*cspan_at(&passing, INT64_C(10)));
+    settled = (*cspan_at(&passing, INT64_C(11)));
     (*cspan_at(&passing, INT64_C(7))) = 0.0;
     result = count;
     if (forwards > INT64_C(0))
@@ -23393,12 +23528,10 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
         longest = total_duration(phases, forwards);
         result = forwards;
     }
-    reverse_problem(asked);
-    reverse_axis(axis);
+    reverse_search(asked, axis);
     reverse_phases(ramps, INT64_C(0), count);
     backwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
-    reverse_problem(asked);
-    reverse_axis(axis);
+    reverse_search(asked, axis);
     if (backwards > INT64_C(0))
     {
         reverse_phases(phases, INT64_C(0), backwards);
@@ -23407,7 +23540,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     }
     if (forwards > INT64_C(0))
     {
-        (*cspan_at(&passing, INT64_C(10))) = settled;
+        (*cspan_at(&passing, INT64_C(11))) = settled;
     }
     return result;
 }
@@ -23821,15 +23954,13 @@ static int64_t touching_form(int64_t count, array_double_2d phases, array_double
     passing = span_row(&work, INT64_C(101));
     ramps = span_rows(&work, INT64_C(0), INT64_C(21));
     copy_phases(phases, ramps, count);
-    (*cspan_at(&passing, INT64_C(8))) = 0.0;
     (*cspan_at(&passing, INT64_C(9))) = 0.0;
+    (*cspan_at(&passing, INT64_C(10))) = 0.0;
     longest = total_duration(ramps, count) * (1.0 - 1e-09);
     touching_starts(&result, &longest, count, longest, ramps, phases, problem, axis, work);
-    reverse_problem(problem);
-    reverse_axis(axis);
+    reverse_search(problem, axis);
     touching_starts(&backwards, &longest, count, longest, ramps, phases, problem, axis, work);
-    reverse_problem(problem);
-    reverse_axis(axis);
+    reverse_search(problem, axis);
     if (backwards > INT64_C(0))
     {
         reverse_phases(phases, INT64_C(0), backwards);
@@ -24009,7 +24140,7 @@ static void begin_search(array_double_1d problem, array_double_1d axis, array_do
     (*cspan_at(&work, INT64_C(98), INT64_C(20))) = INT64_C(0);
     (*cspan_at(&work, INT64_C(98), INT64_C(21))) = 0.0;
     (*cspan_at(&work, INT64_C(98), INT64_C(19))) = 1e+300;
-    (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 0.0;
+    (*cspan_at(&work, INT64_C(101), INT64_C(12))) = 0.0;
 }
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
@@ -24048,7 +24179,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
         if ((*cspan_at(&axis, INT64_C(38))) > 0.5)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(101), INT64_C(10))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(101), INT64_C(11))) > 0.5) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
         if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
@@ -24135,7 +24266,7 @@ static bool misses_little(double free, double duration, array_double_1d asked, a
     result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
     return result;
 }
-static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
     array_double_1d family;
@@ -24147,7 +24278,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     int64_t count;
     asked = span_row(&work, INT64_C(59));
     family = span_row(&work, INT64_C(98));
-    (*cspan_at(&work, INT64_C(101), INT64_C(10))) = 1.0;
+    (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 1.0;
     if (is_done(asked))
     {
         return INT64_C(0);
@@ -24162,7 +24293,7 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     {
         free = (*cspan_at(&family, INT64_C(19)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(101), INT64_C(10))) < 0.5)
+        if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
         {
             missed = span_max_int(missed, INT64_C(1));
         }
@@ -24201,6 +24332,19 @@ static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array
     (*cspan_at(&family, INT64_C(20))) = missed;
     return count;
 }
+static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
+{
+    array_double_1d asked;
+    int64_t mirrored;
+    int64_t turned;
+    int64_t count;
+    int64_t result;
+    asked = span_row(&work, INT64_C(59));
+    orient(&mirrored, &turned, asked, axis);
+    count = oriented_profile(axis, phases, work);
+    result = as_asked(mirrored, turned, count, phases, asked, axis, span_row(&work, INT64_C(101)));
+    return result;
+}
 int64_t segfmu_shortest_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     int64_t result;
@@ -24212,7 +24356,7 @@ static int64_t plain_profile(array_double_1d problem, array_double_1d axis, arra
 {
     int64_t result;
     begin_search(problem, axis, work);
-    (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 1.0;
+    (*cspan_at(&work, INT64_C(101), INT64_C(12))) = 1.0;
     result = begun_profile(axis, phases, work);
     return result;
 }
@@ -25373,10 +25517,10 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     copy_phases(phases, ramps, count);
     longest = span_min(longest + total_duration(ramps, count), least - (*cspan_at(&level, INT64_C(8))));
     set_stage_problem(seen, end, level, problem);
-    (*cspan_at(&passing, INT64_C(11))) = 1.0;
-    (*cspan_at(&passing, INT64_C(8))) = (*cspan_at(&level, level_order(order, lead)));
+    (*cspan_at(&passing, INT64_C(12))) = 1.0;
+    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, level_order(order, lead)));
     third = seen + INT64_C(3);
-    (*cspan_at(&passing, INT64_C(9))) = (*cspan_at(&level, third));
+    (*cspan_at(&passing, INT64_C(10))) = (*cspan_at(&level, third));
     result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
     return result;
 }
@@ -26991,7 +27135,7 @@ static void set_extreme(double sign, double pace, array_double_1d problem, array
     int64_t q;
     passing = span_row(&work, INT64_C(101));
     duration = (*cspan_at(&problem, INT64_C(5)));
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
     {
         (*cspan_at(&passing, i)) = 0.0;
     }

@@ -117,7 +117,7 @@ def insert_instant(
                 return True
             cost = sequence_cost(work)
             if cost < least:
-                least = cost
+                least = cost - 1e-9 * abs(cost)
                 keep_sequence(PlanWork.TRIED, work)
         restore_sequence(PlanWork.KEPT, work)
     if least < 1e300:
@@ -230,7 +230,7 @@ def vanishing_level(step: int, work: 'float[:,:]') -> int:
         row = PlanWork.NODES + i
         if work[row, Node.KIND] < 0.5 and abs(work[row, Node.TIME]) < least:
             found = i
-            least = abs(work[row, Node.TIME])
+            least = 0.999999 * abs(work[row, Node.TIME])
     return found
 
 

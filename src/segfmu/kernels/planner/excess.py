@@ -64,7 +64,8 @@ def note_excess(
         limit = side_limit(order, end[order], axis)
         if limit > 0.0:
             share = abs(end[order]) / limit - 1.0
-            if share > max(excess[order, Excess.SHARE], 1e-10):
+            # the first of peaks that only rounding separates, as in a symmetric motion
+            if share > 1e-10 and share > 1.000001 * excess[order, Excess.SHARE]:
                 excess[order, Excess.SHARE] = share
                 excess[order, Excess.NODE] = node
                 excess[order, Excess.HOLDING] = holding

@@ -10,13 +10,13 @@ from math import sqrt
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
+from segfmu.kernels.planner.orientation import reverse_search
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import (
     append_change,
     copy_phases,
     reverse_phases,
-    reverse_problem,
     total_duration,
     valid_duration,
 )
@@ -30,7 +30,7 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
-from segfmu.kernels.planner.sides import fastest_velocity, reverse_axis, slowest_velocity
+from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
 
 
 def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
@@ -261,12 +261,10 @@ def passing_either_way(
             return forwards
         longest = total_duration(phases, forwards)
         result = forwards
-    reverse_problem(asked)
-    reverse_axis(axis)
+    reverse_search(asked, axis)
     reverse_phases(ramps, 0, count)
     backwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work)
-    reverse_problem(asked)
-    reverse_axis(axis)
+    reverse_search(asked, axis)
     if backwards > 0:
         reverse_phases(phases, 0, backwards)
         passing[Passing.REVERSED] = 1.0

@@ -1,6 +1,6 @@
 """The times of a sequence (sequence.py) that meet its conditions, by a damped Newton's method."""
 
-from math import sqrt
+from math import floor, sqrt
 
 from segfmu.kernels.numerics.matrices import matrix_solve
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -33,7 +33,7 @@ def pace_column(
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
-    change = 1e-7
+    change = 1e-5
     passing[Passing.PACE] = passing[Passing.PACE] + change
     run_sequence(problem, passing, axis, nodes, residual)
     passing[Passing.PACE] = passing[Passing.PACE] - change
@@ -66,7 +66,7 @@ def time_column(
             before[j, i] = nodes[column + j, i]
     for j in range(2):
         spent = spent - nodes[column + j, Node.RAMP] - nodes[column + j, Node.HOLD]
-    change = 1e-7 * (abs(nodes[column, Node.TIME]) + 1e-3 * passing[Passing.TIME])
+    change = 1e-5 * (abs(nodes[column, Node.TIME]) + 1e-3 * passing[Passing.TIME])
     nodes[column, Node.TIME] = nodes[column, Node.TIME] + change
     row = first_row(column, passing, nodes)
     begin = row
@@ -101,7 +101,7 @@ def whole_column(
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     time = nodes[column, Node.TIME]
-    change = 1e-7 * (abs(time) + 1e-3 * passing[Passing.TIME])
+    change = 1e-5 * (abs(time) + 1e-3 * passing[Passing.TIME])
     nodes[column, Node.TIME] = time + change
     run_sequence(problem, passing, axis, nodes, residual)
     nodes[column, Node.TIME] = time
@@ -169,15 +169,26 @@ def longest_step(work: 'float[:,:]') -> float:
     return share
 
 
-def take_step(share: float, work: 'float[:,:]') -> None:
-    """Add a share of the step to all unknowns."""
+def nearest_multiple(value: float, grid: float) -> float:
+    """The nearest multiple of `grid`; the value itself if that is 0."""
+    if grid == 0.0:
+        return value
+    if value < 0.0:
+        return -grid * floor(0.5 - value / grid)
+    return grid * floor(0.5 + value / grid)
+
+
+def take_step(share: float, grid: float, work: 'float[:,:]') -> None:
+    """Add a share of the step to all unknowns, in multiples of `grid`, in units of each."""
     count = int(work[PlanWork.PASSING, Passing.COUNT])
+    time = work[PlanWork.PASSING, Passing.TIME]
     for i in range(count):
         row = PlanWork.NODES + i
-        work[row, Node.TIME] = work[row, Node.TIME] + share * work[PlanWork.STEP + i, 0]
+        step = nearest_multiple(share * work[PlanWork.STEP + i, 0], grid * time)
+        work[row, Node.TIME] = work[row, Node.TIME] + step
     if has_pace(work[PlanWork.PASSING, :]):
-        pace = work[PlanWork.PASSING, Passing.PACE] + share * work[PlanWork.STEP + count, 0]
-        work[PlanWork.PASSING, Passing.PACE] = pace
+        step = nearest_multiple(share * work[PlanWork.STEP + count, 0], grid)
+        work[PlanWork.PASSING, Passing.PACE] = work[PlanWork.PASSING, Passing.PACE] + step
 
 
 def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
@@ -206,17 +217,22 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
             earlier = error
         newton_step(count, problem, axis, work)
         share = longest_step(work)
+        # far from the root the method can be chaotic: rounding errors, which differ by processor,
+        # must not decide where it goes
+        grid = 0.0
+        if error > 1e-4:
+            grid = 1e-10
         reached = error
         for j in range(8):
             # at the root only rounding errors are left
             if share == 0.0 or (j > 0 and error <= 1e-11):
                 break
-            take_step(share, work)
+            take_step(share, grid, work)
             run_sequence(problem, passing, axis, nodes, residual)
             reached = residual_norm(count, residual)
             if reached < error * (1.0 - 1e-4 * share):
                 break
-            take_step(-share, work)
+            take_step(-share, grid, work)
             share = 0.5 * share
         if not reached < error * (1.0 - 1e-4 * share):
             # the states are those of a step that was taken back

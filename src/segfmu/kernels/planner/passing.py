@@ -8,11 +8,12 @@ sequence is slowed down until it keeps the limits; levels of the snap have anoth
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
+from segfmu.kernels.planner.orientation import mirror_search, reverse_search
 from segfmu.kernels.planner.phases import (
     append_phase,
     is_passing,
+    mirror_phases,
     reverse_phases,
-    reverse_problem,
 )
 from segfmu.kernels.planner.plateaus import (
     keep_sequence,
@@ -22,7 +23,7 @@ from segfmu.kernels.planner.plateaus import (
 )
 from segfmu.kernels.planner.records import Node, Passing, PlanWork, Problem, Tighten
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
-from segfmu.kernels.planner.sides import reverse_axis, side_limit
+from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
@@ -274,12 +275,16 @@ def slower_form(
     if not is_passing(phases, count, axis):
         return 0
     backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
+    mirrored = work[PlanWork.PASSING, Passing.MIRRORED] > 0.5
     if backwards:
-        reverse_problem(problem)
-        reverse_axis(axis)
+        reverse_search(problem, axis)
+    if mirrored:
+        mirror_search(problem, axis)
     count = timed_passing(phases, problem, axis, work)
+    if mirrored:
+        mirror_search(problem, axis)
+        mirror_phases(phases, count)
     if backwards:
-        reverse_problem(problem)
-        reverse_axis(axis)
+        reverse_search(problem, axis)
         reverse_phases(phases, 0, count)
     return count

@@ -177,7 +177,7 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     at_last = abs(work[last, Node.TIME])
     if min(at_first, at_last) >= tiny:
         return False
-    if at_first <= at_last:
+    if at_first <= 1.000001 * at_last:
         remove_node(0, work)
         insert_node(count - 1, 0, -work[last - 1, Node.SIGN], tiny, False, work)
     else:
@@ -204,7 +204,7 @@ def overlong_plateau(work: 'float[:,:]') -> int:
         held = work[row, Node.TOUCH] < 0.5 and kind != int(passing[Passing.ABOVE])
         if kind > 0 and held and work[row, Node.TIME] < least:
             found = i
-            least = work[row, Node.TIME]
+            least = 1.000001 * work[row, Node.TIME]
     return found
 
 

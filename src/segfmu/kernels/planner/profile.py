@@ -22,6 +22,7 @@ from segfmu.kernels.planner.forms import (
     shortest_between,
     usual_duration,
 )
+from segfmu.kernels.planner.orientation import as_asked, orient
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
 from segfmu.kernels.planner.phases import boundary_problem, is_resting, total_duration
 from segfmu.kernels.planner.records import (
@@ -89,6 +90,14 @@ def plain_profile(
 
 def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
     """`shortest_profile` of the problem that is set."""
+    asked = work[PlanWork.PROBLEM, :]
+    mirrored, turned = orient(asked, axis)
+    count = oriented_profile(axis, phases, work)
+    return as_asked(mirrored, turned, count, phases, asked, axis, work[PlanWork.PASSING, :])
+
+
+def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
+    """`shortest_profile` of the problem that is set, in the direction that it has (`orient`)."""
     asked = work[PlanWork.PROBLEM, :]
     family = work[PlanWork.FAMILY, :]
     work[PlanWork.PASSING, Passing.SETTLED] = 1.0

@@ -5,12 +5,12 @@ durations. Other starts of Newton's method often do not lead there.
 """
 
 from segfmu.kernels.planner.instant import add_instant
+from segfmu.kernels.planner.orientation import reverse_search
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import shortest_way, usual_ways
 from segfmu.kernels.planner.phases import (
     copy_phases,
     reverse_phases,
-    reverse_problem,
     total_duration,
 )
 from segfmu.kernels.planner.plateaus import (
@@ -22,7 +22,7 @@ from segfmu.kernels.planner.plateaus import (
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Passing, PlanWork, Problem
 from segfmu.kernels.planner.sequence import sequence_duration
-from segfmu.kernels.planner.sides import reverse_axis, side_limit
+from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import begin_sequence
 
 
@@ -148,11 +148,9 @@ def touching_form(
     passing[Passing.JERK] = 0.0
     longest = total_duration(ramps, count) * (1.0 - 1e-9)
     result, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
-    reverse_problem(problem)
-    reverse_axis(axis)
+    reverse_search(problem, axis)
     backwards, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
-    reverse_problem(problem)
-    reverse_axis(axis)
+    reverse_search(problem, axis)
     if backwards > 0:
         reverse_phases(phases, 0, backwards)
         passing[Passing.REVERSED] = 1.0
