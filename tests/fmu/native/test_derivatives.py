@@ -116,23 +116,31 @@ def test_crane_in_every_direction(native_fmus, fmi: int, case: str) -> None:
             )
 
 
+def dependencies(fmu: Importer) -> dict[str, set[str]]:
+    """What the structure says of each continuous output and derivative."""
+    found = fmu.description
+    listed = {
+        u.variable.name: {v.name for v in u.dependencies}
+        for u in (*found.outputs, *found.derivatives)
+    }
+    return {n: used for n, used in listed.items() if fmu.variables[n].variability == "continuous"}
+
+
+def require_named(listed: dict[str, set[str]], point: Point, jacobian: np.ndarray) -> None:
+    """Where the structure says nothing, the derivative is zero."""
+    for row, (unknown, named) in zip(jacobian, listed.items(), strict=True):
+        used = {n for n, x in zip(point.names, row, strict=True) if x != 0.0}
+        assert used <= named, (unknown, used - named)
+
+
 def test_structure_names_every_dependency(native_fmus) -> None:
-    """Where the structure of the crane says nothing, the derivative is zero."""
     with Importer(native_fmus[2][1], "ModelExchange") as fmu:
         fmu.set(CASES["friction"])
         fmu.initialise()
         point = Point(fmu, 1)
         point.go(point.place)
-        found = fmu.description
-        listed = {
-            u.variable.name: {v.name for v in u.dependencies}
-            for u in (*found.outputs, *found.derivatives)
-        }
-        continuous = [n for n in listed if fmu.variables[n].variability == "continuous"]
-        jacobian = directional(fmu, continuous, list(point.names))
-        for row, unknown in zip(jacobian, continuous, strict=True):
-            used = {n for n, x in zip(point.names, row, strict=True) if x != 0.0}
-            assert used <= listed[unknown], unknown
+        listed = dependencies(fmu)
+        require_named(listed, point, directional(fmu, list(listed), list(point.names)))
 
 
 @pytest.mark.parametrize("case", ["force", "friction", "driven in air", "buffers"])
@@ -144,16 +152,9 @@ def test_structure_names_every_dependency_with_a_hook(hook_fmus, case: str) -> N
         fmu.initialise()
         point = Point(fmu, 2, spec)
         point.go(point.place)
-        found = fmu.description
-        listed = {
-            u.variable.name: {v.name for v in u.dependencies}
-            for u in (*found.outputs, *found.derivatives)
-        }
-        continuous = [n for n in listed if fmu.variables[n].variability == "continuous"]
-        assert {"sling.tension", "hook.position.x", "sway.frequency.slow"} <= set(continuous)
-        for row, unknown in zip(point.differences(continuous), continuous, strict=True):
-            used = {n for n, x in zip(point.names, row, strict=True) if x != 0.0}
-            assert used <= listed[unknown], (unknown, used - listed[unknown])
+        listed = dependencies(fmu)
+        assert {"sling.tension", "hook.position.x", "sway.frequency.slow"} <= set(listed)
+        require_named(listed, point, point.differences(list(listed)))
 
 
 def longest_pieces(fmu: Importer, count: int) -> np.ndarray:
