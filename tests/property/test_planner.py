@@ -14,9 +14,6 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.planning.limits import NAMES
 from tests.problems import AxisProblem, axis_problems
 
-# A candidate that keeps the velocity limit is found to 2^-16 of the acceleration limit.
-TOLERANCE = 1e-3
-
 
 def move(problem: AxisProblem) -> Trajectory:
     """The plan of one axis problem."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from segfmu.fmu.feedforward.interface import WAYPOINTS
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.hook_crane import interface as hook_crane
@@ -44,8 +45,7 @@ class ModelPair:
     def shared(self) -> list[str]:
         """Outputs of the planner that the crane takes."""
         taken = {v.name for v in self.plant().where("input")}
-        most = gantry_feedforward.WAYPOINTS
-        return [v.name for v in self.planner(most).where("output") if v.name in taken]
+        return [v.name for v in self.planner(WAYPOINTS).where("output") if v.name in taken]
 
 
 GANTRY = ModelPair(
