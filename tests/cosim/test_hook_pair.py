@@ -13,7 +13,7 @@ FEEDBACK = {"feedback.enabled": True, "crane.rope_min": 0.2, "crane.rope_max": 1
 
 
 @pytest.mark.parametrize(
-    ("fmi", "mode", "most"), [(2, "force", 5e-7), (2, "velocity", 5e-7), (3, "velocity", 2e-5)]
+    ("fmi", "mode", "most"), [(2, "force", 2e-8), (2, "velocity", 2e-8), (3, "velocity", 2e-5)]
 )
 def test_an_ideal_crane_carries_the_load_along_its_plan(
     hook_fmus, fmi: int, mode: str, most: float

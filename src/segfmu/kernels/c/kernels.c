@@ -1037,6 +1037,7 @@ static int64_t setpoint_rates(double* result_0_0001, double* result_1, double* r
 static double bounded_velocity(int64_t axis, double velocity, array_double_2d memory);
 static void set_polynomial(int64_t row, int64_t rates, int64_t i, double value, double slope, double square, double cube, array_double_2d memory);
 static void set_command(int64_t axis, double value, double slope, double square, double cube, array_double_2d memory);
+static void follow_velocity(int64_t axis, double end, double square, double cube, double length, array_double_2d memory);
 static void set_load_force(int64_t i, double value, double slope, double square, double cube, array_double_2d memory);
 static int64_t delay_rows(double longest, double period);
 static double longest_delay(array_double_1d plant);
@@ -32313,6 +32314,22 @@ static void set_command(int64_t axis, double value, double slope, double square,
 {
     set_polynomial(INT64_C(0), INT64_C(1), axis, value, slope, square, cube, memory);
 }
+static void follow_velocity(int64_t axis, double end, double square, double cube, double length, array_double_2d memory)
+{
+    double bend;
+    double velocity;
+    double mean;
+    bend = square + cube * length;
+    velocity = bounded_velocity(axis, end, memory);
+    if (velocity != end)
+    {
+        square = 0.0;
+        cube = 0.0;
+        bend = 0.0;
+    }
+    mean = (velocity - axis_velocity(span_row(&memory, INT64_C(4)), axis)) / length;
+    set_command(axis, mean - bend * length, 2.0 * square, 3.0 * cube, 0.0, memory);
+}
 static void set_load_force(int64_t i, double value, double slope, double square, double cube, array_double_2d memory)
 {
     set_polynomial(INT64_C(2), INT64_C(3), i, value, slope, square, cube, memory);
@@ -32598,13 +32615,12 @@ static void late_commands(array_double_2d settings, double length, array_double_
             if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(21) + i)) == 0.0))
             {
                 end = value + length * (slope + length * (square + length * cube));
-                end = bounded_velocity(i, end, memory);
-                value = (end - axis_velocity(span_row(&memory, INT64_C(4)), i)) / length;
-                slope = 0.0;
-                square = 0.0;
-                cube = 0.0;
+                follow_velocity(i, end, square, cube, length, memory);
             }
-            set_command(i, value, slope, square, cube, memory);
+            else
+            {
+                set_command(i, value, slope, square, cube, memory);
+            }
         }
     }
 }
@@ -32835,7 +32851,6 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
     double square;
     double cube;
     double end;
-    double acceleration;
     done = (*cspan_at(&memory, INT64_C(6), INT64_C(2)));
     length = until - done;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
@@ -32850,10 +32865,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         if ((*cspan_at(&memory, INT64_C(5), INT64_C(21) + i)) == 0.0)
         {
             end = setpoint_at(setpoints, velocity, until / duration, memory);
-            end = end + (*cspan_at(&memory, INT64_C(9), i));
-            end = bounded_velocity(i, end, memory);
-            acceleration = (end - axis_velocity(span_row(&memory, INT64_C(4)), i)) / length;
-            set_command(i, acceleration, 0.0, 0.0, 0.0, memory);
+            follow_velocity(i, end + (*cspan_at(&memory, INT64_C(9), i)), square, cube, length, memory);
         }
     }
 }

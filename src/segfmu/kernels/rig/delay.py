@@ -13,7 +13,6 @@ from math import ceil
 
 from segfmu.kernels.control.records import Correction
 from segfmu.kernels.crane.records import Axes, Plant
-from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.events import present_time, time_tolerance
 from segfmu.kernels.rig.records import (
     Clock,
@@ -25,7 +24,7 @@ from segfmu.kernels.rig.records import (
     Setpoints,
 )
 from segfmu.kernels.rig.setpoints import (
-    bounded_velocity,
+    follow_velocity,
     is_driven,
     set_command,
     setpoint_at,
@@ -227,9 +226,6 @@ def late_commands(
             value, slope, square, cube = shifted_command(i, after, column, delayed[row, :])
             if is_driven(memory) and memory[Memory.PLANT, Plant.LAG + i] == 0.0:
                 end = value + length * (slope + length * (square + length * cube))
-                end = bounded_velocity(i, end, memory)
-                value = (end - axis_velocity(memory[Memory.STATE, :], i)) / length
-                slope = 0.0
-                square = 0.0
-                cube = 0.0
-            set_command(i, value, slope, square, cube, memory)
+                follow_velocity(i, end, square, cube, length, memory)
+            else:
+                set_command(i, value, slope, square, cube, memory)

@@ -19,7 +19,6 @@ from segfmu.kernels.crane.records import (
     Vector,
     Work,
 )
-from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.delay import is_late, late_commands
 from segfmu.kernels.rig.events import next_tick, present_time, time_tolerance, update_signals
 from segfmu.kernels.rig.planned import follow_setpoint
@@ -34,7 +33,7 @@ from segfmu.kernels.rig.records import (
 )
 from segfmu.kernels.rig.sensing import sensing_end
 from segfmu.kernels.rig.setpoints import (
-    bounded_velocity,
+    follow_velocity,
     is_driven,
     set_command,
     set_load_force,
@@ -231,9 +230,5 @@ def command_velocities(
         memory[Memory.ADDED, i] = added + correction * length
         set_command(i, command, slope + correction, square, cube, memory)
         if memory[Memory.PLANT, Plant.LAG + i] == 0.0:
-            # at the end it has its setpoint, even after saturation
             end = setpoint_at(setpoints, velocity, until / duration, memory)
-            end = end + memory[Memory.ADDED, i]
-            end = bounded_velocity(i, end, memory)
-            acceleration = (end - axis_velocity(memory[Memory.STATE, :], i)) / length
-            set_command(i, acceleration, 0.0, 0.0, 0.0, memory)
+            follow_velocity(i, end + memory[Memory.ADDED, i], square, cube, length, memory)

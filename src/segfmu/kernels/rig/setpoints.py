@@ -5,6 +5,7 @@
 
 from segfmu.kernels.crane.bounds import exceeds, limited, velocity_bound
 from segfmu.kernels.crane.records import CommandRates, DriveMode, Plant, Report, Work
+from segfmu.kernels.crane.slack import axis_velocity
 from segfmu.kernels.rig.records import Memory
 
 
@@ -57,6 +58,24 @@ def set_command(
 ) -> None:
     """Command of a drive, and its coefficients over the elapsed time."""
     set_polynomial(Work.COMMAND, Work.RATES, axis, value, slope, square, cube, memory)
+
+
+def follow_velocity(
+    axis: int, end: float, square: float, cube: float, length: float, memory: 'float[:,:]'
+) -> None:
+    """Command of a drive without lag for a length of time [s]: the acceleration of its setpoint.
+
+    At the end it has its setpoint [m/s], even after saturation; square and cube are the setpoint's
+    Taylor coefficients.
+    """
+    bend = square + cube * length
+    velocity = bounded_velocity(axis, end, memory)
+    if velocity != end:
+        square = 0.0
+        cube = 0.0
+        bend = 0.0
+    mean = (velocity - axis_velocity(memory[Memory.STATE, :], axis)) / length
+    set_command(axis, mean - bend * length, 2.0 * square, 3.0 * cube, 0.0, memory)
 
 
 def set_load_force(
