@@ -94,9 +94,11 @@ def test_gains_are_those_of_scipy(size: str, lag: float | None) -> None:
         kept = [*range(n), n + 1] if lag else [*range(n)]
         scale = np.array([1.0 / whole, 1.0, 1.0] if axis < 2 else [1.0 / whole])
         cost = np.zeros((len(kept), len(kept)))
-        values = [1.0] * 6 if axis < 2 else [w.rope, 1.0]
+        values = [w.rope, w.velocity]
+        if axis < 2:
+            values = [w.position, w.angle, w.angle, w.velocity, w.rate, w.rate]
         cost[:n, :n] = np.diag(np.concatenate([scale, time * scale]) ** 2 * values)
-        effort = np.array([[1.0 / (3.0 * unit * g) ** 2]])
+        effort = np.array([[w.effort / (3.0 * unit * g) ** 2]])
         ak, bk = ad[np.ix_(kept, kept)], bd[kept]
         x = solve_discrete_are(ak, bk, cost, effort)
         gains = np.linalg.solve(effort + bk.T @ x @ bk, bk.T @ x @ ak)[0]
@@ -121,8 +123,13 @@ def test_gains_are_those_of_scipy(size: str, lag: float | None) -> None:
         )
 
 
-def slowest(found: HookFeedback, true: HookCrane, axis: int, row: int, driven: bool) -> float:
-    """Slowest decay of crane and observer together, in units of sqrt(g / (l + s))."""
+def slowest(
+    found: HookFeedback, true: HookCrane, axis: int, row: int, driven: bool, late: bool = False
+) -> float:
+    """Slowest decay of crane and observer together, in units of sqrt(g / (l + s)).
+
+    late: whether corrections act a period after they are due.
+    """
     length, own = float(found.lengths[row]), block(found, axis, row)
     used = np.array([0, 3, 6] if axis == 2 else [0, 1, 2, 3, 4, 5, 6])
     transition, effect = own[np.ix_(used, used)], own[used, HookAxis.CORRECTION][:, None]
@@ -130,6 +137,10 @@ def slowest(found: HookFeedback, true: HookCrane, axis: int, row: int, driven: b
     signals = 1 if axis == 2 else 2
     correction = own[[HookAxisTable.POSITION_GAIN, HookAxisTable.ANGLE_GAIN]][:signals, used].T
     a, b = sampled(*axis_model(true, length, axis, driven), found.sample_time)
+    if late:
+        n = len(a)
+        a = np.block([[a, b], [np.zeros((1, n + 1))]])
+        b = np.eye(n + 1)[:, n:]
     gained = correction @ np.eye(signals, len(a))
     kept = np.eye(used.size) - correction @ np.eye(signals, used.size)
     loop = np.block([
@@ -142,12 +153,16 @@ def slowest(found: HookFeedback, true: HookCrane, axis: int, row: int, driven: b
 
 @pytest.mark.parametrize(("size", "driven"), [*product(SIZES, [False, True])])
 def test_it_is_stable_with_other_loads_and_slings(size: str, driven: bool) -> None:
-    """+-30 % of the load, +-10 % of the sling, every rope: damped in four times sqrt(L / g)."""
+    """+-30 % of the load, +-10 % of the sling, every rope: damped in three times sqrt(L / g).
+
+    Still damped with a dead time of a period, 10 and 50 ms, that the design does not know.
+    """
     found = feedback(size, driven)
     for load, sling in product((0.7, 1.0, 1.3), (0.9, 1.0, 1.1)):
         true = other(SIZES[size][0], load, sling)
-        for row in range(len(found.lengths)):
-            assert min(slowest(found, true, axis, row, driven) for axis in range(3)) > 0.25
+        for row, axis in product(range(len(found.lengths)), range(3)):
+            assert slowest(found, true, axis, row, driven) > 0.35
+            assert slowest(found, true, axis, row, driven, late=True) > 0.1
 
 
 def test_an_observer_that_expects_no_pushes_would_not_be() -> None:
@@ -186,7 +201,7 @@ def test_swings_end_in_space(size: str, driven: bool, load: float, sling: float)
     damped = swung(size, driven, other(crane, load, sling), Rig())
     last = len(free) // 5
     assert np.abs(free[-last:, :2]).max() > 0.04
-    assert np.abs(damped[-last:]).max() < 0.006
+    assert np.abs(damped[-last:]).max() < 0.002
 
 
 def test_real_drives_and_sensors() -> None:
@@ -230,7 +245,7 @@ def test_corrections_stay_within_what_drives_can_do() -> None:
 
 def test_corrections_keep_the_velocities_of_the_drives() -> None:
     """They accelerate a drive until its bound, and never turn back a plan beyond it."""
-    reference = np.array([0.0, 0.0, 0.7, 0.0, 0.0, 0.499, 0.6, -0.3025, 0.0, 0.0])
+    reference = np.array([0.0, 0.0, 0.7, 0.0, 0.0, 0.499, 0.6, -0.35, 0.0, 0.0])
     planned = np.array([0.05, 0.0, 0.0])
     for side in (-1.0, 1.0):
         away = 1e-3 * side

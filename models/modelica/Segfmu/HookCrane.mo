@@ -285,15 +285,15 @@ model HookCrane "Dynamics of a gantry crane whose load hangs by a sling on a hoo
   parameter Real hook_mass(unit = "kg", min = 1e-09) = 0.1 "true crane: mass of the hook" annotation(Dialog(tab = "hook"));
   parameter Real hook_sling(unit = "m", min = 1e-09) = 0.3 "true crane: length of the sling, from hook to load" annotation(Dialog(tab = "hook"));
   parameter Real feedback_sling(unit = "m", min = 0.0) = 0.0 "length of the sling that the feedback is designed for; 0: hook.sling" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_hook_position(min = 0.0) = 1.0 "feedback of source measured, dimensionless: carriage's position" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hook_position(min = 0.0) = 0.4 "feedback of source measured, dimensionless: carriage's position" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_hook_angle(min = 0.0) = 1.0 "feedback of source measured, dimensionless: both angles" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_hook_velocity(min = 0.0) = 1.0 "feedback of source measured, dimensionless: velocity of carriage and rope" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_hook_rate(min = 0.0) = 1.0 "feedback of source measured, dimensionless: rates of both angles" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_hook_effort(min = 0.0) = 1.0 "feedback of source measured, dimensionless: effort" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hook_rate(min = 0.0) = 0.3 "feedback of source measured, dimensionless: rates of both angles" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hook_effort(min = 0.0) = 2.0 "feedback of source measured, dimensionless: effort" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_hook_rope(min = 0.0) = 9.0 "feedback of source measured, dimensionless: rope's length" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_hook_push(min = 0.0) = 0.03 "feedback of source measured, dimensionless: acceleration of the carriage that the observer expects, over gravity" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_hook_swing(min = 0.0) = 0.1 "feedback of source measured, dimensionless: acceleration of the load that it expects, over gravity" annotation(Dialog(tab = "feedback"));
-  parameter Real feedback_hook_drift(min = 0.0) = 0.01 "feedback of source measured, dimensionless: walk of the unknown acceleration over gravity, in sqrt(L / g)" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hook_push(min = 0.0) = 0.13 "feedback of source measured, dimensionless: acceleration of the carriage that the observer expects, over gravity" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hook_swing(min = 0.0) = 0.27 "feedback of source measured, dimensionless: acceleration of the load that it expects, over gravity" annotation(Dialog(tab = "feedback"));
+  parameter Real feedback_hook_drift(min = 0.0) = 0.13 "feedback of source measured, dimensionless: walk of the unknown acceleration over gravity, in sqrt(L / g)" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_hook_noise(min = 0.0) = 0.001 "feedback of source measured, dimensionless: errors of the signals over L, and of the angles" annotation(Dialog(tab = "feedback"));
   parameter Types.DriveMode feedback_table_mode = Types.DriveMode.force "drive.mode that the gains in the table are for" annotation(Dialog(tab = "feedback"));
   parameter Real feedback_table_payload_mass(unit = "kg", min = 1e-09) = 1.0 "mass of the load that the gains in the table are for" annotation(Dialog(tab = "feedback"));
@@ -524,7 +524,7 @@ protected
       reference_sling_x_angle_used, reference_sling_y_angle_used, reference_sling_x_rate_used,
       reference_sling_y_rate_used};
   FMI.Instance fmu = FMI.Instance(folder, "HookCrane", getInstanceName(),
-      "{6cce72ee-3fa2-e462-7865-839256f2e9cb}", 20);
+      "{b8ddd1b1-ce14-3683-63be-5d620ba06820}", 20);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[20](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";

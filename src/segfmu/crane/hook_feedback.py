@@ -5,8 +5,9 @@ acceleration of the carriage or the rope, which is rejected; a sampled LQR corre
 the estimated deviation from the reference. Models, gains and the observer's gains are scheduled by
 rope length. Both designs are for the crane made dimensionless with L = l + sling and the frequency
 sqrt(g / L), so that one set of weights suits every crane. The observer's expectations of pushes and
-errors are chosen so that the fast swing, of hook against load, stays damped with other loads and
-slings than those of the design; with a slower observer it does not.
+errors, and the weights, are those with which the slowest part decays fastest with other loads and
+slings than those of the design, and with signals that come a period late, at both sizes, for the
+same effort under noise. With a slower observer the fast swing, of hook against load, is not damped.
 """
 
 from __future__ import annotations
@@ -47,15 +48,15 @@ class HookWeights:
         Errors of the signals, over L, and of the angles [rad].
     """
 
-    position: float = 1.0
+    position: float = 0.4
     angle: float = 1.0
     velocity: float = 1.0
-    rate: float = 1.0
-    effort: float = 1.0
+    rate: float = 0.3
+    effort: float = 2.0
     rope: float = 9.0
-    push: float = 3e-2
-    swing: float = 0.1
-    drift: float = 1e-2
+    push: float = 0.13
+    swing: float = 0.27
+    drift: float = 0.13
     noise: float = 1e-3
 
     def __post_init__(self) -> None:
