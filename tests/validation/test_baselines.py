@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from segfmu.validation.baselines import Course, changes, course
+from segfmu.validation.baselines.course import changes
+from segfmu.validation.baselines.methods import course
+from segfmu.validation.baselines.trapezoids import Trapezoids
 from segfmu.validation.campaigns.result import load_result
 from segfmu.validation.files.mission import load_mission
 from segfmu.validation.files.scenario_file import build_scenario, read_source
@@ -50,7 +52,7 @@ def test_baselines_stop_at_every_waypoint_within_limits_and_bounds() -> None:
             assert np.linalg.norm(resting - [0.0, 0.0, 0.5], axis=1).min() < 1e-3
 
 
-def residual(own: Course, axis: int, frequency: float) -> float:
+def residual(own: Trapezoids, axis: int, frequency: float) -> float:
     """Amplitude of a linear pendulum behind the motion, by the Fourier integral of a''."""
     times = np.linspace(0.0, own.duration, 400_001)
     force = own.motions[axis](times, 2) * np.exp(1j * frequency * times)
@@ -64,14 +66,14 @@ def test_shapers_leave_no_swing_and_references_end_at_rest() -> None:
     for method in ("zv", "zvd"):
         own = course(mission, method)
         assert residual(own, 0, frequency) < 1e-4 * bare
-        state = own.reference(np.array([own.duration, own.duration + 1.0]))
+        state, _ = own.reference(np.array([own.duration, own.duration + 1.0]))
         assert state[:, 3:] == pytest.approx(np.zeros((2, 7)), abs=1e-12)
 
 
 def test_the_reference_of_a_shaper_is_a_motion() -> None:
     own = course(load_mission(ROOT / "models" / "inteco.toml"), "zv")
     times = np.linspace(0.0, own.duration, 40001)
-    states = own.reference(times)
+    states, _ = own.reference(times)
     rates = np.gradient(states[:, :5], times, axis=0)
     assert states[:, 5:] == pytest.approx(rates, abs=2e-3)
     assert np.abs(states[:, 3]).max() > 0.01

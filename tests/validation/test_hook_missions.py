@@ -115,14 +115,3 @@ def test_the_feedback_helps_a_plan_that_leaves_the_drives_no_room() -> None:
         far.append((error.max(), error[run.time > run.trajectory.duration + 6.4].max()))
     assert far[1][0] < 0.6 * far[0][0]
     assert far[1][1] < 0.1 * far[0][1]
-
-
-def test_a_scenario_by_another_method_is_refused(tmp_path) -> None:
-    require_native()
-    path = tmp_path / "s.toml"
-    path.write_text(
-        f'name = "s"\nbase = "{MODELS / "scenarios" / "hook.toml"}"\nmethod = "zv"\n',
-        encoding="utf-8",
-    )
-    with pytest.raises(segfmu.InputError, match=r"no method but feedforward"):
-        segfmu.validate(path)

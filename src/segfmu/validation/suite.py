@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from segfmu.cosim import Change, System, profile
 from segfmu.cosim.points import communication_points
 from segfmu.errors import BuildError, InputError, SegfmuError
-from segfmu.fmu.pairs import GANTRY
 from segfmu.planning import Trajectory
-from segfmu.validation.baselines import Course, baseline_crane, course, position_gains
-from segfmu.validation.baselines import changes as inputs
+from segfmu.validation.baselines.course import Course
+from segfmu.validation.baselines.course import changes as inputs
+from segfmu.validation.baselines.methods import course, position_gains
 from segfmu.validation.files.crane_parameters import models
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.scenario_file import Scenario
@@ -187,7 +187,7 @@ class Runner:
         found: list[Change] = []
         if own is not None:
             times = communication_points(0.0, known["end"], scenario.mission.simulation.step)
-            found += inputs(own, GANTRY.crane, times)
+            found += inputs(own, models(scenario.mission.crane).crane, times)
         found += [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
         for p in file.profiles:
             found += profile(p.fmu, p.variable, moments(p.times, known), p.values)
@@ -229,8 +229,7 @@ class Runner:
         }
         if file.method == "pd":
             driven = sink["drive.mode"] == "velocity"
-            crane = baseline_crane(mission)
-            sink |= NO_REJECTION | position_gains(crane, driven, gains)
+            sink |= NO_REJECTION | position_gains(mission, driven, gains)
         if file.fmi == 3:
             interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
             source, sink = with_arrays(interfaces[0], source), with_arrays(interfaces[1], sink)
