@@ -40,6 +40,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "z": ("takeovers", ()),
     "rec": ("recordings", ()),
     "k": ("free_states", ("casadi",)),
+    "ini": ("initialisation", ()),
     "p": ("feedback", ()),
     "hook": ("hooks", ()),
 }

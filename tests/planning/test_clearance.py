@@ -182,7 +182,7 @@ def test_boxes_beyond_the_path_are_passed_over(monkeypatch: pytest.MonkeyPatch) 
     # the interpreted kernels, so that their calls can be counted
     spans, looked = [], []
 
-    def write_span(*args):
+    def begin_span(*args):
         spans.append(args[0])
         kept[0](*args)
 
@@ -190,10 +190,10 @@ def test_boxes_beyond_the_path_are_passed_over(monkeypatch: pytest.MonkeyPatch) 
         looked.append((part, *box[Box.ROPE_LOW : Box.ROPE_LOW + 3]))
         return kept[1](part, found, box, *args)
 
-    kept = path.write_span, path.span_contacts
+    kept = path.begin_span, path.span_contacts
     interpreted = SimpleNamespace(first_contact=path.first_contact, path_ranges=ranges.path_ranges)
     monkeypatch.setattr(contacts, "backend", interpreted)
-    monkeypatch.setattr(path, "write_span", write_span)
+    monkeypatch.setattr(path, "begin_span", begin_span)
     monkeypatch.setattr(path, "span_contacts", span_contacts)
     trajectory = plan(OVER, LIMITS)
     far = [Obstacle(f"{i}", [1.5 + i, -1.0, -2.0], [2.0 + i, 1.0, -0.1]) for i in range(100)]
@@ -204,6 +204,7 @@ def test_boxes_beyond_the_path_are_passed_over(monkeypatch: pytest.MonkeyPatch) 
     assert spans == looked == []
     Clearance([*far, STACK]).require(trajectory)
     corner = pytest.approx(STACK.minimum - STACK.margin)
-    assert {part for part, *_ in looked} == {Part.LOAD, Part.ROPE}
+    parts = [part for part, *_ in looked]
     assert all(low == corner for _, *low in looked)
-    assert len(looked) == len(spans)
+    # load and rope are beside the stack, then above it: no span of the rope needs a closer look
+    assert parts == [Part.LOAD] * (len(spans) // 2)

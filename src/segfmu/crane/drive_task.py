@@ -165,7 +165,7 @@ class Task:
         return np.asarray(self.axes[:, row] > 0.0)
 
     def planned(self, unknowns: FloatArray) -> Trajectory:
-        """The plan that unknowns stand for; its rope is taut and in its range.
+        """The plan that unknowns stand for.
 
         Raises
         ------
@@ -179,9 +179,11 @@ class Task:
             states = self.states.copy()
             backend.write_states(unknowns, self.kinds, table, self.place, states)
             points = with_states(self.waypoints, states, self._dwells)
-        trajectory = plan(points, self._limits(table), **self.options)
+        return plan(points, self._limits(table), **self.options)
+
+    def require_taut(self, trajectory: Trajectory) -> None:
+        """Refuse a plan whose rope goes slack or leaves its range."""
         model_of(self.crane).require_taut(self.crane, trajectory)
-        return trajectory
 
     def _limits(self, table: FloatArray) -> Limits:
         velocity, acceleration, jerk, snap, *least = table.T

@@ -133,11 +133,12 @@ class LimitSearch:
         """Why no plan may be taken; None if some may, but do not keep the bounds."""
         if self.closest is None:
             return self.refusal
-        if self.closest.kept:
-            try:
+        try:
+            self.task.require_taut(self.closest.trajectory)
+            if self.closest.kept:
                 self.task.require_path(self.closest.trajectory)
-            except InfeasibleError as error:
-                return error
+        except InfeasibleError as error:
+            return error
         return None
 
     def _searched(
@@ -181,17 +182,23 @@ class LimitSearch:
         return best
 
     def _tried(self, task: Task, *, exact: bool) -> Found | None:
-        """The plan of the row TRIAL, None if there is none or its path may not be taken."""
+        """The plan of the row TRIAL, None if there is none or its path may not be taken.
+
+        Paths of plans that would not be kept are not judged.
+        """
         try:
             trajectory = task.planned(self._rows[Search.TRIAL])
+            found = look(task, trajectory, exact=exact)
+            judged = exact or backend.is_judged(trajectory.duration, found.uses, self._rows)
+            if judged:
+                task.require_taut(trajectory)
         except InfeasibleError as error:
             self.refusal = error
             return None
-        found = look(task, trajectory, exact=exact)
         if self.closest is None or found.use < self.closest.use:
             self.closest = found
-        # that takes longer than the plan; but free states lead astray
-        if (found.kept or task.chooses) and not task.allows(trajectory):
+        # free states lead astray
+        if judged and (found.kept or task.chooses) and not task.allows(trajectory):
             return None
         return found
 

@@ -739,6 +739,13 @@ def write_states(
     /,
 ) -> None: ...
 
+def is_judged(
+    duration: float,
+    uses: Floats,
+    search: Floats,
+    /,
+) -> bool: ...
+
 def write_best(
     pace: float,
     search: Floats,

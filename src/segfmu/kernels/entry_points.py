@@ -586,6 +586,7 @@ ENTRY_POINTS = (
         "limits.search", "begin_limits", starts=("starts", "unknowns"), kinds=("unknowns",),
         search=(Search.SIZE, "columns"),
     ),
+    entry("limits.trials", "is_judged", uses=2 * Demand.SIZE, search=(Search.SIZE, "columns")),
     entry("limits.trials", "write_best", search=(Search.SIZE, UNKNOWNS)),
     entry("limits.trials", "keep_best", search=(Search.SIZE, UNKNOWNS)),
     entry(

@@ -13,6 +13,7 @@ static double value_about(double share, int64_t row, array_double_2d span);
 static double shared_height(double share, array_double_2d span, array_double_1d box);
 static bool is_within(double height, array_double_2d span, array_double_1d box);
 static int64_t rope_meeting(array_double_2d span, array_double_1d box);
+static bool may_meet_rope(array_double_2d span, array_double_1d box);
 static bool part_moves(int64_t part, array_double_2d span);
 static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
 static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
@@ -49,9 +50,10 @@ static double first_negative(int64_t count, double length, array_double_2d work)
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span);
+static void begin_span(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span);
+static void write_span_pull(double gravity, array_double_2d work, array_double_2d span);
 static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span);
-static void note_rounding(array_double_2d span);
-static void write_span(int64_t part, double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span);
+static void write_span_products(array_double_2d work, array_double_2d span);
 static void halve_span(int64_t row, array_double_3d stack);
 static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d box);
 static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place);
@@ -66,8 +68,9 @@ static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
 static bool is_any_near(array_double_2d boxes, array_double_2d ranges);
 static double touch_distance(array_double_2d ranges);
 static void shrink_box(double touch, int64_t low, int64_t high, array_double_1d box);
-static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
+static bool is_rope_near(array_double_2d span, array_double_2d boxes, array_double_2d ranges);
 static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
+static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
 static void write_faces(array_double_1d space, array_double_2d boxes);
 static int64_t obstacle_count(array_double_1d space, array_double_2d obstacles);
 static int64_t check_space(array_double_1d space, array_double_2d obstacles, array_double_1d fault);
@@ -244,9 +247,8 @@ static void demand_at(double time, int64_t row, array_double_2d timing, array_do
 static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
 static double sooner(double time, double after, double following);
 static double next_joint(double time, double duration, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends, array_double_3d contacts);
-static void sample_demands(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
-static void enlarge_scale(array_double_2d work);
 static void share_scale(array_double_2d work);
+static void sample_demands(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
 static bool is_resolved(int64_t depth, array_double_2d work);
 static double series_value(int64_t i, double place, array_double_2d work);
 static double peak_place(int64_t i, double sign, array_double_2d work);
@@ -324,6 +326,7 @@ static void write_values(double duration, array_double_1d uses, array_double_1d 
 static void note_best(array_double_2d search);
 static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values);
 static bool has_states(array_double_2d search);
+static double merit_of(double duration, array_double_1d uses);
 static bool enter_poll(array_double_2d search);
 static double poll_change(int64_t way);
 static bool next_poll(double duration, array_double_1d uses, array_double_2d search);
@@ -335,12 +338,16 @@ static void enter_start(array_double_2d starts, array_double_2d search);
 static double change_of(array_double_2d search);
 static bool write_changed(array_double_2d search);
 static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes);
+static double worth_while(void);
+static bool enter_slopes(array_double_2d search);
 static bool enter_descent(array_double_2d search);
 static bool leave_round(array_double_2d search);
 static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static void note_start(array_double_2d search);
 static void enter_centre(array_double_2d search, array_double_2d values);
 static bool enter_round(array_double_2d search, array_double_2d values);
+static void correct_slopes(array_double_2d search, array_double_2d values, array_double_2d slopes);
+static double least_radius(array_double_2d search);
 static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
@@ -1382,6 +1389,50 @@ static int64_t rope_meeting(array_double_2d span, array_double_1d box)
     }
     return INT64_C(2);
 }
+static bool may_meet_rope(array_double_2d span, array_double_1d box)
+{
+    double top;
+    double lowest;
+    double highest;
+    double least;
+    double most;
+    double reach;
+    int64_t axis;
+    double smallest;
+    double largest;
+    int64_t i;
+    double place;
+    double trolley;
+    top = span_min((*cspan_at(&box, INT64_C(9) + INT64_C(2))), 0.0);
+    row_range(&lowest, &highest, span, INT64_C(0) + INT64_C(2));
+    row_range(&least, &most, span, INT64_C(6) + INT64_C(2));
+    if ((lowest >= top) || (most <= 0.0))
+    {
+        return 0;
+    }
+    if (least <= 0.0)
+    {
+        return 1;
+    }
+    reach = (-lowest) / least;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        smallest = 1e+300;
+        largest = -1e+300;
+        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            place = (*cspan_at(&span, INT64_C(0) + axis, i));
+            trolley = place + reach * (*cspan_at(&span, INT64_C(6) + axis, i));
+            smallest = span_min(smallest, span_min(place, trolley));
+            largest = span_max(largest, span_max(place, trolley));
+        }
+        if ((largest <= (*cspan_at(&box, INT64_C(6) + axis))) || (smallest >= (*cspan_at(&box, INT64_C(9) + axis))))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
 static bool part_moves(int64_t part, array_double_2d span)
 {
     double rounding;
@@ -1655,31 +1706,41 @@ void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d
 static void evaluate_derivatives(array_double_2d coefficients, int64_t row, double t, int64_t axis, array_double_2d values)
 {
     int64_t width;
-    int64_t orders;
-    int64_t derivative;
+    double position;
+    double velocity;
+    double acceleration;
+    double jerk;
+    double snap;
+    double crackle;
+    double pop;
     int64_t j;
-    int64_t k;
-    double factorial;
     width = coefficients.shape[INT64_C(1)];
-    orders = values.shape[INT64_C(0)];
-    for (derivative = INT64_C(0); derivative < orders; derivative += INT64_C(1))
-    {
-        (*cspan_at(&values, derivative, axis)) = 0.0;
-    }
+    position = 0.0;
+    velocity = 0.0;
+    acceleration = 0.0;
+    jerk = 0.0;
+    snap = 0.0;
+    crackle = 0.0;
+    pop = 0.0;
     for (j = INT64_C(0); j < width; j += INT64_C(1))
     {
-        for (k = INT64_C(0); k < orders - INT64_C(1); k += INT64_C(1))
-        {
-            derivative = orders - INT64_C(1) - k;
-            (*cspan_at(&values, derivative, axis)) = (*cspan_at(&values, derivative, axis)) * t + (*cspan_at(&values, derivative - INT64_C(1), axis));
-        }
-        (*cspan_at(&values, INT64_C(0), axis)) = (*cspan_at(&values, INT64_C(0), axis)) * t + (*cspan_at(&coefficients, row, width - INT64_C(1) - j));
+        pop = pop * t + crackle;
+        crackle = crackle * t + snap;
+        snap = snap * t + jerk;
+        jerk = jerk * t + acceleration;
+        acceleration = acceleration * t + velocity;
+        velocity = velocity * t + position;
+        position = position * t + (*cspan_at(&coefficients, row, width - INT64_C(1) - j));
     }
-    factorial = 1.0;
-    for (derivative = INT64_C(1); derivative < orders; derivative += INT64_C(1))
+    (*cspan_at(&values, INT64_C(0), axis)) = position;
+    (*cspan_at(&values, INT64_C(1), axis)) = velocity;
+    (*cspan_at(&values, INT64_C(2), axis)) = 2.0 * acceleration;
+    (*cspan_at(&values, INT64_C(3), axis)) = 6.0 * jerk;
+    (*cspan_at(&values, INT64_C(4), axis)) = 24.0 * snap;
+    if (values.shape[INT64_C(0)] > INT64_C(5))
     {
-        factorial = factorial * derivative;
-        (*cspan_at(&values, derivative, axis)) = (*cspan_at(&values, derivative, axis)) * factorial;
+        (*cspan_at(&values, INT64_C(5), axis)) = 120.0 * crackle;
+        (*cspan_at(&values, INT64_C(6), axis)) = 720.0 * pop;
     }
 }
 static void evaluate_near(double time, array_double_1d near, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values)
@@ -2423,6 +2484,54 @@ static void write_row(int64_t source, int64_t count, double length, int64_t row,
     }
     bernstein_coefficients(work, INT64_C(6), columns, length, part);
 }
+static void begin_span(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span)
+{
+    double place;
+    int64_t axis;
+    int64_t i;
+    int64_t row;
+    interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+    place = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        write_row(INT64_C(0) + axis, coefficients.shape[INT64_C(1)], until - time, INT64_C(0) + axis, work, span);
+        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            place = span_max(place, fabs((*cspan_at(&span, INT64_C(0) + axis, i))));
+        }
+    }
+    for (row = INT64_C(3); row < INT64_C(9); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&span, row, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&span, INT64_C(9), INT64_C(0))) = time;
+    (*cspan_at(&span, INT64_C(9), INT64_C(1))) = until - time;
+    (*cspan_at(&span, INT64_C(9), INT64_C(2))) = 0.0;
+    (*cspan_at(&span, INT64_C(9), INT64_C(3))) = 0.0;
+    (*cspan_at(&span, INT64_C(9), INT64_C(4))) = 1e-12 * place;
+}
+static void write_span_pull(double gravity, array_double_2d work, array_double_2d span)
+{
+    double length;
+    int64_t count;
+    int64_t axis;
+    int64_t i;
+    double pull;
+    length = (*cspan_at(&span, INT64_C(9), INT64_C(1)));
+    count = span_floor_div((span.shape[INT64_C(1)] - INT64_C(1)), INT64_C(2));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            pull = (*cspan_at(&work, INT64_C(3) + axis, i));
+            (*cspan_at(&work, INT64_C(3) + axis, i)) = pull / gravity;
+        }
+        write_row(INT64_C(3) + axis, count, length, INT64_C(6) + axis, work, span);
+    }
+}
 static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span)
 {
     int64_t width;
@@ -2442,84 +2551,45 @@ static void write_difference(int64_t first, int64_t pull, int64_t second, int64_
     }
     write_row(INT64_C(7), INT64_C(2) * width - INT64_C(3), length, row, work, span);
 }
-static void note_rounding(array_double_2d span)
+static void write_span_products(array_double_2d work, array_double_2d span)
 {
-    double place;
+    double length;
+    int64_t axis;
     double pull;
     int64_t i;
-    int64_t axis;
-    place = 0.0;
-    pull = 0.0;
-    for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
+    double place;
+    length = (*cspan_at(&span, INT64_C(9), INT64_C(1)));
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            place = span_max(place, fabs((*cspan_at(&span, INT64_C(0) + axis, i))));
-        }
-        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        write_difference(axis, INT64_C(2), INT64_C(2), axis, length, INT64_C(3) + axis, work, span);
+    }
+    write_difference(INT64_C(0), INT64_C(1), INT64_C(1), INT64_C(0), length, INT64_C(5), work, span);
+    pull = 0.0;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
         {
             pull = span_max(pull, fabs((*cspan_at(&span, INT64_C(6) + axis, i))));
         }
     }
+    place = 1000000000000.0 * (*cspan_at(&span, INT64_C(9), INT64_C(4)));
     (*cspan_at(&span, INT64_C(9), INT64_C(3))) = 1e-14 * place * pull;
-    (*cspan_at(&span, INT64_C(9), INT64_C(4))) = 1e-12 * place;
-}
-static void write_span(int64_t part, double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span)
-{
-    int64_t width;
-    int64_t axis;
-    int64_t i;
-    double pull;
-    int64_t row;
-    width = coefficients.shape[INT64_C(1)];
-    interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            pull = (*cspan_at(&work, INT64_C(3) + axis, i));
-            (*cspan_at(&work, INT64_C(3) + axis, i)) = pull / gravity;
-        }
-    }
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        write_row(INT64_C(0) + axis, width, until - time, INT64_C(0) + axis, work, span);
-        write_row(INT64_C(3) + axis, width - INT64_C(2), until - time, INT64_C(6) + axis, work, span);
-    }
-    if (part == INT64_C(2))
-    {
-        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-        {
-            write_difference(axis, INT64_C(2), INT64_C(2), axis, until - time, INT64_C(3) + axis, work, span);
-        }
-        write_difference(INT64_C(0), INT64_C(1), INT64_C(1), INT64_C(0), until - time, INT64_C(5), work, span);
-    }
-    else
-    {
-        for (row = INT64_C(3); row < INT64_C(6); row += INT64_C(1))
-        {
-            for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
-            {
-                (*cspan_at(&span, row, i)) = 0.0;
-            }
-        }
-    }
-    (*cspan_at(&span, INT64_C(9), INT64_C(0))) = time;
-    (*cspan_at(&span, INT64_C(9), INT64_C(1))) = until - time;
-    (*cspan_at(&span, INT64_C(9), INT64_C(2))) = 0.0;
-    note_rounding(span);
 }
 int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans)
 {
     double time;
     double until;
+    array_double_2d span;
     int64_t count;
     count = INT64_C(0);
     time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
     until = interval_end(time, timing, offsets);
     while((until > time) || (count == INT64_C(0)))
     {
-        write_span(INT64_C(2), time, until, timing, coefficients, offsets, gravity, work, span_matrix(&spans, count));
+        span = span_matrix(&spans, count);
+        begin_span(time, until, timing, coefficients, offsets, gravity, work, span);
+        write_span_pull(gravity, work, span);
+        write_span_products(work, span);
         count = count + INT64_C(1);
         time = until;
         until = interval_end(time, timing, offsets);
@@ -2973,6 +3043,31 @@ void segfmu_shrink_boxes(double touch, array_double_2d boxes)
         shrink_box(touch, INT64_C(6), INT64_C(9), span_row(&boxes, number));
     }
 }
+static bool is_rope_near(array_double_2d span, array_double_2d boxes, array_double_2d ranges)
+{
+    int64_t number;
+    array_double_1d box;
+    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
+    {
+        box = span_row(&boxes, number);
+        if (is_near(INT64_C(2), box, ranges) && may_meet_rope(span, box))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)
+{
+    array_double_2d times;
+    int64_t number;
+    times = span_rows(&ranges, INT64_C(5), INT64_C(5) + INT64_C(1));
+    (*cspan_at(&times, INT64_C(0), INT64_C(0))) = (*cspan_at(&report, INT64_C(0)));
+    (*cspan_at(&times, INT64_C(0), INT64_C(1))) = (*cspan_at(&report, INT64_C(1)));
+    number = (int64_t)((*cspan_at(&report, INT64_C(5))));
+    span_contacts(part, INT64_C(1), span_row(&boxes, number), span_matrix(&stack, INT64_C(42)), stack, times, span_row(&ranges, INT64_C(4)));
+    (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&times, INT64_C(0), INT64_C(1)));
+}
 static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)
 {
     array_double_2d times;
@@ -3000,22 +3095,14 @@ static void note_first(int64_t part, array_double_2d boxes, array_double_3d stac
         }
     }
 }
-static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)
-{
-    array_double_2d times;
-    int64_t number;
-    times = span_rows(&ranges, INT64_C(5), INT64_C(5) + INT64_C(1));
-    (*cspan_at(&times, INT64_C(0), INT64_C(0))) = (*cspan_at(&report, INT64_C(0)));
-    (*cspan_at(&times, INT64_C(0), INT64_C(1))) = (*cspan_at(&report, INT64_C(1)));
-    number = (int64_t)((*cspan_at(&report, INT64_C(5))));
-    span_contacts(part, INT64_C(1), span_row(&boxes, number), span_matrix(&stack, INT64_C(42)), stack, times, span_row(&ranges, INT64_C(4)));
-    (*cspan_at(&report, INT64_C(1))) = (*cspan_at(&times, INT64_C(0), INT64_C(1)));
-}
 int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d report)
 {
     double time;
     double until;
     bool lasts;
+    array_double_2d span;
+    bool begun;
+    bool near;
     bool ended;
     int64_t part;
     segfmu_shrink_boxes(touch_distance(ranges), boxes);
@@ -3031,14 +3118,26 @@ int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficient
         lasts = 1;
         while(lasts)
         {
-            write_span(part, time, until, timing, coefficients, offsets, gravity, work, span_matrix(&stack, INT64_C(42)));
-            if ((*cspan_at(&report, INT64_C(0))) >= 1e+300)
+            span = span_matrix(&stack, INT64_C(42));
+            begun = (*cspan_at(&report, INT64_C(0))) < 1e+300;
+            begin_span(time, until, timing, coefficients, offsets, gravity, work, span);
+            near = part == INT64_C(1);
+            if (part == INT64_C(2))
             {
-                note_first(part, boxes, stack, ranges, report);
+                write_span_pull(gravity, work, span);
+                near = begun || is_rope_near(span, boxes, ranges);
+                if (near)
+                {
+                    write_span_products(work, span);
+                }
             }
-            else
+            if (begun)
             {
                 prolong_contact(part, boxes, stack, ranges, report);
+            }
+            else if (near)
+            {
+                note_first(part, boxes, stack, ranges, report);
             }
             ended = ((*cspan_at(&report, INT64_C(0))) < 1e+300) && ((*cspan_at(&report, INT64_C(1))) < until * (INT64_C(1) - 1e-11));
             time = until;
@@ -9511,30 +9610,6 @@ static double next_joint(double time, double duration, array_double_2d timing, a
     }
     return following;
 }
-static void sample_demands(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work)
-{
-    int64_t last;
-    int64_t j;
-    double time;
-    last = INT64_C(17) - INT64_C(1);
-    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
-    {
-        time = begin + 0.5 * (end - begin) * (1.0 + cos(3.141592653589793 * (last - j) / last));
-        demand_at(time, INT64_C(33) + j, timing, coefficients, offsets, ends, resistance, contacts, work);
-    }
-}
-static void enlarge_scale(array_double_2d work)
-{
-    int64_t j;
-    int64_t i;
-    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(80), i)) = span_max((*cspan_at(&work, INT64_C(80), i)), fabs((*cspan_at(&work, INT64_C(33) + j, i))));
-        }
-    }
-}
 static void share_scale(array_double_2d work)
 {
     array_double_1d scale;
@@ -9559,6 +9634,18 @@ static void share_scale(array_double_2d work)
     for (i = INT64_C(12); i < INT64_C(14); i += INT64_C(1))
     {
         (*cspan_at(&scale, i)) = span_max((*cspan_at(&scale, i)), 1e-06);
+    }
+}
+static void sample_demands(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work)
+{
+    int64_t last;
+    int64_t j;
+    double time;
+    last = INT64_C(17) - INT64_C(1);
+    for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+    {
+        time = begin + 0.5 * (end - begin) * (1.0 + cos(3.141592653589793 * (last - j) / last));
+        demand_at(time, INT64_C(33) + j, timing, coefficients, offsets, ends, resistance, contacts, work);
     }
 }
 static bool is_resolved(int64_t depth, array_double_2d work)
@@ -9742,6 +9829,8 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
     int64_t side;
     double begin;
     double end;
+    int64_t share;
+    double found;
     duration = 0.0;
     for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
     {
@@ -9766,8 +9855,15 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
     end = next_joint(begin, duration, timing, offsets, ends, contacts);
     while(end < 1e+300)
     {
-        sample_demands(begin, end, timing, coefficients, offsets, ends, resistance, contacts, work);
-        enlarge_scale(work);
+        for (share = INT64_C(0); share < INT64_C(2); share += INT64_C(1))
+        {
+            demand_at(begin + 0.5 * share * (end - begin), INT64_C(81), timing, coefficients, offsets, ends, resistance, contacts, work);
+            for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+            {
+                found = fabs((*cspan_at(&work, INT64_C(81), i)));
+                (*cspan_at(&work, INT64_C(80), i)) = span_max((*cspan_at(&work, INT64_C(80), i)), found);
+            }
+        }
         begin = end;
         end = next_joint(begin, duration, timing, offsets, ends, contacts);
     }
@@ -12262,6 +12358,46 @@ static bool next_of_paces(double duration, array_double_1d uses, array_double_2d
     write_paced(search);
     return 1;
 }
+static bool has_states(array_double_2d search)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&search, INT64_C(11), i))) == INT64_C(2))
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static double merit_of(double duration, array_double_1d uses)
+{
+    double result;
+    result = log_of(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
+    return result;
+}
+bool segfmu_is_judged(double duration, array_double_1d uses, array_double_2d search)
+{
+    array_double_1d state;
+    int64_t stage;
+    bool kept;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    stage = (int64_t)((*cspan_at(&state, INT64_C(0))));
+    if (stage == INT64_C(3))
+    {
+        result = has_states(search);
+        return result;
+    }
+    if (stage == INT64_C(2))
+    {
+        result = merit_of(duration, uses) < (*cspan_at(&state, INT64_C(16))) - 0.0001;
+        return result;
+    }
+    kept = largest_share(uses) <= 1.0 + 1e-09;
+    result = kept && (log_of(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09);
+    return result;
+}
 void segfmu_write_best(double pace, array_double_2d search)
 {
     double faster;
@@ -12281,18 +12417,6 @@ void segfmu_keep_best(double pace, array_double_2d search)
         (*cspan_at(&search, INT64_C(8), i)) = (*cspan_at(&search, INT64_C(2), i));
     }
 }
-static bool has_states(array_double_2d search)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
-    {
-        if ((int64_t)((*cspan_at(&search, INT64_C(11), i))) == INT64_C(2))
-        {
-            return 1;
-        }
-    }
-    return 0;
-}
 static bool enter_poll(array_double_2d search)
 {
     array_double_1d state;
@@ -12301,7 +12425,7 @@ static bool enter_poll(array_double_2d search)
     (*cspan_at(&state, INT64_C(0))) = INT64_C(2);
     (*cspan_at(&state, INT64_C(16))) = 1e+300;
     (*cspan_at(&state, INT64_C(3))) = -1.0;
-    (*cspan_at(&state, INT64_C(4))) = 0.0;
+    (*cspan_at(&state, INT64_C(4))) = -1.0;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
     {
         (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
@@ -12336,7 +12460,7 @@ static bool next_poll(double duration, array_double_1d uses, array_double_2d sea
     n = (int64_t)((*cspan_at(&state, INT64_C(1))));
     if (duration >= 0.0)
     {
-        merit = log_of(duration) + 0.5 * log(span_max(largest_share(uses), 1e-09));
+        merit = merit_of(duration, uses);
         if (merit < (*cspan_at(&state, INT64_C(16))) - 0.0001)
         {
             (*cspan_at(&state, INT64_C(16))) = merit;
@@ -12349,15 +12473,15 @@ static bool next_poll(double duration, array_double_1d uses, array_double_2d sea
     while((*cspan_at(&state, INT64_C(3))) < n)
     {
         i = (int64_t)((*cspan_at(&state, INT64_C(3))));
-        way = (int64_t)((*cspan_at(&state, INT64_C(4))));
+        way = (int64_t)((*cspan_at(&state, INT64_C(4)))) + INT64_C(1);
         if ((i < INT64_C(0)) || (way > INT64_C(3)) || ((int64_t)((*cspan_at(&search, INT64_C(11), i))) != INT64_C(2)))
         {
             (*cspan_at(&state, INT64_C(3))) = (*cspan_at(&state, INT64_C(3))) + 1.0;
-            (*cspan_at(&state, INT64_C(4))) = 0.0;
+            (*cspan_at(&state, INT64_C(4))) = -1.0;
         }
         else
         {
-            (*cspan_at(&state, INT64_C(4))) = (*cspan_at(&state, INT64_C(4))) + 1.0;
+            (*cspan_at(&state, INT64_C(4))) = way;
             here = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
             changed = span_min(span_max(here + poll_change(way), -1.0), 1.0);
             if (fabs(changed - here) > 1e-06)
@@ -12515,7 +12639,7 @@ void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_do
     int64_t slot;
     n = kinds.shape[INT64_C(0)];
     state = span_row(&search, INT64_C(0));
-    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(18); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = 0.0;
     }
@@ -12611,6 +12735,22 @@ static bool next_slope(double duration, array_double_1d uses, array_double_2d se
     result = write_changed(search);
     return result;
 }
+static double worth_while(void)
+{
+    return 0.0005;
+}
+static bool enter_slopes(array_double_2d search)
+{
+    array_double_1d state;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(3);
+    (*cspan_at(&state, INT64_C(3))) = -1.0;
+    (*cspan_at(&state, INT64_C(4))) = 1.0;
+    (*cspan_at(&state, INT64_C(17))) = 0.0;
+    result = write_changed(search);
+    return result;
+}
 static bool enter_descent(array_double_2d search)
 {
     array_double_1d state;
@@ -12661,11 +12801,23 @@ static bool leave_round(array_double_2d search)
 static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
 {
     array_double_1d state;
+    double behind;
     int64_t i;
     bool result;
     state = span_row(&search, INT64_C(0));
     write_step(search, values, slopes, newton);
-    if ((*cspan_at(&state, INT64_C(10))) <= 1e-05)
+    if ((*cspan_at(&state, INT64_C(10))) <= worth_while())
+    {
+        if ((*cspan_at(&state, INT64_C(17))) > 0.5)
+        {
+            result = enter_slopes(search);
+            return result;
+        }
+        result = leave_round(search);
+        return result;
+    }
+    behind = (*cspan_at(&values, INT64_C(0), INT64_C(0))) - (*cspan_at(&state, INT64_C(12)));
+    if ((behind > 0.01) && (behind > 4.0 * (*cspan_at(&state, INT64_C(10)))))
     {
         result = leave_round(search);
         return result;
@@ -12709,10 +12861,8 @@ static void note_start(array_double_2d search)
 }
 static void enter_centre(array_double_2d search, array_double_2d values)
 {
-    array_double_1d state;
     int64_t i;
-    state = span_row(&search, INT64_C(0));
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
     {
         (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(6), i));
     }
@@ -12720,9 +12870,6 @@ static void enter_centre(array_double_2d search, array_double_2d values)
     {
         (*cspan_at(&values, INT64_C(0), i)) = (*cspan_at(&values, INT64_C(1), i));
     }
-    (*cspan_at(&state, INT64_C(0))) = INT64_C(3);
-    (*cspan_at(&state, INT64_C(3))) = -1.0;
-    (*cspan_at(&state, INT64_C(4))) = 1.0;
 }
 static bool enter_round(array_double_2d search, array_double_2d values)
 {
@@ -12737,8 +12884,49 @@ static bool enter_round(array_double_2d search, array_double_2d values)
     enter_centre(search, values);
     (*cspan_at(&state, INT64_C(7))) = 0.0;
     (*cspan_at(&state, INT64_C(9))) = 0.3;
-    result = write_changed(search);
+    result = enter_slopes(search);
     return result;
+}
+static void correct_slopes(array_double_2d search, array_double_2d values, array_double_2d slopes)
+{
+    int64_t n;
+    double squared;
+    int64_t i;
+    double change;
+    int64_t j;
+    double missing;
+    n = (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1))));
+    squared = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        change = (*cspan_at(&search, INT64_C(13), i)) * ((*cspan_at(&search, INT64_C(6), i)) - (*cspan_at(&search, INT64_C(4), i)));
+        (*cspan_at(&search, INT64_C(7), i)) = change;
+        squared = squared + change * change;
+    }
+    if (squared <= 0.0)
+    {
+        return;
+    }
+    for (j = INT64_C(0); j < INT64_C(29); j += INT64_C(1))
+    {
+        missing = (*cspan_at(&values, INT64_C(1), j)) - (*cspan_at(&values, INT64_C(0), j));
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            missing = missing - (*cspan_at(&slopes, i, j)) * (*cspan_at(&search, INT64_C(7), i));
+        }
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            (*cspan_at(&slopes, i, j)) = (*cspan_at(&slopes, i, j)) + missing * (*cspan_at(&search, INT64_C(7), i)) / squared;
+        }
+    }
+}
+static double least_radius(array_double_2d search)
+{
+    if (has_states(search))
+    {
+        return 0.01;
+    }
+    return 0.02;
 }
 static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
 {
@@ -12747,7 +12935,7 @@ static bool judge_step(array_double_2d search, array_double_2d values, array_dou
     bool result;
     state = span_row(&search, INT64_C(0));
     gain = (*cspan_at(&values, INT64_C(0), INT64_C(0))) - (*cspan_at(&state, INT64_C(11)));
-    if (gain > 1e-05)
+    if (gain > 0.2 * worth_while())
     {
         if (gain > 0.7 * (*cspan_at(&state, INT64_C(10))))
         {
@@ -12763,12 +12951,24 @@ static bool judge_step(array_double_2d search, array_double_2d values, array_dou
             result = leave_round(search);
             return result;
         }
+        correct_slopes(search, values, slopes);
         enter_centre(search, values);
-        result = write_changed(search);
+        if (has_states(search) || (gain < 0.5 * (*cspan_at(&state, INT64_C(10)))))
+        {
+            result = enter_slopes(search);
+            return result;
+        }
+        (*cspan_at(&state, INT64_C(17))) = 1.0;
+        result = enter_step(search, values, slopes, newton);
+        return result;
+    }
+    if ((*cspan_at(&state, INT64_C(17))) > 0.5)
+    {
+        result = enter_slopes(search);
         return result;
     }
     (*cspan_at(&state, INT64_C(9))) = 0.4 * (*cspan_at(&state, INT64_C(9)));
-    if ((*cspan_at(&state, INT64_C(9))) < 0.01)
+    if ((*cspan_at(&state, INT64_C(9))) < least_radius(search))
     {
         result = leave_round(search);
         return result;

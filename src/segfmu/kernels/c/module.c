@@ -2809,6 +2809,31 @@ static PyObject *call_write_states(
     return answer;
 }
 
+static PyObject *call_is_judged(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "is_judged", .values = values};
+    PyObject *answer = NULL;
+    double in_duration;
+    Py_buffer *in_uses;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_duration)
+        && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_search = take_array(&call, 2, 2, 'd', false)) != NULL
+        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
+        answer = PyBool_FromLong(segfmu_is_judged(
+            in_duration,
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_write_best(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -5349,6 +5374,7 @@ static PyMethodDef methods[] = {
     {"unite_waypoints", (PyCFunction)(void (*)(void))call_unite_waypoints, METH_FASTCALL, NULL},
     {"write_free", (PyCFunction)(void (*)(void))call_write_free, METH_FASTCALL, NULL},
     {"write_states", (PyCFunction)(void (*)(void))call_write_states, METH_FASTCALL, NULL},
+    {"is_judged", (PyCFunction)(void (*)(void))call_is_judged, METH_FASTCALL, NULL},
     {"write_best", (PyCFunction)(void (*)(void))call_write_best, METH_FASTCALL, NULL},
     {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
     {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},

@@ -1267,7 +1267,8 @@ enum {
     SEARCH_STATE_BEFORE = 13,
     SEARCH_STATE_CHOSEN = 14,
     SEARCH_STATE_MERIT = 16,
-    SEARCH_STATE_SIZE = 17
+    SEARCH_STATE_STALE = 17,
+    SEARCH_STATE_SIZE = 18
 };
 
 enum {
@@ -2500,6 +2501,13 @@ enum {
 };
 
 /* kernels/trajectory/records.py */
+
+enum {
+    ORDER_JERK = 3,
+    ORDER_SNAP = 4,
+    ORDER_CRACKLE = 5,
+    ORDER_POP = 6
+};
 
 enum {
     TIMING_START = 0,

@@ -1,9 +1,10 @@
 """The first contact of a path with boxes."""
 
 from segfmu.kernels.clearance.contact import span_contacts
+from segfmu.kernels.clearance.meeting import may_meet_rope
 from segfmu.kernels.clearance.ranges import is_any_near, is_near
 from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Stack
-from segfmu.kernels.clearance.spans import write_span
+from segfmu.kernels.clearance.spans import begin_span, write_span_products, write_span_pull
 from segfmu.kernels.crane.rope import interval_end
 from segfmu.kernels.trajectory.records import Timing
 
@@ -35,14 +36,19 @@ def first_contact(
         until = interval_end(time, timing, offsets)
         lasts = True
         while lasts:
-            write_span(
-                part, time, until, timing, coefficients, offsets, gravity, work,
-                stack[Stack.WHOLE, :, :],
-            )
-            if report[Collision.BEGIN] >= 1e300:
-                note_first(part, boxes, stack, ranges, report)
-            else:
+            span = stack[Stack.WHOLE, :, :]
+            begun = report[Collision.BEGIN] < 1e300
+            begin_span(time, until, timing, coefficients, offsets, gravity, work, span)
+            near = part == Part.LOAD
+            if part == Part.ROPE:
+                write_span_pull(gravity, work, span)
+                near = begun or is_rope_near(span, boxes, ranges)
+                if near:
+                    write_span_products(work, span)
+            if begun:
                 prolong_contact(part, boxes, stack, ranges, report)
+            elif near:
+                note_first(part, boxes, stack, ranges, report)
             # a contact that ends before the span does has ended
             ended = report[Collision.BEGIN] < 1e300 and report[Collision.END] < until * (1 - 1e-11)
             time = until
@@ -51,6 +57,15 @@ def first_contact(
         if report[Collision.BEGIN] < 1e300:
             return part
     return Part.CLEAR
+
+
+def is_rope_near(span: 'float[:,:]', boxes: 'float[:,:]', ranges: 'float[:,:]') -> bool:
+    """Whether the rope may meet a box during a span, as far as load and pull tell."""
+    for number in range(boxes.shape[0]):
+        box = boxes[number, :]
+        if is_near(Part.ROPE, box, ranges) and may_meet_rope(span, box):
+            return True
+    return False
 
 
 def note_first(

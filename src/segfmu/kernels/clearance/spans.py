@@ -5,7 +5,7 @@ rope at a height h is beside the load by (h - z) w / w_z: products with w_z are 
 linear in h, and those that a box needs are sums of the rows of a `Span`.
 """
 
-from segfmu.kernels.clearance.records import Moment, Part, Span
+from segfmu.kernels.clearance.records import Moment, Span
 from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.crane.rope import interval_end, interval_pieces
 from segfmu.kernels.numerics.polynomials import polynomial_add_product, polynomial_clear
@@ -30,18 +30,17 @@ def clearance_spans(
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     while until > time or count == 0:
-        write_span(
-            Part.ROPE, time, until, timing, coefficients, offsets, gravity, work,
-            spans[count, :, :],
-        )
+        span = spans[count, :, :]
+        begin_span(time, until, timing, coefficients, offsets, gravity, work, span)
+        write_span_pull(gravity, work, span)
+        write_span_products(work, span)
         count = count + 1
         time = until
         until = interval_end(time, timing, offsets)
     return count
 
 
-def write_span(
-    part: int,
+def begin_span(
     time: float,
     until: float,
     timing: 'float[:,:]',
@@ -51,31 +50,52 @@ def write_span(
     work: 'float[:,:]',
     span: 'float[:,:]',
 ) -> None:
-    """Write the span between two times [s] without a change of piece between them.
+    """Begin the span between two times [s] without a change of piece: where the load is.
 
-    The load alone (Part) needs no products; their rows are 0 then.
+    Rows of the rope are 0. work keeps what `write_span_pull` goes on with.
     """
-    width = coefficients.shape[1]
     interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
+    place = 0.0
     for axis in range(3):
-        for i in range(width - 2):
-            pull = work[RopeWork.PULL + axis, i]
-            work[RopeWork.PULL + axis, i] = pull / gravity
-    for axis in range(3):
-        write_row(RopeWork.LOAD + axis, width, until - time, Span.LOAD + axis, work, span)
-        write_row(RopeWork.PULL + axis, width - 2, until - time, Span.PULL + axis, work, span)
-    if part == Part.ROPE:
-        for axis in range(2):
-            write_difference(axis, 2, 2, axis, until - time, Span.REACH + axis, work, span)
-        write_difference(0, 1, 1, 0, until - time, Span.TURN, work, span)
-    else:
-        for row in range(Span.REACH, Span.PULL):
-            for i in range(span.shape[1]):
-                span[row, i] = 0.0
+        write_row(
+            RopeWork.LOAD + axis, coefficients.shape[1], until - time, Span.LOAD + axis, work, span
+        )
+        for i in range(span.shape[1]):
+            place = max(place, abs(span[Span.LOAD + axis, i]))
+    for row in range(Span.REACH, Span.MOMENT):
+        for i in range(span.shape[1]):
+            span[row, i] = 0.0
     span[Span.MOMENT, Moment.START] = time
     span[Span.MOMENT, Moment.LENGTH] = until - time
     span[Span.MOMENT, Moment.DEPTH] = 0.0
-    note_rounding(span)
+    span[Span.MOMENT, Moment.TURN_ROUNDING] = 0.0
+    # a thousandth of what is a touch
+    span[Span.MOMENT, Moment.ROUNDING] = 1e-12 * place
+
+
+def write_span_pull(gravity: float, work: 'float[:,:]', span: 'float[:,:]') -> None:
+    """Write the direction of the rope to a span that `begin_span` has begun."""
+    length = span[Span.MOMENT, Moment.LENGTH]
+    count = (span.shape[1] - 1) // 2
+    for axis in range(3):
+        for i in range(count):
+            pull = work[RopeWork.PULL + axis, i]
+            work[RopeWork.PULL + axis, i] = pull / gravity
+        write_row(RopeWork.PULL + axis, count, length, Span.PULL + axis, work, span)
+
+
+def write_span_products(work: 'float[:,:]', span: 'float[:,:]') -> None:
+    """Write what the rope's place follows from to a span that has load and pull."""
+    length = span[Span.MOMENT, Moment.LENGTH]
+    for axis in range(2):
+        write_difference(axis, 2, 2, axis, length, Span.REACH + axis, work, span)
+    write_difference(0, 1, 1, 0, length, Span.TURN, work, span)
+    pull = 0.0
+    for axis in range(2):
+        for i in range(span.shape[1]):
+            pull = max(pull, abs(span[Span.PULL + axis, i]))
+    place = 1e12 * span[Span.MOMENT, Moment.ROUNDING]
+    span[Span.MOMENT, Moment.TURN_ROUNDING] = 1e-14 * place * pull
 
 
 def write_row(
@@ -110,20 +130,6 @@ def write_difference(
     for i in range(2 * width - 3):
         product[i] = product[i] - taken[i]
     write_row(RopeWork.PRODUCTS, 2 * width - 3, length, row, work, span)
-
-
-def note_rounding(span: 'float[:,:]') -> None:
-    """Write what is rounding of the TURN of a span, and of positions."""
-    place = 0.0
-    pull = 0.0
-    for i in range(span.shape[1]):
-        for axis in range(3):
-            place = max(place, abs(span[Span.LOAD + axis, i]))
-        for axis in range(2):
-            pull = max(pull, abs(span[Span.PULL + axis, i]))
-    span[Span.MOMENT, Moment.TURN_ROUNDING] = 1e-14 * place * pull
-    # a thousandth of what is a touch
-    span[Span.MOMENT, Moment.ROUNDING] = 1e-12 * place
 
 
 def halve_span(row: int, stack: 'float[:,:,:]') -> None:

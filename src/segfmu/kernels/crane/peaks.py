@@ -54,8 +54,14 @@ def demand_peaks(
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
     while end < 1e300:
-        sample_demands(begin, end, timing, coefficients, offsets, ends, resistance, contacts, work)
-        enlarge_scale(work)
+        for share in range(2):
+            demand_at(
+                begin + 0.5 * share * (end - begin), DemandPeaks.CANDIDATE, timing, coefficients,
+                offsets, ends, resistance, contacts, work,
+            )
+            for i in range(Demand.SIZE):
+                found = abs(work[DemandPeaks.CANDIDATE, i])
+                work[DemandPeaks.SCALE, i] = max(work[DemandPeaks.SCALE, i], found)
         begin = end
         end = next_joint(begin, duration, timing, offsets, ends, contacts)
     share_scale(work)
@@ -169,15 +175,6 @@ def sample_demands(
             time, DemandPeaks.VALUES + j, timing, coefficients, offsets, ends, resistance,
             contacts, work,
         )
-
-
-def enlarge_scale(work: 'float[:,:]') -> None:
-    """Note the largest magnitudes of all samples."""
-    for j in range(Sought.NODES):
-        for i in range(Demand.SIZE):
-            work[DemandPeaks.SCALE, i] = max(
-                work[DemandPeaks.SCALE, i], abs(work[DemandPeaks.VALUES + j, i])
-            )
 
 
 def share_scale(work: 'float[:,:]') -> None:

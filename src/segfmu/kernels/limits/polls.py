@@ -3,8 +3,6 @@
 Durations jump with them, so slopes alone do not lead on. search: `Search`.
 """
 
-from math import log
-
 from segfmu.kernels.limits.records import (
     Search,
     SearchStage,
@@ -13,17 +11,8 @@ from segfmu.kernels.limits.records import (
 )
 from segfmu.kernels.limits.trials import (
     enter_paces,
-    largest_share,
-    log_of,
+    merit_of,
 )
-
-
-def has_states(search: 'float[:,:]') -> bool:
-    """Whether states are free."""
-    for i in range(int(search[Search.STATE, SearchState.UNKNOWNS])):
-        if int(search[Search.KIND, i]) == Unknown.STATE:
-            return True
-    return False
 
 
 def enter_poll(search: 'float[:,:]') -> bool:
@@ -32,33 +21,30 @@ def enter_poll(search: 'float[:,:]') -> bool:
     state[SearchState.STAGE] = SearchStage.POLL
     state[SearchState.MERIT] = 1e300
     state[SearchState.UNKNOWN] = -1.0
-    state[SearchState.WAY] = 0.0
+    state[SearchState.WAY] = -1.0
     for i in range(int(state[SearchState.UNKNOWNS])):
         search[Search.TRIAL, i] = search[Search.ORIGIN, i] + search[Search.CENTRE, i]
     return True
 
 
 def next_poll(duration: float, uses: 'float[:]', search: 'float[:,:]') -> bool:
-    """Keep a change of a free state that is worth it; whether there is another one to try.
-
-    What counts is about the duration at the pace at which the plan just keeps the bounds.
-    """
+    """Keep a change of a free state that is worth it; whether there is another one to try."""
     state = search[Search.STATE, :]
     n = int(state[SearchState.UNKNOWNS])
     if duration >= 0.0:
-        merit = log_of(duration) + 0.5 * log(max(largest_share(uses), 1e-9))
+        merit = merit_of(duration, uses)
         if merit < state[SearchState.MERIT] - 1e-4:
             state[SearchState.MERIT] = merit
             for i in range(n):
                 search[Search.CENTRE, i] = search[Search.TRIAL, i] - search[Search.ORIGIN, i]
     while state[SearchState.UNKNOWN] < n:
         i = int(state[SearchState.UNKNOWN])
-        way = int(state[SearchState.WAY])
+        way = int(state[SearchState.WAY]) + 1
         if i < 0 or way > 3 or int(search[Search.KIND, i]) != Unknown.STATE:
             state[SearchState.UNKNOWN] = state[SearchState.UNKNOWN] + 1.0
-            state[SearchState.WAY] = 0.0
+            state[SearchState.WAY] = -1.0
         else:
-            state[SearchState.WAY] = state[SearchState.WAY] + 1.0
+            state[SearchState.WAY] = way
             here = search[Search.ORIGIN, i] + search[Search.CENTRE, i]
             changed = min(max(here + poll_change(way), -1.0), 1.0)
             if abs(changed - here) > 1e-6:

@@ -147,6 +147,7 @@ class SearchState(Record):
     BEFORE = field("what it was before a round")
     CHOSEN = field("durations of the chosen starts", size=2)
     MERIT = field("of the best point of a poll")
+    STALE = field("1: slopes are those of another point, corrected")
 
 
 class Values(Record):

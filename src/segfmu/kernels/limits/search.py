@@ -14,7 +14,6 @@ search: `Search`; values: `SearchValues`; slopes: duration and uses (n, 1 + 28) 
 from segfmu.kernels.crane.records import Demand
 from segfmu.kernels.limits.polls import (
     enter_poll,
-    has_states,
     leave_poll,
     next_poll,
 )
@@ -30,6 +29,7 @@ from segfmu.kernels.limits.records import (
 from segfmu.kernels.limits.step import write_step
 from segfmu.kernels.limits.trials import (
     enter_paces,
+    has_states,
     log_of,
     next_of_paces,
 )
@@ -145,15 +145,21 @@ def enter_descent(search: 'float[:,:]') -> bool:
 
 
 def enter_centre(search: 'float[:,:]', values: 'float[:,:]') -> None:
-    """Go on from the row KEPT, with its slopes."""
-    state = search[Search.STATE, :]
-    for i in range(int(state[SearchState.UNKNOWNS])):
+    """Go on from the row KEPT."""
+    for i in range(int(search[Search.STATE, SearchState.UNKNOWNS])):
         search[Search.CENTRE, i] = search[Search.KEPT, i]
     for i in range(Values.SIZE):
         values[SearchValues.CENTRE, i] = values[SearchValues.KEPT, i]
+
+
+def enter_slopes(search: 'float[:,:]') -> bool:
+    """Find the slopes at the row CENTRE."""
+    state = search[Search.STATE, :]
     state[SearchState.STAGE] = SearchStage.SLOPE
     state[SearchState.UNKNOWN] = -1.0
     state[SearchState.WAY] = 1.0
+    state[SearchState.STALE] = 0.0
+    return write_changed(search)
 
 
 def enter_round(search: 'float[:,:]', values: 'float[:,:]') -> bool:
@@ -165,7 +171,7 @@ def enter_round(search: 'float[:,:]', values: 'float[:,:]') -> bool:
     state[SearchState.STEPS] = 0.0
     # of logarithms of limits
     state[SearchState.RADIUS] = 0.3
-    return write_changed(search)
+    return enter_slopes(search)
 
 
 def write_changed(search: 'float[:,:]') -> bool:
@@ -227,7 +233,13 @@ def enter_step(
     """Try the best step within the radius."""
     state = search[Search.STATE, :]
     write_step(search, values, slopes, newton)
-    if state[SearchState.PREDICTED] <= 1e-5:
+    if state[SearchState.PREDICTED] <= worth_while():
+        if state[SearchState.STALE] > 0.5:
+            return enter_slopes(search)
+        return leave_round(search)
+    # a descent that would need many such steps to the best plan is given up
+    behind = values[SearchValues.CENTRE, Values.DURATION] - state[SearchState.BEST]
+    if behind > 0.01 and behind > 4.0 * state[SearchState.PREDICTED]:
         return leave_round(search)
     for i in range(int(state[SearchState.UNKNOWNS])):
         search[Search.BASE, i] = search[Search.CENTRE, i] + search[Search.STEP, i]
@@ -236,17 +248,23 @@ def enter_step(
     return True
 
 
+def worth_while() -> float:
+    """The least gain, of logarithms of durations, that is worth a step."""
+    return 5e-4
+
+
 def judge_step(
     search: 'float[:,:]', values: 'float[:,:]', slopes: 'float[:,:]', newton: 'float[:,:]'
 ) -> bool:
     """Take a step that made the plan shorter, else try a smaller one.
 
     The radius grows where the plan gained about what the slopes promised, and shrinks where it did
-    not: the slopes hold as far as that.
+    not: the slopes hold as far as that. Where they held, and durations do not jump with free
+    states, they are corrected by what the step told (Broyden, Mathematics of Computation 19, 1965).
     """
     state = search[Search.STATE, :]
     gain = values[SearchValues.CENTRE, Values.DURATION] - state[SearchState.KEPT]
-    if gain > 1e-5:
+    if gain > 0.2 * worth_while():
         if gain > 0.7 * state[SearchState.PREDICTED]:
             state[SearchState.RADIUS] = min(1.5 * state[SearchState.RADIUS], 1.0)
         elif gain < 0.3 * state[SearchState.PREDICTED]:
@@ -254,12 +272,45 @@ def judge_step(
         state[SearchState.STEPS] = state[SearchState.STEPS] + 1.0
         if state[SearchState.STEPS] > 11.5:
             return leave_round(search)
+        correct_slopes(search, values, slopes)
         enter_centre(search, values)
-        return write_changed(search)
+        if has_states(search) or gain < 0.5 * state[SearchState.PREDICTED]:
+            return enter_slopes(search)
+        state[SearchState.STALE] = 1.0
+        return enter_step(search, values, slopes, newton)
+    if state[SearchState.STALE] > 0.5:
+        return enter_slopes(search)
     state[SearchState.RADIUS] = 0.4 * state[SearchState.RADIUS]
-    if state[SearchState.RADIUS] < 0.01:
+    if state[SearchState.RADIUS] < least_radius(search):
         return leave_round(search)
     return enter_step(search, values, slopes, newton)
+
+
+def least_radius(search: 'float[:,:]') -> float:
+    """The least radius of a step: small ones gain where durations jump with free states."""
+    if has_states(search):
+        return 0.01
+    return 0.02
+
+
+def correct_slopes(
+    search: 'float[:,:]', values: 'float[:,:]', slopes: 'float[:,:]'
+) -> None:
+    """Change the slopes, by as little as possible, to those that lead from CENTRE to KEPT."""
+    n = int(search[Search.STATE, SearchState.UNKNOWNS])
+    squared = 0.0
+    for i in range(n):
+        change = search[Search.FREE, i] * (search[Search.KEPT, i] - search[Search.CENTRE, i])
+        search[Search.STEP, i] = change
+        squared = squared + change * change
+    if squared <= 0.0:
+        return
+    for j in range(Values.SIZE):
+        missing = values[SearchValues.KEPT, j] - values[SearchValues.CENTRE, j]
+        for i in range(n):
+            missing = missing - slopes[i, j] * search[Search.STEP, i]
+        for i in range(n):
+            slopes[i, j] = slopes[i, j] + missing * search[Search.STEP, i] / squared
 
 
 def leave_round(search: 'float[:,:]') -> bool:

@@ -10,8 +10,10 @@ from segfmu.kernels.limits.pace import begin_pace, next_pace
 from segfmu.kernels.limits.records import (
     Pace,
     Search,
+    SearchStage,
     SearchState,
     SearchValues,
+    Unknown,
     Values,
 )
 
@@ -67,6 +69,34 @@ def next_of_paces(
         return False
     write_paced(search)
     return True
+
+
+def has_states(search: 'float[:,:]') -> bool:
+    """Whether states are free."""
+    for i in range(int(search[Search.STATE, SearchState.UNKNOWNS])):
+        if int(search[Search.KIND, i]) == Unknown.STATE:
+            return True
+    return False
+
+
+def is_judged(duration: float, uses: 'float[:]', search: 'float[:,:]') -> bool:
+    """Whether the path of the last trial has to be judged, as the trial would be kept else.
+
+    Slopes of free states are judged as well, as they lead astray.
+    """
+    state = search[Search.STATE, :]
+    stage = int(state[SearchState.STAGE])
+    if stage == SearchStage.SLOPE:
+        return has_states(search)
+    if stage == SearchStage.POLL:
+        return merit_of(duration, uses) < state[SearchState.MERIT] - 1e-4
+    kept = largest_share(uses) <= 1.0 + 1e-9
+    return kept and log_of(duration) < state[SearchState.KEPT] - 1e-9
+
+
+def merit_of(duration: float, uses: 'float[:]') -> float:
+    """About the logarithm of a duration [s] at the pace at which a plan just keeps the bounds."""
+    return log_of(duration) + 0.5 * log(max(largest_share(uses), 1e-9))
 
 
 def largest_share(uses: 'float[:]') -> float:

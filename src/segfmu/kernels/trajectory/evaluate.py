@@ -5,7 +5,7 @@ A piece is a polynomial of the position in local time, ascending powers, 2 n coe
 offsets[i + 1] - 1; ends[i] is the end of its motion [s].
 """
 
-from segfmu.kernels.trajectory.records import Timing
+from segfmu.kernels.trajectory.records import Order, Timing
 
 
 def find_piece(time: float, timing: 'float[:,:]', first: int, last: int) -> int:
@@ -127,19 +127,29 @@ def evaluate_near(
 def evaluate_derivatives(
     coefficients: 'float[:,:]', row: int, t: float, axis: int, values: 'float[:,:]'
 ) -> None:
-    """Write all derivatives of one piece at local time t, by repeated synthetic division."""
+    """Write the first 5 or 7 derivatives of one piece at local time t, by Horner's scheme."""
     width = coefficients.shape[1]
-    orders = values.shape[0]
-    for derivative in range(orders):
-        values[derivative, axis] = 0.0
+    position = 0.0
+    velocity = 0.0
+    acceleration = 0.0
+    jerk = 0.0
+    snap = 0.0
+    crackle = 0.0
+    pop = 0.0
     for j in range(width):
-        for k in range(orders - 1):
-            derivative = orders - 1 - k
-            values[derivative, axis] = (
-                values[derivative, axis] * t + values[derivative - 1, axis]
-            )
-        values[0, axis] = values[0, axis] * t + coefficients[row, width - 1 - j]
-    factorial = 1.0
-    for derivative in range(1, orders):
-        factorial = factorial * derivative
-        values[derivative, axis] = values[derivative, axis] * factorial
+        # over their factorials
+        pop = pop * t + crackle
+        crackle = crackle * t + snap
+        snap = snap * t + jerk
+        jerk = jerk * t + acceleration
+        acceleration = acceleration * t + velocity
+        velocity = velocity * t + position
+        position = position * t + coefficients[row, width - 1 - j]
+    values[0, axis] = position
+    values[1, axis] = velocity
+    values[2, axis] = 2.0 * acceleration
+    values[Order.JERK, axis] = 6.0 * jerk
+    values[Order.SNAP, axis] = 24.0 * snap
+    if values.shape[0] > Order.CRACKLE:
+        values[Order.CRACKLE, axis] = 120.0 * crackle
+        values[Order.POP, axis] = 720.0 * pop

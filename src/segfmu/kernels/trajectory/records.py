@@ -4,6 +4,15 @@ from segfmu.kernels.planner.records import PlanOptions, PlanWork
 from segfmu.kernels.records import Codes, Record, field
 
 
+class Order(Codes):
+    """Derivatives of the position above the acceleration."""
+
+    JERK = 3
+    SNAP = 4
+    CRACKLE = 5
+    POP = 6
+
+
 class Timing(Record):
     """When a polynomial piece holds.
 

@@ -80,6 +80,10 @@ static bool feedforward_plan(feedforward *m, char message[MESSAGE]);
 /* Plan what is asked for, with a taut rope; false with a message where that cannot be done. */
 static bool plan_at(feedforward *m, const request *r, char message[MESSAGE]);
 
+/* The same without a look at the rope, and that look. */
+static bool plan_loosely(feedforward *m, const request *r, char message[MESSAGE]);
+static bool require_taut_plan(const feedforward *m, char message[MESSAGE]);
+
 /* Check that what pulls stays taut, and the rope within its range. */
 static bool require_taut(const segfmu_trajectory *t, const model *base, char message[MESSAGE]);
 

@@ -120,30 +120,37 @@ static bool require_boxes(limit_search *s, feedforward *m, char message[MESSAGE]
 }
 
 /* Plan what the row TRIAL stands for; its duration, -1 with a message if there is no plan that may be
-   taken. A plan within the bounds has to stay in its boxes and to be clear of obstacles as well. */
+   taken. A plan that would be kept has to have a taut rope, to stay in its boxes and to be clear of
+   obstacles. */
 static double try_limits(
     feedforward *m, limit_search *s, bool exact, bool timed, char message[MESSAGE])
 {
     double peaks[2 * DEMAND_SIZE], times[2 * DEMAND_SIZE];
+    array_double_1d uses = vector(s->uses, 2 * DEMAND_SIZE);
     request r;
     read_trial(s, timed, &r);
-    if (!plan_at(m, &r, message)) {
+    if (!plan_loosely(m, &r, message)) {
         return -1.0;
     }
     measure(m, exact, peaks, times);
     segfmu_write_shares(
-        matrix(peaks, 2, DEMAND_SIZE), vector(s->bounds, DRIVE_BOUNDS_SIZE), axes_of(s),
-        vector(s->uses, 2 * DEMAND_SIZE));
+        matrix(peaks, 2, DEMAND_SIZE), vector(s->bounds, DRIVE_BOUNDS_SIZE), axes_of(s), uses);
     s->most = 0.0;
     for (int i = 0; i < 2 * DEMAND_SIZE; i++) {
         s->most = fmax(s->most, s->uses[i]);
+    }
+    const bool judged = exact || segfmu_is_judged(m->duration, uses, rows_of(s));
+    if (judged && !require_taut_plan(m, message)) {
+        return -1.0;
     }
     if (s->most < s->least) {
         s->least = s->most;
         memcpy(s->closest, unknowns_in(s, SEARCH_TRIAL), (size_t)s->unknowns * sizeof *s->closest);
     }
-    const bool judged = s->most <= KEPT || s->strict;
-    return !judged || (require_boxes(s, m, message) && require_space(m, message)) ? m->duration : -1.0;
+    if (!judged || (s->most > KEPT && !s->strict)) {
+        return m->duration;
+    }
+    return require_boxes(s, m, message) && require_space(m, message) ? m->duration : -1.0;
 }
 
 /* Search by samples; whether there is a plan. */
@@ -179,6 +186,9 @@ static bool pace_limits(
         return false;
     }
     segfmu_keep_best(pace[PACE_KEEPS], rows_of(s));
+    if (pace[PACE_PACE] == pace[PACE_KEEPS] && duration >= 0.0 && s->most <= KEPT) {
+        return true;
+    }
     return try_limits(m, s, true, timed, message) >= 0.0 && s->most <= KEPT;
 }
 

@@ -221,6 +221,17 @@ bool require_space(feedforward *m, char message[MESSAGE])
 
 bool plan_at(feedforward *m, const request *r, char message[MESSAGE])
 {
+    return plan_loosely(m, r, message) && require_taut_plan(m, message);
+}
+
+bool require_taut_plan(const feedforward *m, char message[MESSAGE])
+{
+    const segfmu_trajectory t = mission_trajectory(m);
+    return require_taut(&t, &m->base, message);
+}
+
+bool plan_loosely(feedforward *m, const request *r, char message[MESSAGE])
+{
     const double *real = m->base.real;
     double limits[AXES * (MOST_SMOOTHNESS + 1)] = {0.0}, lower[LOWER_LIMITS_SIZE];
     double options[PLAN_OPTIONS_SIZE];
@@ -241,8 +252,7 @@ bool plan_at(feedforward *m, const request *r, char message[MESSAGE])
         lower[i] = -r->lower[i];
     }
     int status = segfmu_plan(&problem, m->space, &found);
-    if (segfmu_plan_message(status, found.report, message, MESSAGE)
-        || !require_taut(&found, &m->base, message)) {
+    if (segfmu_plan_message(status, found.report, message, MESSAGE)) {
         return false;
     }
     compact(m, &found);
