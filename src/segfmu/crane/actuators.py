@@ -21,8 +21,8 @@ from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import model_of, require_flat, require_force
 from segfmu.crane.hook import HookCrane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.limit_search import KEPT, Found, LimitSearch
-from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.limits.records import LimitRow
 from segfmu.planning.arrays import FloatArray
@@ -70,7 +70,7 @@ class ActuatedPlan:
 
 
 def plan_actuated(
-    crane: Crane | HookCrane,
+    crane: AnyCrane,
     waypoints: Sequence[Waypoint],
     limits: Limits | None,
     bounds: ActuatorBounds,
@@ -155,7 +155,7 @@ def plan_actuated(
 
 
 def _require_judged(
-    crane: Crane | HookCrane, smoothness: int, clearance: Clearance | None
+    crane: AnyCrane, smoothness: int, clearance: Clearance | None
 ) -> None:
     """Refuse what is not judged with a hook: forces that jump, and a rope near obstacles."""
     require_force(crane, smoothness)
@@ -169,7 +169,7 @@ def _require_judged(
 
 
 def bound_uses(
-    crane: Crane | HookCrane, trajectory: Trajectory, bounds: ActuatorBounds,
+    crane: AnyCrane, trajectory: Trajectory, bounds: ActuatorBounds,
     friction: Friction = NONE,
 ) -> tuple[BoundUse, ...]:
     """The exact use of every bound of the drives by a trajectory of x, y and z."""
@@ -177,13 +177,13 @@ def bound_uses(
 
 
 def _measured(
-    crane: Crane | HookCrane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
+    crane: AnyCrane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
 ) -> ActuatedPlan:
     return ActuatedPlan(trajectory, bound_uses(crane, trajectory, bounds, friction))
 
 
 def _as_limited(
-    crane: Crane | HookCrane, bounds: ActuatorBounds, friction: Friction,
+    crane: AnyCrane, bounds: ActuatorBounds, friction: Friction,
     clearance: Clearance | None, made: Callable[[], Trajectory],
 ) -> tuple[ActuatedPlan | None, InfeasibleError | None]:
     """The plan with the given limits, if nothing needs a slower one; why it was refused, if so."""
@@ -201,7 +201,7 @@ def _as_limited(
 
 
 def _measured_taut(
-    crane: Crane | HookCrane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
+    crane: AnyCrane, bounds: ActuatorBounds, friction: Friction, trajectory: Trajectory
 ) -> ActuatedPlan | None:
     """A plan as it uses the bounds; None if the rope goes slack, which a slower one may avoid."""
     try:
@@ -214,7 +214,7 @@ def _measured_taut(
 
 
 def _task(
-    crane: Crane | HookCrane, waypoints: tuple[Waypoint, ...], limits: Limits | None,
+    crane: AnyCrane, waypoints: tuple[Waypoint, ...], limits: Limits | None,
     bounds: ActuatorBounds, options: dict[str, Any], clearance: Clearance | None,
     friction: Friction,
 ) -> Task:

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.crane.equipment import FRICTION, Friction
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.parameters import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rope import LoadTrajectory, joined_pieces
 from segfmu.crane.variables import filled, values
 from segfmu.errors import InputError
@@ -26,7 +25,7 @@ NONE = Friction()
 ROWS, MOST_ROWS = 64, 65536
 
 
-def resistance(crane: Crane | HookCrane, friction: Friction) -> FloatArray:
+def resistance(crane: AnyCrane, friction: Friction) -> FloatArray:
     """The kernels' `Resistance`.
 
     Raises
@@ -57,7 +56,7 @@ class Contacts:
     """
 
     def __init__(
-        self, crane: Crane | HookCrane, friction: Friction, trajectory: LoadTrajectory
+        self, crane: AnyCrane, friction: Friction, trajectory: LoadTrajectory
     ) -> None:
         self.resistance = resistance(crane, friction)
         self._trajectory = trajectory

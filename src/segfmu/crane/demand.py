@@ -11,8 +11,7 @@ from segfmu.crane.bounds import sides
 from segfmu.crane.contacts import NONE, Contacts, resistance
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import model_of
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.parameters import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rope import LoadTrajectory
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Axes, Contact, Demand, DemandPeaks, DemandWork
@@ -24,7 +23,7 @@ FAR = 1e30
 
 
 def demands(
-    crane: Crane | HookCrane, trajectory: LoadTrajectory, times: FloatArray,
+    crane: AnyCrane, trajectory: LoadTrajectory, times: FloatArray,
     friction: Friction = NONE,
 ) -> FloatArray:
     """Rows of the record `Demand` at times, shape (times, 14)."""
@@ -32,7 +31,7 @@ def demands(
 
 
 def demands_in_state(
-    crane: Crane | HookCrane, point: Waypoint, friction: Friction = NONE
+    crane: AnyCrane, point: Waypoint, friction: Friction = NONE
 ) -> FloatArray:
     """Magnitudes of the demands in the state of a waypoint in both directions, shape (2, 14).
 
@@ -69,7 +68,7 @@ def _of(
 
 
 def peaks(
-    crane: Crane | HookCrane, trajectory: LoadTrajectory, friction: Friction = NONE
+    crane: AnyCrane, trajectory: LoadTrajectory, friction: Friction = NONE
 ) -> tuple[FloatArray, FloatArray]:
     """Exact greatest magnitudes of all demands in the positive and in the negative direction.
 

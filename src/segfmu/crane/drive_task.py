@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from segfmu.crane.contacts import resistance
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import model_of
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.parameters import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.limits.records import AxisTask, LimitRow
@@ -59,7 +58,7 @@ class Task:
         Whether the load rests where states are free.
     """
 
-    crane: Crane | HookCrane
+    crane: AnyCrane
     waypoints: tuple[Waypoint, ...]
     bounds: FloatArray
     caps: FloatArray

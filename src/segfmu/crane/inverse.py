@@ -8,8 +8,7 @@ from numpy.typing import ArrayLike
 from segfmu.crane.contacts import NONE, Contacts
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import GANTRY, model_of, require_flat, require_force
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.parameters import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rope import LoadTrajectory
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import FlatInverse as Results
@@ -48,7 +47,7 @@ class FlatInverse:
     """
 
     def __init__(
-        self, crane: Crane | HookCrane, trajectory: LoadTrajectory, friction: Friction = NONE
+        self, crane: AnyCrane, trajectory: LoadTrajectory, friction: Friction = NONE
     ) -> None:
         if isinstance(trajectory, type) or not hasattr(trajectory, "axes"):
             raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")

@@ -18,7 +18,7 @@ from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.hook import HookCrane
 from segfmu.crane.hook_state import hook_state, plant_state
-from segfmu.crane.parameters import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rig import Rig
 from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import FADE, TrackingController
@@ -95,7 +95,7 @@ class Plant:
 
     def __init__(
         self,
-        crane: Crane | HookCrane,
+        crane: AnyCrane,
         state: FloatArray,
         setpoints: Setpoints,
         controller: Controller | SwayFeedback,

@@ -8,8 +8,7 @@ import numpy as np
 
 from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.parameters import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
 from segfmu.crane.variables import Value, build, filled, values
 from segfmu.kernels.crane.records import DriveMode, Plant
@@ -50,7 +49,7 @@ class Rig:
         """Times [s] and masses [kg] of the payload changes, shape (changes, 2)."""
         return np.array([(c.time, c.mass) for c in self.payload], dtype=np.float64).reshape(-1, 2)
 
-    def parameters(self, crane: Crane | HookCrane, driven: bool) -> FloatArray:
+    def parameters(self, crane: AnyCrane, driven: bool) -> FloatArray:
         """The kernels' `Plant`, shape (Plant.SIZE,)."""
         found = crane.values() | values(self.friction, FRICTION) | values(self.travel, TRAVEL)
         for drive, mapping in zip(self.drives, DRIVE, strict=True):
@@ -59,8 +58,7 @@ class Rig:
         # the item of the enumeration
         found["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
         packed = filled(Plant, found.__getitem__)
-        if isinstance(crane, HookCrane):
-            packed[Plant.HOOK_MASS], packed[Plant.SLING] = crane.hook_mass, crane.sling
+        packed[Plant.HOOK_MASS], packed[Plant.SLING] = crane.hook
         return packed
 
     @classmethod

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from segfmu.cosim import Change
-from segfmu.crane import Crane, HookCrane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.linear import moved_masses
 from segfmu.fmu.gantry_crane.interface import STATE
 from segfmu.planning.arrays import FloatArray
@@ -29,7 +29,7 @@ class Course(ABC):
     """
 
     duration: float
-    crane: Crane | HookCrane
+    crane: AnyCrane
     lag: tuple[float, ...]
     dead_time: tuple[float, ...]
 
@@ -65,12 +65,12 @@ class Course(ABC):
         return np.stack(forces, axis=-1), np.stack(velocities, axis=-1)
 
 
-def hanging(crane: Crane | HookCrane) -> float:
+def hanging(crane: AnyCrane) -> float:
     """Mass of all that hangs on the rope [kg]."""
     return crane.masses[2] + crane.hook[0]
 
 
-def carriages(crane: Crane | HookCrane) -> FloatArray:
+def carriages(crane: AnyCrane) -> FloatArray:
     """Masses that the drives of bridge and trolley move, without what hangs on the rope [kg]."""
     bridge, trolley, payload, gravity = crane.masses[:4]
     return moved_masses((bridge, trolley, payload, gravity))[:2]

@@ -7,7 +7,7 @@ from math import sqrt
 
 import numpy as np
 
-from segfmu.crane import Crane, HookCrane
+from segfmu.crane.kinds import AnyCrane
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Swing:
     load: float
 
 
-def swings(crane: Crane | HookCrane, rope: float, carriage: float) -> tuple[Swing, ...]:
+def swings(crane: AnyCrane, rope: float, carriage: float) -> tuple[Swing, ...]:
     """All swings about a rope length [m], the slowest first.
 
     carriage: mass that yields to the pull of the rope [kg]; infinite with velocity drives.

@@ -14,6 +14,7 @@ import numpy as np
 
 from segfmu.crane import ActuatorBounds, Crane, Friction, HookCrane, Rig
 from segfmu.crane.bounds import DIRECTED
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.linear import usual_sample_time
 from segfmu.errors import InputError
 from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair
@@ -100,7 +101,7 @@ def with_keys(where: str | Path | None = None) -> Iterator[None]:
         raise InputError(text if where is None else f"{where}: {text}") from None
 
 
-def nominal(crane: CraneFile) -> Crane | HookCrane:
+def nominal(crane: CraneFile) -> AnyCrane:
     """Masses, gravity, rope range and hook.
 
     Raises

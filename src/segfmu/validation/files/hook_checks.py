@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from segfmu.crane import Crane, HookCrane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InputError
 from segfmu.validation.files.controller_tables import ControllerTable
 
@@ -107,7 +108,7 @@ def _check_smoothness(mission: Mission) -> None:
         )
 
 
-def require_gantry(crane: Crane | HookCrane, what: str) -> Crane:
+def require_gantry(crane: AnyCrane, what: str) -> Crane:
     """The crane, if it has no hook.
 
     Raises

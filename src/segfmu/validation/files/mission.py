@@ -11,12 +11,11 @@ from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from segfmu.crane import (
     ActuatorBounds,
-    Crane,
     Friction,
-    HookCrane,
     Operator,
     plan_actuated,
 )
+from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InputError
 from segfmu.planning import (
     Clearance,
@@ -159,7 +158,7 @@ class Mission(Table):
         """The crane that is simulated."""
         return self.true_crane or self.crane
 
-    def build_crane(self) -> Crane | HookCrane:
+    def build_crane(self) -> AnyCrane:
         """The crane that is planned for."""
         return crane_parameters.nominal(self.crane)
 

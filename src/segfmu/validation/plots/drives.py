@@ -8,10 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from segfmu.crane import ActuatorBounds, Crane, Friction, HookCrane
+from segfmu.crane import ActuatorBounds, Friction
 from segfmu.crane.bounds import DRIVES, UNITS
 from segfmu.crane.contacts import NONE
 from segfmu.crane.demand import demands
+from segfmu.crane.kinds import AnyCrane
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
@@ -28,7 +29,7 @@ FARTHEST = 1.5
 
 
 def plot_drives(
-    crane: Crane | HookCrane, trajectory: Trajectory, bounds: ActuatorBounds, title: str,
+    crane: AnyCrane, trajectory: Trajectory, bounds: ActuatorBounds, title: str,
     friction: Friction = NONE,
 ) -> Figure:
     """Velocity, acceleration, force and power of the drives, and the sway; bounds dashed."""
@@ -40,7 +41,7 @@ def plot_drives(
 
 def draw_demands(
     panels: Sequence[Axes], times: FloatArray, values: FloatArray, bounds: ActuatorBounds,
-    crane: Crane | HookCrane,
+    crane: AnyCrane,
 ) -> list[float]:
     """Draw demands (times, 14) in the panels of `PANELS`; returns the factor of each panel.
 

@@ -9,8 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from segfmu.crane import ActuatorBounds, Crane, HookCrane
+from segfmu.crane import ActuatorBounds
 from segfmu.crane.bounds import DRIVES
+from segfmu.crane.kinds import AnyCrane
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.criteria import angles
 from segfmu.validation.drive_use import SWAYS, run_demands
@@ -28,7 +29,7 @@ VELOCITY, SWAY = QUANTITIES.index("velocity"), QUANTITIES.index("sway angle")
 
 def plot_run(
     rows: NDArray[np.void], waypoint_times: FloatArray, title: str,
-    crane: Crane | HookCrane, bounds: ActuatorBounds,
+    crane: AnyCrane, bounds: ActuatorBounds,
 ) -> Figure:
     """Drives with setpoints and bounds, sway with the planned one, tracking error of the load."""
     figure, panels = stack(len(PANELS) + 1)
