@@ -274,13 +274,39 @@ class Plant:
             If the crane reaches an end stop or leaves the range of its equations; the message says
             what happened and when. The plant keeps the last valid state.
         """
-        table, gains, tracker = self._tables()
-        vector = setpoints.vector
+        self._advance(duration, setpoints.vector, self._tables())
+
+    def follow(self, durations: FloatArray, setpoints: FloatArray) -> FloatArray:
+        """Take many steps: the signals of the sensors after each, shape (steps, 5).
+
+        Parameters
+        ----------
+        durations : ndarray, shape (steps,)
+            [s].
+        setpoints : ndarray, shape (steps, 19)
+            A kernel's `Setpoints` a row.
+
+        Raises
+        ------
+        SimulationError
+            As `step` does.
+        """
+        tables, signals = self._tables(), self._memory[Memory.SIGNALS, : Coordinates.SIZE]
+        found = np.empty((len(durations), Coordinates.SIZE))
+        for row, duration, own in zip(found, durations.tolist(), setpoints, strict=True):
+            self._advance(duration, own, tables)
+            row[:] = signals
+        return found
+
+    def _advance(
+        self, duration: float, setpoints: FloatArray,
+        tables: tuple[FloatArray, FloatArray, FloatArray],
+    ) -> None:
         status = RigStatus.TICK
         while status == RigStatus.TICK:
             status = backend.rig_step(
-                self._settings, self._components, self._changes, table, gains, tracker, vector,
-                duration, self._memory,
+                self._settings, self._components, self._changes, *tables, setpoints, duration,
+                self._memory,
             )
             if status == RigStatus.TICK:
                 self._sample()

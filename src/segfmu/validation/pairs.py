@@ -111,6 +111,12 @@ def _table(interface: Spec) -> dict[str, Any]:
     return {v.name: v.start for v in interface.where("parameter") if v.name.startswith(TABLE)}
 
 
+def without_starts(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values without those that the archive starts with: an FMU that is reset has them."""
+    starts = {v.name: v.start for v in interface.variables}
+    return {n: value for n, value in values.items() if value != starts.get(n)}
+
+
 def with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
     """Values by the names of FMI 3.0: the counts of rows, then the rows in use as arrays."""
     arrays = [a for a in interface.arrays if a.rows in values]

@@ -23,7 +23,7 @@ from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.files.scenario_tables import moment, moments
 from segfmu.validation.kept import Kept
 from segfmu.validation.monitor import Finding, judge
-from segfmu.validation.pairs import Pairs, with_arrays
+from segfmu.validation.pairs import Pairs, with_arrays, without_starts
 from segfmu.validation.scenario import (
     AT_BUILD,
     crane_values,
@@ -230,9 +230,11 @@ class Runner:
         if file.method == "pd":
             driven = sink["drive.mode"] == "velocity"
             sink |= NO_REJECTION | position_gains(mission, driven, gains)
+        interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
         if file.fmi == 3:
-            interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
-            source, sink = with_arrays(interfaces[0], source), with_arrays(interfaces[1], sink)
+            source, sink = map(with_arrays, interfaces, (source, sink))
+        else:
+            source, sink = map(without_starts, interfaces, (source, sink))
         own = models(mission.crane)
         values: dict[str, dict[str, Any]] = {
             own.feedforward: source | lead, own.crane: sink | lead,

@@ -8,11 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 from benchmarks.identification import identified
-from benchmarks.synthetic_logs import SIZES, synthetic
+from benchmarks.synthetic_logs import SIZES, synthetic, tables
 from scipy.integrate import solve_ivp
 
 import segfmu
 from segfmu.errors import InputError
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.reading import merged
+from segfmu.validation.identification.log import OUTPUTS, read_log
+from segfmu.validation.identification.model import Model
 from tests.campaign import SOAK, campaign, soaked
 
 GRAVITY = 9.81
@@ -70,6 +74,24 @@ def test_rope_sway_zeros_and_damping_of_a_pendulum(size: str) -> None:
         one = found[key]
         assert one.low < value < one.high
         assert one.high - one.low < 0.1 * value
+
+
+def test_a_rope_that_stands_still_leaves_room_for_its_zero() -> None:
+    *_, length = SIZES["lab"]
+    log = synthetic("lab", "velocity", 2)
+    known = log.crane_without("sensors.rope.zero", "sensors.sway_x.zero")
+    still = {**log.columns, "velocity.hoist": 0.0 * log.columns["time"]}
+    model = Model(CraneFile.model_validate(merged(log.crane, tables(log.truth))))
+    start = np.zeros(10)
+    start[2], start[3] = length, 0.1
+    shown = model.run(read_log(still, "velocity", {}), {}, start)
+    for i, name in enumerate(OUTPUTS):
+        noise = 0.0 if i == 2 else [1e-3 * length, 2e-3][i > 2]
+        still[name] = shown[:, i] + np.random.default_rng(i).normal(0.0, noise, len(shown))
+    found = segfmu.identify(still, known, fit=["sensors.rope.zero", "sensors.sway_x.zero"])
+    zero = found["sensors.rope.zero"]
+    assert zero.low < log.truth["sensors.rope.zero"] < zero.high
+    assert 0.0 < zero.high - zero.low < 0.01 * length
 
 
 # of force drives fewer intervals are right, see docs/identification.md

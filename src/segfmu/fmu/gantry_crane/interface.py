@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from segfmu.crane.feedback import SwayFeedback
@@ -120,6 +121,7 @@ def _energies() -> list[Variable]:
     ]
 
 
+@cache
 def spec() -> Spec:
     """The interface of GantryCrane."""
     return held(Spec(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from segfmu.fmu.feedforward.interface import (
     FAR,
     LIMITS,
@@ -101,6 +103,7 @@ def _commands() -> list[Variable]:
     )
 
 
+@cache
 def spec(most: int = WAYPOINTS) -> Spec:
     """The interface of GantryFeedforward, with room for so many waypoints; they come last."""
     return Spec(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 from segfmu.crane.hook_feedback import HookWeights
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -24,6 +25,7 @@ UNITS = ("rad", "rad", "rad/s", "rad/s")
 ACCELERATIONS = ("sling.x.acceleration", "sling.y.acceleration")
 
 
+@cache
 def spec() -> Spec:
     """The interface of HookCrane."""
     plain = gantry_crane.spec()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from segfmu.fmu.feedforward.interface import (
     MOST_WAYPOINTS,
     WAYPOINTS,
@@ -21,6 +23,7 @@ from segfmu.fmu.standard.spec import Spec, calculated
 __all__ = ["MOST_WAYPOINTS", "WAYPOINTS", "native_spec", "spec"]
 
 
+@cache
 def spec(most: int = WAYPOINTS) -> Spec:
     """The interface of HookFeedforward, with room for so many waypoints; they come last."""
     return Spec(

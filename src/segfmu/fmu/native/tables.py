@@ -1,16 +1,16 @@
 """The table of an FMU's variables in C, from its interface specification.
 
 Every variable has an index in one of two arrays, `real` and `integer`; the elements of an FMI 3.0
-array are adjacent. variables.h names the indices. variables.c gives index, kind and range of every
-value reference, and when it may be set. build.h has a hash of all sources. None of them depends on
-start values, which are in start.bin.
+array are adjacent. variables.h names the indices. variables.c gives index and kind of every value
+reference, when it may be set, its name and range, and which ones are differentiable. build.h has a
+hash of all sources. None of them depends on start values, which are in start.bin.
 """
 
 from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from segfmu.fmu.standard.references import Entry, entries
@@ -77,13 +77,10 @@ def header(spec: Spec, version: int) -> str:
         if n in arrays or n not in members
     ]
     described = entries(spec, version)
-    differentiable = 1 + max(
-        (i for i, e in enumerate(described) if _differentiable(e.variable)), default=-1
-    )
     rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
     sizes = {
         "VARIABLES": len(described), "NAME": 1 + max(len(e.name) for e in described),
-        "DIFFERENTIABLE": differentiable,
+        "DIFFERENTIABLE": len(_differentiable_places(described)),
         "REALS": len(placed.reals),
         # C has no arrays of no size
         "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.signals),
@@ -118,30 +115,48 @@ def build(number: int) -> str:
 def source(spec: Spec, version: int) -> str:
     """The text of variables.c."""
     placed = layout(spec)
-    rows = ",\n".join(_row(spec, e, placed) for e in entries(spec, version))
+    described = entries(spec, version)
+    rows = ",\n".join(_row(spec, e, placed) for e in described)
+    labels = ",\n".join(map(_label, described))
+    # C has no arrays of no size
+    places = ", ".join(map(str, [*_differentiable_places(described), 0]))
     return (
         f'{BANNER}#include <math.h>\n\n#include "model.h"\n\n'
         f'static const char model_name[] = "{spec.name}";\n\n'
-        f"static const variable model_variables[MODEL_VARIABLES] = {{\n{rows}\n}};\n"
+        f"static const variable model_variables[MODEL_VARIABLES] = {{\n{rows}\n}};\n\n"
+        f"static const label model_labels[MODEL_VARIABLES] = {{\n{labels}\n}};\n\n"
+        "static const uint16_t model_differentiable[MODEL_DIFFERENTIABLE + 1] = "
+        f"{{{places}}};\n"
     )
 
 
 def _row(spec: Spec, entry: Entry, placed: Layout) -> str:
     v = entry.variable
     counts = any(v.name == a.rows for a in spec.arrays)
-    least, most = v.minimum, v.maximum
-    if v.enumeration is not None:
-        least, most = 1, len(v.enumeration.items)
     calculated = v.causality in CALCULATED
     derived = _differentiable(v)
     fields = (
-        f'"{entry.name}"', "-INFINITY" if least is None else repr(float(least)),
-        "INFINITY" if most is None else repr(float(most)), str(placed.offsets[v.name]),
+        str(placed.offsets[v.name]),
         str(entry.array.columns if entry.array else 0), KINDS[v.kind],
         _setting(v), str(_states(spec).get(v.name, 0)), _truth(calculated), _truth(derived),
         _truth(counts),
     )
     return f"    {{{', '.join(fields)}}}"
+
+
+def _label(entry: Entry) -> str:
+    """Name and range."""
+    v = entry.variable
+    least, most = v.minimum, v.maximum
+    if v.enumeration is not None:
+        least, most = 1, len(v.enumeration.items)
+    low = "-INFINITY" if least is None else repr(float(least))
+    high = "INFINITY" if most is None else repr(float(most))
+    return f'    {{"{entry.name}", {low}, {high}}}'
+
+
+def _differentiable_places(described: Sequence[Entry]) -> list[int]:
+    return [i for i, e in enumerate(described) if _differentiable(e.variable)]
 
 
 def _differentiable(v: Variable) -> bool:

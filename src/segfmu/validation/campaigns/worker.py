@@ -69,12 +69,14 @@ def perform(
     begin = perf_counter()
     outcomes: list[Outcome] = []
     for order in orders:
-        runner = _runners.setdefault(threading.get_ident(), Runner())
-        made = partial(_made, runner, sources[order.scenario], order)
+        own = threading.get_ident()
+        if own not in _runners:
+            _runners[own] = Runner()
+        made = partial(_made, _runners[own], sources[order.scenario], order)
         outcomes.append(_limited(made, order, timeout))
         if outcomes[-1].hung:
             # the thread that hangs keeps it
-            del _runners[threading.get_ident()]
+            del _runners[own]
             break
     return outcomes, perf_counter() - begin
 

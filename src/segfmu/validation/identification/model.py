@@ -15,10 +15,11 @@ from segfmu.fmu.standard.spec import started
 from segfmu.kernels import backend
 from segfmu.kernels.control.records import GainInputs
 from segfmu.kernels.crane.records import Axes, Coordinates, State
+from segfmu.kernels.rig.records import Setpoints as Record
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import parameters
-from segfmu.validation.identification.log import OUTPUTS, Log
+from segfmu.validation.identification.log import Log
 
 # what noise and steps of sensors add is no part of what they show on average
 IDEAL = (".deviation", ".resolution")
@@ -71,15 +72,11 @@ class Model:
             raise InputError("the rope has no length at the start")
         setpoints = self._setpoints(log.setpoints)
         plant = Plant(
-            Crane.of(value), start, setpoints[0], _nothing(log), driven=self._driven,
+            Crane.of(value), start, Setpoints.of(setpoints[0]), _nothing(log), driven=self._driven,
             enabled=False, rig=Rig.of(value), start_time=float(log.times[0]),
         )
-        found = np.empty((log.times.size, len(OUTPUTS)))
-        for i, step in enumerate(np.diff(log.times, prepend=log.times[0]).tolist()):
-            if i:
-                plant.step(step, setpoints[i])
-            found[i] = plant.measured
-        return found
+        first = plant.measured[None]
+        return np.concatenate([first, plant.follow(np.diff(log.times), setpoints[1:])])
 
     def attempt(
         self, log: Log, changes: Mapping[str, float], start: FloatArray
@@ -90,11 +87,12 @@ class Model:
         except (SimulationError, InputError):
             return None
 
-    def _setpoints(self, values: FloatArray) -> list[Setpoints]:
-        none = np.zeros(Axes.SIZE)
-        if self._driven:
-            return [Setpoints(none, row) for row in values]
-        return [Setpoints(row, none) for row in values]
+    def _setpoints(self, values: FloatArray) -> FloatArray:
+        """A kernel's `Setpoints` a row, from those of the drives, shape (rows, 3)."""
+        found = np.zeros((len(values), Record.SIZE))
+        first = Record.VELOCITY if self._driven else Record.FORCE
+        found[:, first : first + Axes.SIZE] = values
+        return found
 
 
 def load_path(coordinates: FloatArray) -> FloatArray:

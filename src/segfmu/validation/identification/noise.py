@@ -5,10 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.identification.log import OUTPUTS, Log
+from segfmu.validation.identification.log import ANGLES, OUTPUTS, ROPE, Log
 
 # of a signal's range: noise that is smaller is rounding
 LEAST = 1e-6
+# of the rope's length, or rad: noise of a signal that stands still, and so shows none; it must
+# leave room for what others say of its zero
+STILL = 1e-3
+# of its greatest value: a signal whose range is smaller stands still
+ROUNDING = 1e-12
 # of independent noise, the deviation of its third differences is this times its own
 THIRD = np.sqrt(20.0)
 # of the median of the absolute values of normal noise
@@ -31,9 +36,11 @@ def noise_of(log: Log, simulated: FloatArray) -> FloatArray:
 
 
 def _least(log: Log) -> FloatArray:
-    largest = np.abs(log.measured).max(axis=0)
-    spans = np.maximum(np.ptp(log.measured, axis=0), LEAST * largest)
-    return np.where(spans > 0.0, LEAST * spans, LEAST) * np.ones(len(OUTPUTS))
+    spans = np.ptp(log.measured, axis=0)
+    rope = float(np.abs(log.measured[:, OUTPUTS.index(ROPE)]).mean())
+    still = [STILL if name in ANGLES else STILL * rope for name in OUTPUTS]
+    moves = spans > ROUNDING * np.abs(log.measured).max(axis=0)
+    return np.where(moves, LEAST * spans, still)
 
 
 def dependence(values: FloatArray) -> float:

@@ -71,6 +71,8 @@ static bool glue_finite(instance *c, double value, const char *what);
 
 /* The variable of a value reference, which must exist. */
 static const variable *glue_variable(uint32_t reference);
+/* Its name and range. */
+static const label *glue_label(const variable *v);
 
 /* Check references, kind and number of values; before reading, make the values current. */
 static bool glue_readable(instance *c, const char *function, const uint32_t references[], size_t count,

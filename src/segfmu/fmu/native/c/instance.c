@@ -203,10 +203,11 @@ void glue_set_time(instance *c, double time)
 bool glue_in_range(instance *c, const variable *v, double value, const char *what)
 {
     char message[MESSAGE] = "";
-    double most = v->counts ? (double)c->start.rows : v->most, fault[RANGE_FAULT_SIZE];
-    int64_t status = segfmu_check_range(value, v->least, most, vector(fault, RANGE_FAULT_SIZE));
+    const label *own = glue_label(v);
+    double most = v->counts ? (double)c->start.rows : own->most, fault[RANGE_FAULT_SIZE];
+    int64_t status = segfmu_check_range(value, own->least, most, vector(fault, RANGE_FAULT_SIZE));
     if (segfmu_range_message(status, fault, message, MESSAGE)) {
-        glue_log(c, STATUS_ERROR, "%s: %s %s", what, v->name, message);
+        glue_log(c, STATUS_ERROR, "%s: %s %s", what, own->name, message);
         return false;
     }
     return true;
@@ -220,4 +221,9 @@ size_t glue_elements_of(const instance *c, const variable *v)
 const variable *glue_variable(uint32_t reference)
 {
     return &model_variables[reference - 1];
+}
+
+const label *glue_label(const variable *v)
+{
+    return &model_labels[v - model_variables];
 }

@@ -30,8 +30,6 @@ enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT };
 
 /* A variable; its value reference is its place in the table, from 1. */
 typedef struct {
-    char name[MODEL_NAME];  /* no pointer: the loader would have one to set for each */
-    double least, most;   /* range */
     uint16_t offset;      /* of its first value in `real`, else in `integer` */
     uint16_t columns;     /* of an array, which has all rows of the instance; 0: a scalar */
     uint8_t kind;
@@ -42,8 +40,16 @@ typedef struct {
     bool counts;          /* rows in use, at most those that there are */
 } variable;
 
-/* of variables.c */
+/* What steps do not need of a variable, in a table of its own so that the other one stays small. */
+typedef struct {
+    char name[MODEL_NAME];  /* no pointer: the loader would have one to set for each */
+    double least, most;   /* range */
+} label;
+
+/* of variables.c: variables, their labels, and the places of those that are differentiable */
 static const variable model_variables[MODEL_VARIABLES];
+static const label model_labels[MODEL_VARIABLES];
+static const uint16_t model_differentiable[MODEL_DIFFERENTIABLE + 1];
 
 /* The beginning of every model's block. */
 typedef struct {

@@ -51,10 +51,10 @@ static int trial_status(const instance *c)
 static bool finite_outputs(instance *c)
 {
     for (size_t i = 0; i < MODEL_DIFFERENTIABLE; i++) {
-        const variable *v = &model_variables[i];
-        if (v->differentiable && !isfinite(c->model->real[v->offset])) {
+        const variable *v = &model_variables[model_differentiable[i]];
+        if (!isfinite(c->model->real[v->offset])) {
             glue_log(c, trial_status(c), "at %.9g s: %s is not finite; check the size of parameters "
-                     "and inputs", c->model->real[V_TIME], v->name);
+                     "and inputs", c->model->real[V_TIME], glue_label(v)->name);
             return false;
         }
     }

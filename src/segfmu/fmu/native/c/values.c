@@ -6,14 +6,15 @@
 #include "messages.h"
 #include "records.h"
 
+enum { INPUT_MODES = MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING };
+
 /* Modes in which a variable may be set. */
 static int modes_of(const instance *c, const variable *v)
 {
     static const int modes[] = {
         0, MODE_INSTANTIATED | MODE_INITIALISATION,
         MODE_INSTANTIATED | MODE_INITIALISATION | MODE_EVENT | MODE_STEP,
-        MODE_INSTANTIATED | MODE_INITIALISATION,
-        MODE_INSTANTIATED | MODE_INITIALISATION | MODE_RUNNING
+        MODE_INSTANTIATED | MODE_INITIALISATION, INPUT_MODES
     };
     int allowed = modes[v->setting];
     if (v->setting == SET_FIXED && c->model->starting) {
@@ -31,15 +32,20 @@ static const char *kind_name(uint8_t kind)
     return names[kind];
 }
 
-/* Checks for both reading and setting. */
+/* What is asked of all variables of a call at once: a bit for each kind of setting among them, and
+   these. */
+enum { ALL_CALCULATED = 1 << 8, ALL_EARLY = 1 << 9 };
+
+/* Checks for both reading and setting; `all` tells what is among the variables. */
 static bool usable(instance *c, const char *function, const uint32_t references[], size_t count,
-                   const void *values, size_t size, int kinds)
+                   const void *values, size_t size, int kinds, int *all)
 {
     if (count > 0
         && (!glue_given(c, references, function) || !glue_given(c, values, function))) {
         return false;
     }
     size_t elements = 0;
+    int found = 0;
     for (size_t i = 0; i < count; i++) {
         if (references[i] < 1 || references[i] > c->start.variables) {
             const double fault[ACCESS_FAULT_SIZE] = {references[i]};
@@ -50,12 +56,18 @@ static bool usable(instance *c, const char *function, const uint32_t references[
         }
         const variable *v = glue_variable(references[i]);
         if ((kinds & (1 << v->kind)) == 0) {
-            glue_log(c, STATUS_ERROR, "%s: %s is of type %s", function, v->name,
+            glue_log(c, STATUS_ERROR, "%s: %s is of type %s", function, glue_label(v)->name,
                      kind_name(v->kind));
             return false;
         }
         elements += glue_elements_of(c, v);
+        found |= 1 << v->setting;
+        if (v->calculated) {
+            /* exact start values can be read at once */
+            found |= v->setting == SET_NEVER ? ALL_CALCULATED | ALL_EARLY : ALL_CALCULATED;
+        }
     }
+    *all = found;
     if (elements != size) {
         glue_log(c, STATUS_ERROR, "%s: the variables have %lu values, got %lu", function,
                  (unsigned long)elements, (unsigned long)size);
@@ -67,33 +79,31 @@ static bool usable(instance *c, const char *function, const uint32_t references[
 bool glue_readable(instance *c, const char *function, const uint32_t references[], size_t count,
                    const void *values, size_t size, int kinds)
 {
-    if (!usable(c, function, references, count, values, size, kinds)) {
+    int all;
+    if (!usable(c, function, references, count, values, size, kinds, &all)) {
         return false;
     }
-    bool follows = false;
-    int early = 0;
-    for (size_t i = 0; i < count; i++) {
-        const variable *v = glue_variable(references[i]);
-        if (v->calculated) {
-            follows = true;
-            early |= v->setting == SET_NEVER ? MODE_INSTANTIATED : 0;
-        }
-    }
-    return !follows || (glue_allows(c, (MODE_ANY | MODE_UPDATE) & ~early, function) && glue_evaluate(c));
+    const int early = (all & ALL_EARLY) != 0 ? MODE_INSTANTIATED : 0;
+    return (all & ALL_CALCULATED) == 0
+        || (glue_allows(c, (MODE_ANY | MODE_UPDATE) & ~early, function) && glue_evaluate(c));
 }
 
 bool glue_settable(instance *c, const char *function, const uint32_t references[], size_t count,
                    const void *values, size_t size, int kinds)
 {
-    if (!usable(c, function, references, count, values, size, kinds)) {
+    int all;
+    if (!usable(c, function, references, count, values, size, kinds, &all)) {
         return false;
     }
     const int64_t mode = c->model->mode;
+    if (all == 1 << SET_INPUT && (INPUT_MODES & mode) != 0) {
+        return true;
+    }
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
         const int modes = modes_of(c, v);
         if ((modes & mode) == 0) {
-            glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, v->name,
+            glue_log(c, STATUS_ERROR, "%s: %s cannot be set %s", function, glue_label(v)->name,
                      modes == 0 ? "at all" : "now");
             return false;
         }
@@ -148,7 +158,7 @@ static bool finite_values(instance *c, const uint32_t references[], const double
         v = glue_variable(*references++);
         behind += glue_elements_of(c, v);
     }
-    return glue_finite(c, values[place], v->name);
+    return glue_finite(c, values[place], glue_label(v)->name);
 }
 
 /* While the model runs nothing checks its parameters again, so what is tuned is checked here. */
@@ -245,11 +255,12 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
 {
     const int real = 1 << KIND_REAL;
     size_t rows = adjoint ? n : m, columns = adjoint ? m : n;
+    int all;
     if (rows == 0) {
         return true;
     }
-    if (!usable(c, function, unknowns, m, found, m, real)
-        || !usable(c, function, knowns, n, found, n, real) || !glue_given(c, found, function)
+    if (!usable(c, function, unknowns, m, found, m, real, &all)
+        || !usable(c, function, knowns, n, found, n, real, &all) || !glue_given(c, found, function)
         || (columns > 0 && !glue_given(c, seed, function)) || !glue_evaluate(c)) {
         return false;
     }
@@ -261,7 +272,7 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
             double partial = 0.0;
             if (!model_partial(c->model, unknown, known, &partial)) {
                 glue_log(c, STATUS_ERROR, "%s: there is no derivative of %s by %s now", function,
-                         unknown->name, known->name);
+                         glue_label(unknown)->name, glue_label(known)->name);
                 return false;
             }
             sum += partial * seed[j];
@@ -274,7 +285,8 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
 bool glue_output_derivatives(instance *c, const char *function, const uint32_t references[],
                              size_t count, const int32_t orders[], double values[])
 {
-    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL)
+    int all;
+    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL, &all)
         || (count > 0 && !glue_given(c, orders, function)) || !glue_evaluate(c)) {
         return false;
     }
@@ -282,7 +294,7 @@ bool glue_output_derivatives(instance *c, const char *function, const uint32_t r
         const variable *v = glue_variable(references[i]);
         if (!v->differentiable || orders[i] < 1 || orders[i] > MODEL_ORDERS
             || !model_output_derivative(c->model, v, orders[i], &values[i])) {
-            glue_log(c, STATUS_ERROR, "%s: %s has no derivative of order %d", function, v->name,
+            glue_log(c, STATUS_ERROR, "%s: %s has no derivative of order %d", function, glue_label(v)->name,
                      (int)orders[i]);
             return false;
         }
@@ -293,18 +305,19 @@ bool glue_output_derivatives(instance *c, const char *function, const uint32_t r
 bool glue_input_derivatives(instance *c, const char *function, const uint32_t references[],
                             size_t count, const int32_t orders[], const double values[])
 {
-    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL)
+    int all;
+    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL, &all)
         || (count > 0 && !glue_given(c, orders, function))) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
         if (v->setting != SET_INPUT || orders[i] < 1 || orders[i] > INPUT_ORDERS) {
-            glue_log(c, STATUS_ERROR, "%s: %s takes no derivative of order %d", function, v->name,
+            glue_log(c, STATUS_ERROR, "%s: %s takes no derivative of order %d", function, glue_label(v)->name,
                      (int)orders[i]);
             return false;
         }
-        if (!glue_finite(c, values[i], v->name)) {
+        if (!glue_finite(c, values[i], glue_label(v)->name)) {
             return false;
         }
     }
