@@ -41,6 +41,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "rec": ("recordings", ()),
     "k": ("free_states", ("casadi",)),
     "ini": ("initialisation", ()),
+    "chg": ("changed_missions", ()),
     "p": ("feedback", ()),
     "hook": ("hooks", ()),
 }

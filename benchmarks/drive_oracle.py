@@ -7,15 +7,28 @@ Taylor series.
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 
-from segfmu import ActuatorBounds, Crane, Trajectory
+from segfmu import ActuatorBounds, Crane
 from segfmu.crane import Friction
 
 FloatArray = NDArray[np.float64]
 ORDER = 3
+
+
+class Motion(Protocol):
+    """A load's motion, such as a `Trajectory`."""
+
+    @property
+    def duration(self) -> float: ...
+
+    def __call__(self, t: FloatArray, derivative: int = 0) -> FloatArray: ...
+
+
 FACTORIALS = np.array([1.0, 1.0, 2.0, 6.0, 24.0])
 
 
@@ -40,7 +53,7 @@ def _root(a: FloatArray) -> FloatArray:
 
 
 def demands(
-    crane: Crane, trajectory: Trajectory, times: FloatArray, friction: Friction | None = None
+    crane: Crane, trajectory: Motion, times: FloatArray, friction: Friction | None = None
 ) -> FloatArray:
     """Force, velocity, acceleration, power and sway, shape (times, 14).
 
@@ -102,7 +115,7 @@ def friction_along(
 
 
 def largest_use(
-    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, samples: int,
+    crane: Crane, trajectory: Motion, bounds: ActuatorBounds, samples: int,
     friction: Friction | None = None,
 ) -> float:
     """Largest share of a bound, each direction against its own, among equidistant samples."""
@@ -110,7 +123,7 @@ def largest_use(
 
 
 def shares(
-    crane: Crane, trajectory: Trajectory, bounds: ActuatorBounds, samples: int,
+    crane: Crane, trajectory: Motion, bounds: ActuatorBounds, samples: int,
     friction: Friction | None = None,
 ) -> FloatArray:
     """Largest shares of the bounds in the positive and the negative direction, shape (2, 14)."""

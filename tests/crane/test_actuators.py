@@ -258,3 +258,22 @@ def test_a_wall_is_kept_whatever_the_limits(way: str) -> None:
     )
     assert limited.passed and limited.trajectory.extrema(0)[1][0] <= 6.01 + 1e-9
     assert limited.trajectory.duration < resting.trajectory.duration
+
+
+def test_a_plan_at_its_largest_limits_may_become_slower() -> None:
+    # free states at the limit of velocity were possible at no other pace
+    free = [Waypoint([0.0, 0.25, -0.6], "free", "free"), Waypoint([0.0, 1.2, -0.6], "free", "free")]
+    inner = [free, [Waypoint(p.position) for p in free]]
+    bounds = ActuatorBounds(
+        velocity=[0.7, 0.7, 0.3], acceleration=[0.9, 0.9, 0.6], force=[None, 3.0, 18.0],
+        power=[None, None, 5.0],
+    )
+    moving, resting = (
+        plan_actuated(
+            CRANE, [Waypoint([0.0, 0.0, -1.0]), *points, Waypoint([0.0, 1.5, -1.0])],
+            Limits(0.65, 0.7, 5.0, 60.0), bounds, shape="smoothstep",
+        )
+        for points in inner
+    )
+    assert moving.passed
+    assert moving.trajectory.duration < 0.9 * resting.trajectory.duration

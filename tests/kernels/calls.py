@@ -415,6 +415,7 @@ def limit_calls() -> dict[str, Call]:
         "begin_limits": (starts, kinds, search.copy()),
         "next_limits": (5.0, peaks.ravel().copy(), starts, search.copy(), *work),
         "is_judged": (5.0, peaks.ravel().copy(), search.copy()),
+        "cap_best": (axes, search.copy()),
         "write_best": (0.9, search.copy()),
         "keep_best": (0.9, search.copy()),
     }

@@ -169,6 +169,7 @@ class LimitSearch:
         It is the base of the next pace.
         """
         pace, best = np.zeros(Pace.SIZE), None
+        backend.cap_best(task.axes, self._rows)
         backend.begin_pace(fastest, FULL, pace)
         more = True
         while more:

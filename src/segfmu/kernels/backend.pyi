@@ -746,6 +746,12 @@ def is_judged(
     /,
 ) -> bool: ...
 
+def cap_best(
+    axes: Floats,
+    search: Floats,
+    /,
+) -> None: ...
+
 def write_best(
     pace: float,
     search: Floats,

@@ -587,6 +587,10 @@ ENTRY_POINTS = (
         search=(Search.SIZE, "columns"),
     ),
     entry("limits.trials", "is_judged", uses=2 * Demand.SIZE, search=(Search.SIZE, "columns")),
+    entry(
+        "limits.trials", "cap_best", axes=(Vector.SIZE, AxisTask.SIZE),
+        search=(Search.SIZE, UNKNOWNS),
+    ),
     entry("limits.trials", "write_best", search=(Search.SIZE, UNKNOWNS)),
     entry("limits.trials", "keep_best", search=(Search.SIZE, UNKNOWNS)),
     entry(

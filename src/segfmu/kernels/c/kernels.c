@@ -331,22 +331,22 @@ static bool enter_poll(array_double_2d search);
 static double poll_change(int64_t way);
 static bool next_poll(double duration, array_double_1d uses, array_double_2d search);
 static bool leave_poll(array_double_2d search);
+static double change_of(array_double_2d search);
+static bool write_changed(array_double_2d search);
+static bool enter_slopes(array_double_2d search);
+static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes);
+static void correct_slopes(array_double_2d search, array_double_2d values, array_double_2d slopes);
 static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static double damped_step(int64_t n, double radius, double weight, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static void write_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static void enter_start(array_double_2d starts, array_double_2d search);
-static double change_of(array_double_2d search);
-static bool write_changed(array_double_2d search);
-static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes);
 static double worth_while(void);
-static bool enter_slopes(array_double_2d search);
 static bool enter_descent(array_double_2d search);
 static bool leave_round(array_double_2d search);
 static bool enter_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static void note_start(array_double_2d search);
 static void enter_centre(array_double_2d search, array_double_2d values);
 static bool enter_round(array_double_2d search, array_double_2d values);
-static void correct_slopes(array_double_2d search, array_double_2d values, array_double_2d slopes);
 static double least_radius(array_double_2d search);
 static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
@@ -12398,6 +12398,22 @@ bool segfmu_is_judged(double duration, array_double_1d uses, array_double_2d sea
     result = kept && (log_of(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09);
     return result;
 }
+void segfmu_cap_best(array_double_2d axes, array_double_2d search)
+{
+    int64_t axis;
+    int64_t i;
+    int64_t known;
+    double most;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            known = axis * INT64_C(6) + i;
+            most = log((*cspan_at(&axes, axis, INT64_C(15) + i)));
+            (*cspan_at(&search, INT64_C(8), known)) = span_min((*cspan_at(&search, INT64_C(8), known)), most);
+        }
+    }
+}
 void segfmu_write_best(double pace, array_double_2d search)
 {
     double faster;
@@ -12509,6 +12525,125 @@ static bool leave_poll(array_double_2d search)
     (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
     enter_paces(search);
     return 1;
+}
+static double change_of(array_double_2d search)
+{
+    double size;
+    size = 0.02;
+    if ((int64_t)((*cspan_at(&search, INT64_C(11), (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(3))))))) == INT64_C(2))
+    {
+        size = 0.01;
+    }
+    if ((*cspan_at(&search, INT64_C(0), INT64_C(4))) > 0.5)
+    {
+        return size;
+    }
+    return -size;
+}
+static bool write_changed(array_double_2d search)
+{
+    array_double_1d state;
+    int64_t n;
+    int64_t changed;
+    int64_t i;
+    state = span_row(&search, INT64_C(0));
+    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
+    changed = (int64_t)((*cspan_at(&state, INT64_C(3))));
+    if ((*cspan_at(&state, INT64_C(4))) > 0.5)
+    {
+        changed = changed + INT64_C(1);
+        while((changed < n) && ((int64_t)((*cspan_at(&search, INT64_C(11), changed))) == INT64_C(0)))
+        {
+            changed = changed + INT64_C(1);
+        }
+        (*cspan_at(&state, INT64_C(4))) = 0.0;
+    }
+    else
+    {
+        (*cspan_at(&state, INT64_C(4))) = 1.0;
+    }
+    (*cspan_at(&state, INT64_C(3))) = changed;
+    if (changed >= n)
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
+    }
+    (*cspan_at(&search, INT64_C(2), changed)) = (*cspan_at(&search, INT64_C(2), changed)) + change_of(search);
+    return 1;
+}
+static bool enter_slopes(array_double_2d search)
+{
+    array_double_1d state;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(0))) = INT64_C(3);
+    (*cspan_at(&state, INT64_C(3))) = -1.0;
+    (*cspan_at(&state, INT64_C(4))) = 1.0;
+    (*cspan_at(&state, INT64_C(17))) = 0.0;
+    result = write_changed(search);
+    return result;
+}
+static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes)
+{
+    array_double_1d state;
+    int64_t i;
+    double change;
+    array_double_1d centre;
+    int64_t j;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    i = (int64_t)((*cspan_at(&state, INT64_C(3))));
+    (*cspan_at(&search, INT64_C(13), i)) = 0.0;
+    if (duration >= 0.0)
+    {
+        (*cspan_at(&search, INT64_C(13), i)) = 1.0;
+        change = change_of(search);
+        centre = span_row(&values, INT64_C(0));
+        (*cspan_at(&slopes, i, INT64_C(0))) = (log_of(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
+        for (j = INT64_C(0); j < INT64_C(2) * INT64_C(14); j += INT64_C(1))
+        {
+            (*cspan_at(&slopes, i, INT64_C(1) + j)) = ((*cspan_at(&uses, j)) - (*cspan_at(&centre, INT64_C(1) + j))) / change;
+        }
+        (*cspan_at(&state, INT64_C(4))) = 1.0;
+    }
+    result = write_changed(search);
+    return result;
+}
+static void correct_slopes(array_double_2d search, array_double_2d values, array_double_2d slopes)
+{
+    int64_t n;
+    double squared;
+    int64_t i;
+    double change;
+    int64_t j;
+    double missing;
+    n = (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1))));
+    squared = 0.0;
+    for (i = INT64_C(0); i < n; i += INT64_C(1))
+    {
+        change = (*cspan_at(&search, INT64_C(13), i)) * ((*cspan_at(&search, INT64_C(6), i)) - (*cspan_at(&search, INT64_C(4), i)));
+        (*cspan_at(&search, INT64_C(7), i)) = change;
+        squared = squared + change * change;
+    }
+    if (squared <= 0.0)
+    {
+        return;
+    }
+    for (j = INT64_C(0); j < INT64_C(29); j += INT64_C(1))
+    {
+        missing = (*cspan_at(&values, INT64_C(1), j)) - (*cspan_at(&values, INT64_C(0), j));
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            missing = missing - (*cspan_at(&slopes, i, j)) * (*cspan_at(&search, INT64_C(7), i));
+        }
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            (*cspan_at(&slopes, i, j)) = (*cspan_at(&slopes, i, j)) + missing * (*cspan_at(&search, INT64_C(7), i)) / squared;
+        }
+    }
 }
 static void add_bound(int64_t n, int64_t row, array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton)
 {
@@ -12661,95 +12796,9 @@ void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_do
     }
     enter_start(starts, search);
 }
-static double change_of(array_double_2d search)
-{
-    double size;
-    size = 0.02;
-    if ((int64_t)((*cspan_at(&search, INT64_C(11), (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(3))))))) == INT64_C(2))
-    {
-        size = 0.01;
-    }
-    if ((*cspan_at(&search, INT64_C(0), INT64_C(4))) > 0.5)
-    {
-        return size;
-    }
-    return -size;
-}
-static bool write_changed(array_double_2d search)
-{
-    array_double_1d state;
-    int64_t n;
-    int64_t changed;
-    int64_t i;
-    state = span_row(&search, INT64_C(0));
-    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
-    changed = (int64_t)((*cspan_at(&state, INT64_C(3))));
-    if ((*cspan_at(&state, INT64_C(4))) > 0.5)
-    {
-        changed = changed + INT64_C(1);
-        while((changed < n) && ((int64_t)((*cspan_at(&search, INT64_C(11), changed))) == INT64_C(0)))
-        {
-            changed = changed + INT64_C(1);
-        }
-        (*cspan_at(&state, INT64_C(4))) = 0.0;
-    }
-    else
-    {
-        (*cspan_at(&state, INT64_C(4))) = 1.0;
-    }
-    (*cspan_at(&state, INT64_C(3))) = changed;
-    if (changed >= n)
-    {
-        return 0;
-    }
-    for (i = INT64_C(0); i < n; i += INT64_C(1))
-    {
-        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(4), i));
-    }
-    (*cspan_at(&search, INT64_C(2), changed)) = (*cspan_at(&search, INT64_C(2), changed)) + change_of(search);
-    return 1;
-}
-static bool next_slope(double duration, array_double_1d uses, array_double_2d search, array_double_2d values, array_double_2d slopes)
-{
-    array_double_1d state;
-    int64_t i;
-    double change;
-    array_double_1d centre;
-    int64_t j;
-    bool result;
-    state = span_row(&search, INT64_C(0));
-    i = (int64_t)((*cspan_at(&state, INT64_C(3))));
-    (*cspan_at(&search, INT64_C(13), i)) = 0.0;
-    if (duration >= 0.0)
-    {
-        (*cspan_at(&search, INT64_C(13), i)) = 1.0;
-        change = change_of(search);
-        centre = span_row(&values, INT64_C(0));
-        (*cspan_at(&slopes, i, INT64_C(0))) = (log_of(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
-        for (j = INT64_C(0); j < INT64_C(2) * INT64_C(14); j += INT64_C(1))
-        {
-            (*cspan_at(&slopes, i, INT64_C(1) + j)) = ((*cspan_at(&uses, j)) - (*cspan_at(&centre, INT64_C(1) + j))) / change;
-        }
-        (*cspan_at(&state, INT64_C(4))) = 1.0;
-    }
-    result = write_changed(search);
-    return result;
-}
 static double worth_while(void)
 {
     return 0.0005;
-}
-static bool enter_slopes(array_double_2d search)
-{
-    array_double_1d state;
-    bool result;
-    state = span_row(&search, INT64_C(0));
-    (*cspan_at(&state, INT64_C(0))) = INT64_C(3);
-    (*cspan_at(&state, INT64_C(3))) = -1.0;
-    (*cspan_at(&state, INT64_C(4))) = 1.0;
-    (*cspan_at(&state, INT64_C(17))) = 0.0;
-    result = write_changed(search);
-    return result;
 }
 static bool enter_descent(array_double_2d search)
 {
@@ -12886,39 +12935,6 @@ static bool enter_round(array_double_2d search, array_double_2d values)
     (*cspan_at(&state, INT64_C(9))) = 0.3;
     result = enter_slopes(search);
     return result;
-}
-static void correct_slopes(array_double_2d search, array_double_2d values, array_double_2d slopes)
-{
-    int64_t n;
-    double squared;
-    int64_t i;
-    double change;
-    int64_t j;
-    double missing;
-    n = (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1))));
-    squared = 0.0;
-    for (i = INT64_C(0); i < n; i += INT64_C(1))
-    {
-        change = (*cspan_at(&search, INT64_C(13), i)) * ((*cspan_at(&search, INT64_C(6), i)) - (*cspan_at(&search, INT64_C(4), i)));
-        (*cspan_at(&search, INT64_C(7), i)) = change;
-        squared = squared + change * change;
-    }
-    if (squared <= 0.0)
-    {
-        return;
-    }
-    for (j = INT64_C(0); j < INT64_C(29); j += INT64_C(1))
-    {
-        missing = (*cspan_at(&values, INT64_C(1), j)) - (*cspan_at(&values, INT64_C(0), j));
-        for (i = INT64_C(0); i < n; i += INT64_C(1))
-        {
-            missing = missing - (*cspan_at(&slopes, i, j)) * (*cspan_at(&search, INT64_C(7), i));
-        }
-        for (i = INT64_C(0); i < n; i += INT64_C(1))
-        {
-            (*cspan_at(&slopes, i, j)) = (*cspan_at(&slopes, i, j)) + missing * (*cspan_at(&search, INT64_C(7), i)) / squared;
-        }
-    }
 }
 static double least_radius(array_double_2d search)
 {

@@ -90,6 +90,7 @@ SEGFMU_API void segfmu_unite_waypoints(array_double_3d states, array_double_1d p
 SEGFMU_API void segfmu_write_free(array_double_3d states, array_double_1d place, array_double_1d dwells, array_double_1d kinds, array_double_2d led);
 SEGFMU_API void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_double_2d table, array_double_1d place, array_double_3d states);
 SEGFMU_API bool segfmu_is_judged(double duration, array_double_1d uses, array_double_2d search);
+SEGFMU_API void segfmu_cap_best(array_double_2d axes, array_double_2d search);
 SEGFMU_API void segfmu_write_best(double pace, array_double_2d search);
 SEGFMU_API void segfmu_keep_best(double pace, array_double_2d search);
 SEGFMU_API void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search);

@@ -2834,6 +2834,30 @@ static PyObject *call_is_judged(
     return answer;
 }
 
+static PyObject *call_cap_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "cap_best", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_axes;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_cap_best(
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_write_best(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -5375,6 +5399,7 @@ static PyMethodDef methods[] = {
     {"write_free", (PyCFunction)(void (*)(void))call_write_free, METH_FASTCALL, NULL},
     {"write_states", (PyCFunction)(void (*)(void))call_write_states, METH_FASTCALL, NULL},
     {"is_judged", (PyCFunction)(void (*)(void))call_is_judged, METH_FASTCALL, NULL},
+    {"cap_best", (PyCFunction)(void (*)(void))call_cap_best, METH_FASTCALL, NULL},
     {"write_best", (PyCFunction)(void (*)(void))call_write_best, METH_FASTCALL, NULL},
     {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
     {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},

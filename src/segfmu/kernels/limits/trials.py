@@ -8,6 +8,8 @@ from math import floor, log
 from segfmu.kernels.crane.records import Demand
 from segfmu.kernels.limits.pace import begin_pace, next_pace
 from segfmu.kernels.limits.records import (
+    AxisTask,
+    LimitRow,
     Pace,
     Search,
     SearchStage,
@@ -121,6 +123,15 @@ def note_best(search: 'float[:,:]') -> None:
         state[SearchState.BEST] = state[SearchState.KEPT]
         for i in range(int(state[SearchState.UNKNOWNS])):
             search[Search.BEST, i] = search[Search.TRIAL, i]
+
+
+def cap_best(axes: 'float[:,:]', search: 'float[:,:]') -> None:
+    """Lower the limits of the row BEST to their caps, so that it is one motion at slower paces."""
+    for axis in range(axes.shape[0]):
+        for i in range(LimitRow.SIZE):
+            known = axis * LimitRow.SIZE + i
+            most = log(axes[axis, AxisTask.CAP + i])
+            search[Search.BEST, known] = min(search[Search.BEST, known], most)
 
 
 def write_best(pace: float, search: 'float[:,:]') -> None:

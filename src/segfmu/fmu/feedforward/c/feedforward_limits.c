@@ -177,6 +177,7 @@ static bool pace_limits(
     feedforward *m, limit_search *s, double fastest, bool timed, char message[MESSAGE])
 {
     double pace[PACE_SIZE], duration;
+    segfmu_cap_best(axes_of(s), rows_of(s));
     segfmu_begin_pace(fastest, FULL, vector(pace, PACE_SIZE));
     do {
         segfmu_write_best(pace[PACE_PACE], rows_of(s));
