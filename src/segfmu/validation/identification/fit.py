@@ -26,8 +26,11 @@ CONFIDENCE = 0.95
 # factor: over a long one, a start that is far away has sways whose periods are counted wrongly, or
 # a load that falls. A part that the crane cannot do yet is longer by the square root, down to LEAST
 FIRST, GROWTH, LEAST = 1.0 / 30.0, 1.8, 1.02
-# of differences
-STEP = 1e-4
+# of differences: the first ones, and the longest. Others move the residuals by MOVED, about as much
+# as noise makes of the unknown: the integration of dry friction has a noise of its own, about 1e-3
+# of this, which short differences take for a slope
+STEP, LONGEST_STEP = 1e-4, 0.1
+MOVED, MOVED_LEAST, MOVED_MOST = 1.0, 0.3, 3.0
 # how far from the crane file unknowns are expected to be: so far that it only counts where the
 # signals say nothing, which otherwise has no solution; and the same while parts of logs are fitted
 EXPECTED, EXPECTED_EARLY = 10.0, 1.0
@@ -94,6 +97,8 @@ class Problem:
         self._noise = [rough_noise(log) for log in logs]
         self._directions: list[Direction] = []
         self._expected, self._converged = EXPECTED, True
+        # of differences, by logs and unknowns
+        self._steps = np.full((len(logs), unknowns.size), STEP)
 
     def fit(self, progress: Callable[[float], None] = lambda _: None) -> Fit:
         """Fit, and hold one unknown after the other until the signals tell those that are left.
@@ -223,15 +228,31 @@ class Problem:
     def _slope(
         self, point: FloatArray, log_place: int, log: Log, place: int, base: FloatArray
     ) -> FloatArray:
-        """Difference away from the nearer bound; to the other side where the crane cannot go."""
-        first = STEP if self._unknowns.high[place] - point[place] > STEP else -STEP
+        """Difference with a step that moves the residuals enough; 0 where the crane cannot go."""
+        found, moved = self._difference(point, log_place, log, place, base)
+        # parts of logs are fitted roughly
+        if self._expected == EXPECTED_EARLY or MOVED_LEAST <= moved <= MOVED_MOST:
+            return found
+        before = self._steps[log_place, place]
+        step = before * MOVED / moved if moved > 0.0 else LONGEST_STEP
+        self._steps[log_place, place] = min(step, LONGEST_STEP)
+        if self._steps[log_place, place] == before:
+            return found
+        return self._difference(point, log_place, log, place, base)[0]
+
+    def _difference(
+        self, point: FloatArray, log_place: int, log: Log, place: int, base: FloatArray
+    ) -> tuple[FloatArray, float]:
+        """Slope away from the nearer bound, else to the other side, and how far this moves."""
+        size = self._steps[log_place, place]
+        first = size if self._unknowns.high[place] - point[place] > size else -size
         for step in (first, -first):
             moved = point.copy()
             moved[place] += step
-            there = self._of_log(moved, log_place, log)
-            if np.isfinite(there).all():
-                return (there - base) / step
-        return np.zeros_like(base)
+            change = self._of_log(moved, log_place, log) - base
+            if np.isfinite(change).all():
+                return change / step, float(np.linalg.norm(change))
+        return np.zeros_like(base), MOVED
 
     def _untold(self, point: FloatArray) -> Direction | None:
         """The combination of unknowns that the signals tell least, if they do not tell it."""
@@ -268,7 +289,9 @@ class Problem:
         for i, (block, log) in enumerate(zip(blocks, self._logs, strict=True)):
             told += block.T @ block
             spread += block.T @ (self._dependence(point, i, log)[:, None] * block)
-        inverse = np.linalg.inv(told)
+        # signals of very different noise make numbers of very different size
+        size = np.sqrt(np.diag(told))
+        inverse = np.linalg.inv(told / np.outer(size, size)) / np.outer(size, size)
         deviations = np.sqrt(np.diag(inverse @ spread @ inverse))
         half = np.full(point.size, np.nan)
         half[self._free] = student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()) * deviations
