@@ -44,6 +44,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "chg": ("changed_missions", ()),
     "p": ("feedback", ()),
     "hook": ("hooks", ()),
+    "ablation": ("ablation", ()),
 }
 
 LIST = ", ".join(f"{letter} {module}" for letter, (module, _) in PARTS.items())

@@ -1,4 +1,4 @@
-"""kernels/**/*.py -> one module of functions, with integers in place of record names."""
+"""kernels/**/*.py -> one module of functions, with numbers in place of the names of constants."""
 
 from __future__ import annotations
 
@@ -67,14 +67,16 @@ def amalgamated() -> str:
                     )
                 found[node.name] = name
                 texts.append("\n".join(lines[node.lineno - 1 : node.end_lineno]))
-            elif not isinstance(node, ast.ImportFrom | ast.Expr):
-                raise BuildError(f"kernels/{name}.py:{node.lineno}: only functions translate")
+            elif not isinstance(node, ast.ImportFrom | ast.Expr | ast.Assign):
+                raise BuildError(
+                    f"kernels/{name}.py:{node.lineno}: only functions and constants translate"
+                )
     head = f"from math import {', '.join(sorted(imported))}"
     return "\n\n\n".join([head, *texts]) + "\n"
 
 
 def resolved(name: str) -> str:
-    """A kernel module with integers in place of the names of records and codes."""
+    """A kernel module with numbers in place of the names of records, codes and constants."""
     source = text(name)
     lines = source.splitlines(keepends=True)
     parsed = ast.parse(source)
@@ -91,10 +93,13 @@ def _position(node: ast.expr) -> tuple[int, int]:
     return node.lineno, node.col_offset
 
 
-def _places(name: str, parsed: ast.Module) -> Iterator[tuple[ast.expr, int]]:
-    """Every use of a record's or code's name, and its value."""
+def _places(name: str, parsed: ast.Module) -> Iterator[tuple[ast.expr, float]]:
+    """Every use of the name of a record, a code or a constant, and its value."""
     records = _records(parsed)
+    numbers = _constants(name, parsed)
     for node in ast.walk(parsed):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in numbers:
+            yield node, numbers[node.id]
         if not (isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)):
             continue
         record = records.get(node.value.id)
@@ -115,4 +120,25 @@ def _records(parsed: ast.Module) -> dict[str, type[Record] | type[Codes]]:
         if isinstance(node, ast.ImportFrom) and (node.module or "").endswith("records"):
             module = import_module(node.module or "")
             found |= {a.asname or a.name: getattr(module, a.name) for a in node.names}
+    return found
+
+
+def _constants(name: str, parsed: ast.Module) -> dict[str, float]:
+    """Constants of a kernel module, its own and those that it imports from others."""
+    found: dict[str, float] = {}
+    for node in parsed.body:
+        if isinstance(node, ast.Assign):
+            try:
+                (target,) = node.targets
+                found[ast.unparse(target)] = float(ast.literal_eval(node.value))
+            except (TypeError, ValueError):
+                raise BuildError(
+                    f"kernels/{name}.py:{node.lineno}: a constant has to be a number"
+                ) from None
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{PACKAGE}."):
+            module = import_module(node.module or "")
+            found |= {
+                a.asname or a.name: getattr(module, a.name)
+                for a in node.names if isinstance(getattr(module, a.name), float)
+            }
     return found

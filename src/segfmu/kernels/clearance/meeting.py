@@ -6,6 +6,7 @@ edge.
 """
 
 from segfmu.kernels.clearance.records import Box, Meeting, Moment, Part, Span
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def load_meeting(span: 'float[:,:]', box: 'float[:]') -> int:
@@ -67,8 +68,8 @@ def may_meet_rope(span: 'float[:,:]', box: 'float[:]') -> bool:
         return True
     reach = -lowest / least
     for axis in range(2):
-        smallest = 1e300
-        largest = -1e300
+        smallest = NEVER
+        largest = -NEVER
         for i in range(span.shape[1]):
             place = span[Span.LOAD + axis, i]
             trolley = place + reach * span[Span.PULL + axis, i]
@@ -189,8 +190,8 @@ def turn_range(corner: int, span: 'float[:,:]', box: 'float[:]') -> 'tuple[float
         x = box[Box.ROPE_HIGH]
     if corner // 2 == 1:
         y = box[Box.ROPE_HIGH + 1]
-    least = 1e300
-    most = -1e300
+    least = NEVER
+    most = -NEVER
     for i in range(span.shape[1]):
         turn = span[Span.TURN, i] - x * span[Span.PULL + 1, i] + y * span[Span.PULL, i]
         least = min(least, turn)

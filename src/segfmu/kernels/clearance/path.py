@@ -6,6 +6,7 @@ from segfmu.kernels.clearance.ranges import is_any_near, is_near
 from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Stack
 from segfmu.kernels.clearance.spans import begin_span, write_span_products, write_span_pull
 from segfmu.kernels.crane.rope import interval_end
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.records import Timing
 
 
@@ -31,13 +32,13 @@ def first_contact(
     if not is_any_near(boxes, ranges):
         return Part.CLEAR
     for part in range(Part.LOAD, Part.ROPE + 1):
-        report[Collision.BEGIN] = 1e300
+        report[Collision.BEGIN] = NEVER
         time = timing[offsets[0], Timing.START]
         until = interval_end(time, timing, offsets)
         lasts = True
         while lasts:
             span = stack[Stack.WHOLE, :, :]
-            begun = report[Collision.BEGIN] < 1e300
+            begun = report[Collision.BEGIN] < NEVER
             begin_span(time, until, timing, coefficients, offsets, gravity, work, span)
             near = part == Part.LOAD
             if part == Part.ROPE:
@@ -50,11 +51,11 @@ def first_contact(
             elif near:
                 note_first(part, boxes, stack, ranges, report)
             # a contact that ends before the span does has ended
-            ended = report[Collision.BEGIN] < 1e300 and report[Collision.END] < until * (1 - 1e-11)
+            ended = report[Collision.BEGIN] < NEVER and report[Collision.END] < until * (1 - 1e-11)
             time = until
             until = interval_end(time, timing, offsets)
             lasts = until > time and not ended
-        if report[Collision.BEGIN] < 1e300:
+        if report[Collision.BEGIN] < NEVER:
             return part
     return Part.CLEAR
 

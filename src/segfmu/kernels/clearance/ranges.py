@@ -5,6 +5,7 @@ it is between the load and where the greatest lean of all pieces would have it.
 """
 
 from segfmu.kernels.clearance.records import Box, Part, Ranges
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.check import bernstein_coefficients
 from segfmu.kernels.trajectory.records import Timing
 
@@ -23,8 +24,8 @@ def path_ranges(
     """
     for axis in range(3):
         for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
-            ranges[row, axis] = 1e300
-            ranges[row + 1, axis] = -1e300
+            ranges[row, axis] = NEVER
+            ranges[row + 1, axis] = -NEVER
         least, most = sum_range(axis, 1.0, 0.0, timing, coefficients, offsets, work)
         widen_range(Ranges.LOAD_LOW, axis, least, most, ranges)
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
@@ -34,7 +35,7 @@ def path_ranges(
     pull = gravity + least
     if pull <= 0.0:
         for axis in range(2):
-            widen_range(Ranges.ROPE_LOW, axis, -1e300, 1e300, ranges)
+            widen_range(Ranges.ROPE_LOW, axis, -NEVER, NEVER, ranges)
         return
     lean = max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / pull
     for axis in range(2):
@@ -53,8 +54,8 @@ def sum_range(
 ) -> 'tuple[float, float]':
     """Bounds of share p + lean p'' in all pieces of an axis, from their Bernstein coefficients."""
     width = coefficients.shape[1]
-    least = 1e300
-    most = -1e300
+    least = NEVER
+    most = -NEVER
     for piece in range(offsets[axis], offsets[axis + 1]):
         for i in range(width):
             work[1, i] = share * coefficients[piece, i]

@@ -33,6 +33,7 @@ from segfmu.kernels.crane.records import (
     SlingSeries,
     State,
 )
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break, same_break
 from segfmu.kernels.trajectory.evaluate import evaluate_orders
 
@@ -152,7 +153,7 @@ def contact_history(
 ) -> int:
     """Write the history of the contact of an axis; work: `ContactWork`.
 
-    contacts: a `Contact` per row; rows that are not needed begin at 1e300 s. Returns the number of
+    contacts: a `Contact` per row; rows that are not needed begin at NEVER s. Returns the number of
     rows, at least 1, or 0 if there are too few.
     """
     for i in range(Resistance.SIZE):
@@ -164,7 +165,7 @@ def contact_history(
     for i in range(contacts.shape[0]):
         for place in range(Contact.SIZE):
             contacts[i, place] = 0.0
-        contacts[i, Contact.TIME] = 1e300
+        contacts[i, Contact.TIME] = NEVER
     position, velocity = axis_motion(0.0, timing, coefficients, offsets, ends, work)
     contacts[0, Contact.TIME] = 0.0
     contacts[0, Contact.POSITION] = position
@@ -187,7 +188,7 @@ def follow_contact(
     rested = False
     time = 0.0
     following = next_break(time, timing, offsets, ends)
-    while following < 1e300 and history[History.COUNT] > 0.0:
+    while following < NEVER and history[History.COUNT] > 0.0:
         rests = at_rest(time, following, timing, coefficients, offsets, ends, work)
         if rests != rested:
             add_contact(time, rests, timing, coefficients, offsets, ends, work, contacts)
@@ -373,19 +374,19 @@ def fading_time(
 
 
 def contact_node(time: float, begin: float, end: float) -> float:
-    """The first of 17 equidistant times from `begin` to `end` after `time` [s], or 1e300."""
+    """The first of 17 equidistant times from `begin` to `end` after `time` [s], or NEVER."""
     if end > begin:
         for k in range(17):
             node = begin + k * (end - begin) / 16.0
             if node > time:
                 return node
-    return 1e300
+    return NEVER
 
 
 def next_contact_event(time: float, start: float, contacts: 'float[:,:]') -> float:
     """First time after `time` [s] at which a step should end for the friction of an axis.
 
-    start: of the plan. Where friction changes much, steps are short; 1e300: no more such times.
+    start: of the plan. Where friction changes much, steps are short; NEVER: no more such times.
     """
     after = time + same_break(time) - start
     row = find_contact(after, contacts)
@@ -394,14 +395,14 @@ def next_contact_event(time: float, start: float, contacts: 'float[:,:]') -> flo
     )
     if after < contacts[row, Contact.TIME]:
         event = contacts[row, Contact.TIME]
-    if row + 1 < contacts.shape[0] and contacts[row + 1, Contact.TIME] < 1e300:
+    if row + 1 < contacts.shape[0] and contacts[row + 1, Contact.TIME] < NEVER:
         event = min(event, contacts[row + 1, Contact.TIME])
         event = min(event, contact_node(
             after, contacts[row + 1, Contact.BEGUN], contacts[row + 1, Contact.TIME]
         ))
-    if event < 1e300:
+    if event < NEVER:
         # long after the start, the clock may be too coarse
         event = start + event
         if event <= time:
-            event = 1e300
+            event = NEVER
     return event

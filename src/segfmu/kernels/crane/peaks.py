@@ -15,6 +15,7 @@ from math import cos, sqrt
 from segfmu.kernels.crane.demand import motion_demand
 from segfmu.kernels.crane.inverse import flat_orders
 from segfmu.kernels.crane.records import Contact, Demand, DemandPeaks, Sought
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break
 from segfmu.kernels.trajectory.evaluate import evaluate_near
 
@@ -53,7 +54,7 @@ def demand_peaks(
         )
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
-    while end < 1e300:
+    while end < NEVER:
         for share in range(2):
             demand_at(
                 begin + 0.5 * share * (end - begin), DemandPeaks.CANDIDATE, timing, coefficients,
@@ -67,7 +68,7 @@ def demand_peaks(
     share_scale(work)
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
-    while end < 1e300:
+    while end < NEVER:
         search_interval(
             begin, end, timing, coefficients, offsets, ends, resistance, contacts, work, peaks,
             times,
@@ -97,7 +98,7 @@ def demand_samples(
             times[side, i] = 0.0
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
-    while end < 1e300:
+    while end < NEVER:
         # jerk and snap of a ramp may vanish at its ends and its middle
         count = 4 + int(64.0 * (end - begin) / duration)
         for j in range(count):
@@ -129,19 +130,19 @@ def next_joint(
 ) -> float:
     """First time [s] after another one at which a piece begins or friction changes its law.
 
-    1e300 after the end of the plan.
+    NEVER after the end of the plan.
     """
     after = time + 1e-12 * duration
     following = next_break(after, timing, offsets, ends)
     for axis in range(contacts.shape[0]):
         for row in range(contacts.shape[1]):
-            if contacts[axis, row, Contact.TIME] < 1e300:
+            if contacts[axis, row, Contact.TIME] < NEVER:
                 following = sooner(contacts[axis, row, Contact.TIME], after, following)
                 following = sooner(contacts[axis, row, Contact.BEGUN], after, following)
                 following = sooner(contacts[axis, row, Contact.SLIDES], after, following)
                 following = sooner(contacts[axis, row, Contact.SETTLED], after, following)
     if following > duration:
-        return 1e300
+        return NEVER
     return following
 
 

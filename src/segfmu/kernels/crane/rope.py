@@ -8,6 +8,7 @@ nothing is missed between samples. An interval is a time between changes of piec
 
 from segfmu.kernels.crane._rope import rope_margin, rope_pull, rope_value
 from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeFault, RopeWork
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.numerics.polynomials import polynomial_shift
 from segfmu.kernels.trajectory.check import bernstein_coefficients, split_hull
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece
@@ -188,7 +189,7 @@ def worst_value(
     sign = 1.0
     if demand == RopeDemand.NOT_TOO_SHORT:
         sign = -1.0
-    worst = -1e300
+    worst = -NEVER
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     intervals = 0

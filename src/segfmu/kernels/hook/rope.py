@@ -11,6 +11,7 @@ from segfmu.kernels.crane.records import FlatSeries, Masses, RopeBounds, RopeDem
 from segfmu.kernels.crane.rope import check_rope
 from segfmu.kernels.hook.inverse import write_sling
 from segfmu.kernels.hook.records import HookMargins, HookPath
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break
 from segfmu.kernels.trajectory.evaluate import evaluate_orders
 
@@ -41,14 +42,14 @@ def check_hook(
     if status != RopeDemand.MET:
         return status
     for i in range(HookMargins.SIZE):
-        work[HookPath.FIRST, i] = 1e300
-        work[HookPath.LEAST, i] = 1e300
+        work[HookPath.FIRST, i] = NEVER
+        work[HookPath.LEAST, i] = NEVER
     begin = 0.0
     end = next_break(begin, timing, offsets, ends)
     write_margins(
         begin, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work
     )
-    while end < 1e300:
+    while end < NEVER:
         look_around(
             begin, end, timing, coefficients, offsets, ends, masses, hook_mass, sling, bounds, work
         )
@@ -116,8 +117,8 @@ def write_margins(
     depth = -work[FlatSeries.LOAD + 2, 0]
     margins[HookMargins.TAUT] = w_z / (1.0 + share) - tolerance * masses[Masses.GRAVITY]
     margins[HookMargins.BELOW] = depth - tolerance
-    margins[HookMargins.SHORT] = 1e300
-    margins[HookMargins.LONG] = 1e300
+    margins[HookMargins.SHORT] = NEVER
+    margins[HookMargins.LONG] = NEVER
     # a rope that is not taut, or leads downwards, has no length
     if w_z > 0.0 and depth > 0.0:
         length = depth * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z
@@ -135,22 +136,22 @@ def judge_margins(bounds: 'float[:]', work: 'float[:,:]', report: 'float[:]') ->
     """The first demand that the margins do not meet, and the report on it."""
     first = work[HookPath.FIRST, :]
     least = work[HookPath.LEAST, :]
-    if first[HookMargins.TAUT] < 1e300:
+    if first[HookMargins.TAUT] < NEVER:
         report[RopeFault.TIME] = first[HookMargins.TAUT]
         report[RopeFault.BOUND] = bounds[RopeBounds.GRAVITY]
         report[RopeFault.WORST] = bounds[RopeBounds.GRAVITY] - least[HookMargins.TAUT]
         return RopeDemand.HOOK_TAUT
-    if first[HookMargins.BELOW] < 1e300:
+    if first[HookMargins.BELOW] < NEVER:
         report[RopeFault.TIME] = first[HookMargins.BELOW]
         report[RopeFault.BOUND] = 0.0
         report[RopeFault.WORST] = -least[HookMargins.BELOW]
         return RopeDemand.HOOK_BELOW_TROLLEY
-    if first[HookMargins.SHORT] < 1e300:
+    if first[HookMargins.SHORT] < NEVER:
         report[RopeFault.TIME] = first[HookMargins.SHORT]
         report[RopeFault.BOUND] = bounds[RopeBounds.LONGEST]
         report[RopeFault.WORST] = bounds[RopeBounds.LONGEST] - least[HookMargins.SHORT]
         return RopeDemand.NOT_TOO_LONG
-    if first[HookMargins.LONG] < 1e300:
+    if first[HookMargins.LONG] < NEVER:
         report[RopeFault.TIME] = first[HookMargins.LONG]
         report[RopeFault.BOUND] = bounds[RopeBounds.SHORTEST]
         report[RopeFault.WORST] = bounds[RopeBounds.SHORTEST] + least[HookMargins.LONG]

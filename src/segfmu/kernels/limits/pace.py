@@ -7,6 +7,7 @@ Its demands fall with the pace, but for what holds the load and for Coulomb fric
 from math import exp, log
 
 from segfmu.kernels.limits.records import Pace
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def begin_pace(most: float, full: float, pace: 'float[:]') -> None:
@@ -18,9 +19,9 @@ def begin_pace(most: float, full: float, pace: 'float[:]') -> None:
     pace[Pace.MOST] = most
     pace[Pace.FULL] = full
     pace[Pace.KEEPS] = 0.0
-    pace[Pace.EXCEEDS] = 1e300
+    pace[Pace.EXCEEDS] = NEVER
     pace[Pace.KEPT_USE] = 0.0
-    pace[Pace.EXCEEDED_USE] = 1e300
+    pace[Pace.EXCEEDED_USE] = NEVER
     pace[Pace.LAST] = 0.0
     pace[Pace.LAST_USE] = 0.0
     pace[Pace.TRIALS] = 0.0
@@ -29,7 +30,7 @@ def begin_pace(most: float, full: float, pace: 'float[:]') -> None:
 def next_pace(use: float, pace: 'float[:]') -> bool:
     """Whether another pace has to be tried, `pace[Pace.PACE]`, after the largest use at the last.
 
-    The last one that is tried is the result: it keeps the bounds, or no pace does. A use of 1e300
+    The last one that is tried is the result: it keeps the bounds, or no pace does. A use of NEVER
     stands for a motion that cannot be planned.
     """
     tried = pace[Pace.PACE]
@@ -62,18 +63,18 @@ def pace_between(use: float, pace: 'float[:]') -> float:
     lower = max(pace[Pace.KEEPS], 1e-3)
     upper = min(pace[Pace.EXCEEDS], pace[Pace.MOST])
     aim = 0.5 * (1.0 + pace[Pace.FULL])
-    if pace[Pace.KEEPS] > 0.0 and pace[Pace.EXCEEDS] < 1e300:
+    if pace[Pace.KEEPS] > 0.0 and pace[Pace.EXCEEDS] < NEVER:
         share = 0.5
-        known = pace[Pace.KEPT_USE] > 0.0 and pace[Pace.EXCEEDED_USE] < 1e300
+        known = pace[Pace.KEPT_USE] > 0.0 and pace[Pace.EXCEEDED_USE] < NEVER
         if known and int(pace[Pace.TRIALS]) % 3 != 2:
             rise = log(pace[Pace.EXCEEDED_USE] / pace[Pace.KEPT_USE])
             share = min(max(log(aim / pace[Pace.KEPT_USE]) / rise, 0.001), 0.999)
         return lower * exp(share * log(upper / lower))
-    if use >= 1e300:
+    if use >= NEVER:
         return max(0.5 * tried, lower)
     # most demands grow with the square of the pace
     growth = 2.0
-    if 0.0 < pace[Pace.LAST_USE] < 1e300 and use > 0.0:
+    if 0.0 < pace[Pace.LAST_USE] < NEVER and use > 0.0:
         growth = log(pace[Pace.LAST_USE] / use) / log(pace[Pace.LAST] / tried)
         growth = min(max(growth, 0.5), 4.0)
     found = tried * exp(log(aim / min(max(use, 0.01), 1e6)) / growth)

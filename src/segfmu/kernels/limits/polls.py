@@ -13,13 +13,14 @@ from segfmu.kernels.limits.trials import (
     enter_paces,
     merit_of,
 )
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def enter_poll(search: 'float[:,:]') -> bool:
     """Begin to poll the free states of the row CENTRE; the first trial changes nothing."""
     state = search[Search.STATE, :]
     state[SearchState.STAGE] = SearchStage.POLL
-    state[SearchState.MERIT] = 1e300
+    state[SearchState.MERIT] = NEVER
     state[SearchState.UNKNOWN] = -1.0
     state[SearchState.WAY] = -1.0
     for i in range(int(state[SearchState.UNKNOWNS])):

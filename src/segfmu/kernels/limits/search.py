@@ -36,6 +36,7 @@ from segfmu.kernels.limits.trials import (
     has_states,
     next_of_paces,
 )
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def begin_limits(starts: 'float[:,:]', kinds: 'float[:]', search: 'float[:,:]') -> None:
@@ -55,9 +56,9 @@ def begin_limits(starts: 'float[:,:]', kinds: 'float[:]', search: 'float[:,:]') 
             search[Search.ORDER, i] = 1.0 + i % LimitRow.SIZE % LimitRow.VELOCITY_MIN
     state[SearchState.UNKNOWNS] = n
     state[SearchState.STAGE] = SearchStage.START
-    state[SearchState.BEST] = 1e300
+    state[SearchState.BEST] = NEVER
     for slot in range(2):
-        state[SearchState.CHOSEN + slot] = 1e300
+        state[SearchState.CHOSEN + slot] = NEVER
     enter_start(starts, search)
 
 
@@ -132,7 +133,7 @@ def enter_descent(search: 'float[:,:]') -> bool:
     state = search[Search.STATE, :]
     state[SearchState.START] = state[SearchState.START] + 1.0
     slot = int(state[SearchState.START])
-    if slot > 1 or state[SearchState.CHOSEN + slot] >= 1e300:
+    if slot > 1 or state[SearchState.CHOSEN + slot] >= NEVER:
         return False
     for i in range(int(state[SearchState.UNKNOWNS])):
         search[Search.ORIGIN, i] = search[Search.CHOSEN + slot, i]
@@ -158,7 +159,7 @@ def enter_centre(search: 'float[:,:]', values: 'float[:,:]') -> None:
 def enter_round(search: 'float[:,:]', values: 'float[:,:]') -> bool:
     """Descend from a point at its pace, if it has a plan."""
     state = search[Search.STATE, :]
-    if state[SearchState.KEPT] >= 1e300:
+    if state[SearchState.KEPT] >= NEVER:
         return enter_descent(search)
     enter_centre(search, values)
     state[SearchState.STEPS] = 0.0

@@ -11,6 +11,7 @@ from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
 from segfmu.kernels.crane.uses import bound_magnitude
 from segfmu.kernels.limits.records import AxisTask, LimitFault, LimitRow, LimitStatus
 from segfmu.kernels.limits.task import held_force
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def write_starts(
@@ -67,7 +68,7 @@ def write_axis_starts(
     row = axes[axis, :]
     ahead, rise = rigid_limits(axis, 0, bounds, resistance, row)
     back, fall = rigid_limits(axis, 1, bounds, resistance, row)
-    if rise >= 1e300 or fall >= 1e300:
+    if rise >= NEVER or fall >= NEVER:
         return LimitStatus.UNBOUNDED
     if row[AxisTask.DIRECTED] < 0.5:
         ahead = of_the_way(ahead, back, axis, row)
@@ -123,7 +124,7 @@ def rigid_limits(
     """Velocity and acceleration of the load along an axis, as if the rope were rigid.
 
     way: 0 in the positive direction, 1 in the negative one. A hoist lifts by its pull, and lowers
-    by the load's weight. The acceleration is 1e300 if nothing bounds it.
+    by the load's weight. The acceleration is NEVER if nothing bounds it.
     """
     gravity = resistance[Resistance.GRAVITY]
     side = way
@@ -157,11 +158,11 @@ def rigid_limits(
         acceleration = min(acceleration, gravity * sway)
     power = bounds[DriveBounds.POWER_MAX + axis]
     distance = row[AxisTask.DISTANCE]
-    if power > 0.0 and acceleration >= 1e300:
+    if power > 0.0 and acceleration >= NEVER:
         # constant power covers the distance in about this time
         time = exp(log(max(mass * distance * distance / power, 1e-30)) / 3.0)
         acceleration = min(velocity / time, distance / (time * time))
-    if acceleration >= 1e300:
+    if acceleration >= NEVER:
         return velocity, acceleration
     # more would make the rope slack, or swing it near to the horizontal
     acceleration = min(acceleration, gravity * steepest)

@@ -10,6 +10,7 @@ from segfmu.kernels.crane.bounds import hanging_mass
 from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
 from segfmu.kernels.crane.uses import bound_magnitude
 from segfmu.kernels.limits.records import AxisTask, LimitRow, Unknown
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def write_axes(
@@ -31,7 +32,7 @@ def write_axes(
         for i in range(AxisTask.SIZE):
             row[i] = 0.0
         for i in range(LimitRow.SIZE):
-            row[AxisTask.CAP + i] = 1e300
+            row[AxisTask.CAP + i] = NEVER
             if caps[axis, i] > 0.0:
                 row[AxisTask.CAP + i] = caps[axis, i]
         write_motion_of(axis, positions, velocities, accelerations, row)

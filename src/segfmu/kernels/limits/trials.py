@@ -18,6 +18,7 @@ from segfmu.kernels.limits.records import (
     Unknown,
     Values,
 )
+from segfmu.kernels.numerics.numbers import NEVER
 
 
 def enter_paces(search: 'float[:,:]') -> None:
@@ -26,7 +27,7 @@ def enter_paces(search: 'float[:,:]') -> None:
     begin_pace(1e3, 0.995, search[Search.PACE, :])
     state[SearchState.TRIALS] = 0.0
     state[SearchState.FAILURES] = 0.0
-    state[SearchState.KEPT] = 1e300
+    state[SearchState.KEPT] = NEVER
     write_paced(search)
 
 
@@ -53,7 +54,7 @@ def next_of_paces(
 ) -> bool:
     """Note a plan at a pace; whether another pace is tried, of six at most."""
     state = search[Search.STATE, :]
-    use = 1e300
+    use = NEVER
     if duration >= 0.0:
         use = largest_share(uses)
         if use <= 1.0 + 1e-9 and log_of(duration) < state[SearchState.KEPT] - 1e-9:

@@ -5,6 +5,7 @@ A number that is none counts as no wish: the load stops. `operation` is an `Oper
 
 from segfmu.kernels.clearance.records import Space
 from segfmu.kernels.crane.records import RopeBounds
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.records import (
     Aim,
     Command,
@@ -64,7 +65,7 @@ def write_wish(
             )
     elif mode == OperationMode.TARGET and command[Command.GO] > 0.5 and scale > 0.0:
         for axis in range(3):
-            if not abs(command[Command.TARGET + axis]) < 1e300:
+            if not abs(command[Command.TARGET + axis]) < NEVER:
                 return
         aim[Aim.IS_TARGET] = 1.0
         aim[Aim.SCALE] = scale
@@ -114,7 +115,7 @@ def write_push(
             continue
         operation[Operation.PUSHED, axis] = push
         distance = command[Command.DISTANCE + axis]
-        if abs(push) > 0.0 and 0.0 < distance < 1e300:
+        if abs(push) > 0.0 and 0.0 < distance < NEVER:
             if aim[Aim.IS_TARGET] < 0.5:
                 aim[Aim.IS_TARGET] = 1.0
                 for i in range(3):

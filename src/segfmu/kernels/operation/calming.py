@@ -10,6 +10,7 @@ for which there are such ways, by halving.
 from math import sqrt
 
 from segfmu.kernels.crane.records import Demand, DriveBounds, Masses
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.centre import control_bound, decline_line, find_centre, most_change
 from segfmu.kernels.operation.controlled import (
     fits_plan,
@@ -62,7 +63,7 @@ def calms_within(
         return False
     if not fits_plan(interval, operation, known, work):
         return False
-    before = 1e300
+    before = NEVER
     for _ in range(most_runs()):
         angle = run_controlled(interval, operation, known, work)
         # rounding is left

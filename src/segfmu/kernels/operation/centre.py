@@ -15,6 +15,7 @@ neighbours, the matrix of a step has three diagonals.
 
 from segfmu.kernels.crane.records import Demand
 from segfmu.kernels.crane.uses import bound_magnitude
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.records import Control, Known, OperationWork
 
 
@@ -168,8 +169,8 @@ def join_changes(first: float, second: float, work: 'float[:,:]') -> float:
     determinant = a * d - b * b
     share_first = (d * first - b * second) / determinant
     share_second = (a * second - b * first) / determinant
-    if not abs(share_first) + abs(share_second) < 1e300:
-        return 1e300
+    if not abs(share_first) + abs(share_second) < NEVER:
+        return NEVER
     largest = 0.0
     for i in range(2, Control.INTERVALS):
         work[OperationWork.CHANGE, i] = (
@@ -203,7 +204,7 @@ def way_to_bounds(
         inverse = max(inverse, -change[i] / (slowest + points[i]))
     if inverse > 0.0:
         return 1.0 / inverse
-    return 1e300
+    return NEVER
 
 
 def find_centre(
@@ -226,7 +227,7 @@ def find_centre(
         )
         step = min(0.9 * way_to_bounds(axis, share, interval, known, work), 1.0)
         # nor is what is no number a step
-        if not step > 1e-4 or not largest < 1e300:
+        if not step > 1e-4 or not largest < NEVER:
             return False
         for i in range(2, Control.INTERVALS):
             work[OperationWork.CONTROL + axis, i] = (

@@ -14,6 +14,7 @@ both. u is a sum of hat functions at the knots; the integrals of p_j with each a
 from math import sqrt
 
 from segfmu.kernels.crane.records import Masses
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.records import (
     Control,
     Known,
@@ -61,7 +62,7 @@ def begin_controlled(operation: 'float[:,:]') -> None:
     for i in range(Swing.SIZE):
         operation[Operation.AHEAD, i] = operation[Operation.SWING, i]
     for axis in range(3):
-        operation[Operation.AHEAD, Swing.LEFT + axis] = 1e300
+        operation[Operation.AHEAD, Swing.LEFT + axis] = NEVER
 
 
 def run_controlled(
@@ -69,7 +70,7 @@ def run_controlled(
 ) -> float:
     """Move the load from the state SWING to AHEAD, and write the moments.
 
-    Returns the angle that it then swings with, nearly [rad]; 1e300 if the rope is slack. interval:
+    Returns the angle that it then swings with, nearly [rad]; NEVER if the rope is slack. interval:
     time between knots [s].
     """
     gravity = known[Known.CRANE, Masses.GRAVITY]
@@ -87,7 +88,7 @@ def run_controlled(
         for i in range(parts):
             expand_swing(gravity, ahead, work)
             if not work[OperationWork.PULL, SwingTerms.CONSTANT] > 0.0:
-                return 1e300
+                return NEVER
             for j in range(2):
                 add_moments(k, i * step, step, interval, work[OperationWork.MOMENT + j, :],
                             work[OperationWork.FREE + j, :], work[OperationWork.PULL, :])

@@ -2,6 +2,7 @@
 
 from segfmu.kernels.crane.friction import rubs
 from segfmu.kernels.crane.records import Compensation
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.records import (
     Command,
     HeldVelocity,
@@ -39,7 +40,7 @@ def check_ready(
 
 
 def next_operation(operation: 'float[:,:]') -> float:
-    """When a command has to be looked at again though it stays the same [s], 1e300: never."""
+    """When a command has to be looked at again though it stays the same [s], NEVER: never."""
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
     swing = operation[Operation.SWING, :]
@@ -50,12 +51,12 @@ def next_operation(operation: 'float[:,:]') -> float:
             return uncovered
         return min(uncovered, next_calm(operation))
     if mode == OperationMode.MISSION:
-        return 1e300
+        return NEVER
     if is_calming(operation):
         return swing[Swing.CALM]
     if progress[Progress.ATTEMPT] > 0.0 or progress[Progress.NEXT] > 0.0:
         return max(progress[Progress.RETRY], command[Command.TIME] + 0.25 * command[Command.HOLD])
-    following = 1e300
+    following = NEVER
     for axis in range(3):
         held = operation[Operation.HELD + axis, :]
         if held[HeldVelocity.FREE] > 0.5:

@@ -6,6 +6,7 @@ velocity held; then it is prolonged. So whatever happens, the load stops by a pl
 checked.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.aim import high_end, low_end, standstill
 from segfmu.kernels.operation.plans import clear_plan, has_room, plan_pieces
 from segfmu.kernels.operation.records import (
@@ -115,7 +116,7 @@ def way_left(axis: int, velocity: float, rest: float, known: 'float[:,:]') -> fl
         return high_end(axis, known) - rest
     if velocity < 0.0:
         return rest - low_end(axis, known)
-    return 1e300
+    return NEVER
 
 
 def room_left(axis: int, operation: 'float[:,:]', known: 'float[:,:]') -> float:

@@ -7,6 +7,7 @@ passage of m waypoints and k axes: path (Path,), tracks (k, Track), spots (m k, 
 
 from math import exp, log
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.records import (
     Free,
     GridColumn,
@@ -99,9 +100,9 @@ def largest_node_share(
 
 
 def barrier_of(share: float) -> float:
-    """A term of the barrier; 1e300 outside."""
+    """A term of the barrier; NEVER outside."""
     if not abs(share) < 1.0:
-        return 1e300
+        return NEVER
     return -log((1.0 - share) * (1.0 + share))
 
 
@@ -115,7 +116,7 @@ def barrier_value(
     theta: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
 ) -> float:
-    """The barrier of the tried point plus theta times its duration; 1e300 outside the limits."""
+    """The barrier of the tried point plus theta times its duration; NEVER outside the limits."""
     axes = int(path[Path.AXES])
     total = 0.0
     for i in range(spans.shape[0]):
@@ -132,8 +133,8 @@ def barrier_value(
         write_node_shares(path, tracks[axis, :], time, links[i, :, :], grid, square)
         for row in range(int(path[Path.ROWS])):
             total = total + barrier_of(grid[row, GridRow.SHARE])
-        if not total < 1e300:
-            return 1e300
+        if not total < NEVER:
+            return NEVER
     return total
 
 

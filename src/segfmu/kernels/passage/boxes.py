@@ -3,6 +3,7 @@
 links and spots are those of a passage, whose first waypoint is `first` of all `given` ones.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.judge import farthest_beyond, plan_lengths
 from segfmu.kernels.passage.records import Free, Link, Path, Spot, Track
 from segfmu.kernels.planner.records import WaypointState
@@ -30,7 +31,7 @@ def write_boxes(
         low = min(min(here, there), min(before, after))
         high = max(max(here, there), max(before, after))
         beyond = 1e307
-        if room < 1e300:
+        if room < NEVER:
             beyond = room * (high - low)
         # plans may leave the box by the margin, which is half of this
         inwards = 2e-9 * extent(axis, given)
@@ -105,7 +106,7 @@ def widen_boxes(
     """Widen the boxes to what given states need: the plan that rests in the free ones."""
     count = int(path[Path.AXES])
     if is_moving(states):
-        planned = plan_lengths(states, spans, axes, cells, work) < 1e300
+        planned = plan_lengths(states, spans, axes, cells, work) < NEVER
         for i in range(links.shape[0]):
             axis = i % count
             low = links[i, Link.BOX, 0]
@@ -113,7 +114,7 @@ def widen_boxes(
             here = states[i // count, axis, WaypointState.POSITION]
             for side in range(2):
                 beyond = 1e307
-                if planned and high - low < 1e300:
+                if planned and high - low < NEVER:
                     beyond = farthest_beyond(
                         side, low, high, here, cells[i, :, :], axes[axis, :], timing,
                         coefficients, work,
@@ -126,12 +127,12 @@ def widen_boxes(
 
 def write_margin(path: 'float[:]', links: 'float[:,:,:]') -> None:
     """Write by how much a plan may leave its box: a share of the range of all of them."""
-    least = 1e300
-    most = -1e300
+    least = NEVER
+    most = -NEVER
     for i in range(links.shape[0]):
         for edge in range(2):
             value = links[i, Link.BOX, edge]
-            if abs(value) < 1e300:
+            if abs(value) < NEVER:
                 least = min(least, value)
                 most = max(most, value)
     path[Path.MARGIN] = 0.0

@@ -11,6 +11,7 @@ judge.py.
 """
 
 from segfmu.kernels.limits.places import is_free, take_states, unite_waypoints
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.boxes import admit_states, is_moving, widen_boxes, write_boxes
 from segfmu.kernels.passage.grid import write_grid
 from segfmu.kernels.passage.judge import copy_states, plan_lengths, set_axes
@@ -181,7 +182,7 @@ def choose_passage(
     own_links = links[low:high, :, :]
     own_spans = spans[first:last, :]
     own_cells = cells[low:high, :, :]
-    least = 1e300
+    least = NEVER
     copy_states(part, kept)
     share = path[Path.SHARE]
     for attempt in range(2):
@@ -215,12 +216,12 @@ def fastest_states(
     best = choice[begin:end, :, :]
     begin, end = block_rows(Block.ALONE, path, choice)
     alone = choice[begin:end, :, :]
-    path[Path.KNOWN] = 1e300
+    path[Path.KNOWN] = NEVER
     path[Path.BLOCK] = Block.BEST
     total = searched_states(
         choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
     )
-    least = 1e300
+    least = NEVER
     if choose_fields(False, spots):
         # polished on its own, as if velocities alone were free: from the best it may end elsewhere
         path[Path.KNOWN] = total

@@ -8,6 +8,7 @@ steeper ones would be those of the whole axis.
 from math import exp
 
 from segfmu.kernels.clearance.excursion import greatest_lack, write_room
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.records import Link, Path, Stretch
 from segfmu.kernels.planner.intervals import common_duration, set_shortest
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
@@ -50,11 +51,11 @@ def plan_alone(
 def least_length(
     place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> float:
-    """The longest of the axes' shortest durations in an interval [s]; 1e300: one has none."""
+    """The longest of the axes' shortest durations in an interval [s]; NEVER: one has none."""
     longest = 0.0
     for axis in range(axes.shape[0]):
         if not plan_alone(place, axis, axes, cells, work):
-            return 1e300
+            return NEVER
         longest = max(longest, shortest_of(place, axis, axes, cells))
     return longest
 
@@ -62,12 +63,12 @@ def least_length(
 def common_length(
     place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> float:
-    """The duration of an interval [s], whose shortest ones are known; 1e300: none."""
+    """The duration of an interval [s], whose shortest ones are known; NEVER: none."""
     first = place * axes.shape[0]
     planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
     found = common_duration(0.0, 0.0, first, first + axes.shape[0], axes, cells, planner)
     if found < 0.0:
-        return 1e300
+        return NEVER
     return found
 
 
@@ -75,15 +76,15 @@ def plan_lengths(
     states: 'float[:,:,:]', spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> float:
-    """Write the durations of all intervals with states; their sum [s], or 1e300."""
+    """Write the durations of all intervals with states; their sum [s], or NEVER."""
     set_problems(states, cells)
     total = 0.0
     for j in range(spans.shape[0]):
         spans[j, Stretch.LENGTH] = least_length(j, axes, cells, work)
-        if spans[j, Stretch.LENGTH] < 1e300:
+        if spans[j, Stretch.LENGTH] < NEVER:
             spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
         total = total + spans[j, Stretch.LENGTH]
-    return min(total, 1e300)
+    return min(total, NEVER)
 
 
 def farthest_beyond(
@@ -116,7 +117,7 @@ def leaves_box(
         low = links[i, Link.BOX, 0]
         high = links[i, Link.BOX, 1]
         first = states[place, axis, WaypointState.POSITION]
-        if high - low < 1e300:
+        if high - low < NEVER:
             for side in range(2):
                 beyond = farthest_beyond(
                     side, low, high, first, cells[i, :, :], axes[axis, :], timing, coefficients,

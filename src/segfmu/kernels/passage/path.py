@@ -9,6 +9,7 @@ as in barrier.py, band as in band.py.
 
 from math import log
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.band import band_solve, write_band, write_durations, write_steps
 from segfmu.kernels.passage.barrier import (
     barrier_value,
@@ -90,7 +91,7 @@ def write_step_of(
                 return write_steps(path, tracks, spots, links, spans, band, theta)
         # 0.1, 1, .. 1e4
         ridge = max(10.0 * ridge, 0.1)
-    return -1e300
+    return -NEVER
 
 
 def centre_path(
@@ -104,7 +105,7 @@ def centre_path(
         decrease = write_step_of(
             theta, path, tracks, spots, links, spans, grid, square, band
         )
-        if not -1e299 < decrease < 1e300:
+        if not -1e299 < decrease < NEVER:
             return False
         value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
         longest = 1e-9
@@ -162,7 +163,7 @@ def write_times(
     first = log(1e-3 * least)
     growth = (log(1e3 * (least + reach)) - first) / 119.0
     for j in range(spans.shape[0]):
-        fits = 1e300
+        fits = NEVER
         for k in range(120):
             used = 0.0
             for axis in range(axes):
@@ -210,7 +211,7 @@ def follow_path(
 
     -1 where it ends.
     """
-    reached = 1e300
+    reached = NEVER
     while reached > 1.05 * gap:
         if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
             return -1.0

@@ -3,6 +3,7 @@
 Arrays as in judge.py. A move changes the profiles of one axis in two intervals; the others stay.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.judge import (
     common_length,
     leaves_box,
@@ -54,27 +55,27 @@ def tried_length(
 ) -> float:
     """Duration of the two intervals beside a waypoint [s] after a state of an axis has changed.
 
-    1e300 if that is no less than KNOWN of the path, or leaves a box.
+    NEVER if that is no less than KNOWN of the path, or leaves a box.
     """
     least = 0.0
     for place in range(point - 1, point + 1):
         if not plan_alone(place, axis, axes, cells, work):
-            return 1e300
+            return NEVER
         longest = 0.0
         for other in range(axes.shape[0]):
             longest = max(longest, shortest_of(place, other, axes, cells))
         least = least + longest
     if not least < path[Path.KNOWN]:
-        return 1e300
+        return NEVER
     total = 0.0
     for place in range(point - 1, point + 1):
         spans[place, Stretch.TRIED] = common_length(place, axes, cells, work)
         total = total + spans[place, Stretch.TRIED]
     if not total < path[Path.KNOWN]:
-        return 1e300
+        return NEVER
     for place in range(point - 1, point + 1):
         if leaves_box(place, states, path, links, axes, cells, timing, coefficients, work):
-            return 1e300
+            return NEVER
     return total
 
 
@@ -90,7 +91,7 @@ def polish_state(
     low = -axes[axis, Axis.LOWER + field]
     least = spans[point - 1, Stretch.LENGTH] + spans[point, Stretch.LENGTH]
     move = path[Path.STEP] * 0.5 * (high - low)
-    before = 1e300
+    before = NEVER
     # both ways first, then the better one
     for trial in range(1000):
         here = states[point, axis, WaypointState.VELOCITY + field]
@@ -102,7 +103,7 @@ def polish_state(
         found = tried_length(
             point, axis, states, path, links, spans, axes, cells, timing, coefficients, work
         )
-        if trial > 1 and found < 1e300:
+        if trial > 1 and found < NEVER:
             least = found
             for place in range(point - 1, point + 1):
                 spans[place, Stretch.LENGTH] = spans[place, Stretch.TRIED]
@@ -115,7 +116,7 @@ def polish_state(
         if trial == 0:
             before = found
             move = -move
-        elif before >= 1e300 and found >= 1e300:
+        elif before >= NEVER and found >= NEVER:
             return
         elif before <= found:
             move = -move

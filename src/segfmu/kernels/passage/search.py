@@ -8,6 +8,7 @@ is the planner's own duration. Arrays as in path.py and judge.py.
 
 from math import floor, sqrt
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.judge import offer_states
 from segfmu.kernels.passage.path import begin_path, follow_path, path_total
 from segfmu.kernels.passage.records import (
@@ -120,7 +121,7 @@ def write_box_scale(first: float, link: 'float[:,:]') -> None:
     half = 0.5 * (link[Link.BOX, 1] - link[Link.BOX, 0])
     link[Link.SCALE, 0] = 0.0
     link[Link.WHERE, 0] = 0.0
-    if half < 1e300:
+    if half < NEVER:
         # an axis that may not move has a range all the same, of no size to speak of
         half = max(half, link[Link.BOX, 2])
         link[Link.SCALE, 0] = 1.0 / half
@@ -219,7 +220,7 @@ def search_states(
     for j in range(spans.shape[0]):
         spans[j, Stretch.DEGREE] = 0.0
         spans[j, Stretch.FAILED] = -1.0
-        spans[j, Stretch.GOOD] = 1e300
+        spans[j, Stretch.GOOD] = NEVER
     for sweep in range(10):
         if not try_path(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
@@ -254,6 +255,6 @@ def tighten_path(spans: 'float[:,:]') -> bool:
         if retried:
             changed = True
             spans[j, Stretch.DEGREE] = 1.0 + 1.25 * failed
-            if spans[j, Stretch.GOOD] < 1e300:
+            if spans[j, Stretch.GOOD] < NEVER:
                 spans[j, Stretch.DEGREE] = 0.5 * (failed + spans[j, Stretch.GOOD])
     return changed

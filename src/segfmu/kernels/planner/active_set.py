@@ -5,6 +5,7 @@ an instant (instant.py). Plateaus become instants as their holds vanish, and lev
 the other sign, or go to the other end.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER, TIE
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import add_instant, place_instant
 from segfmu.kernels.planner.newton import has_pace
@@ -110,7 +111,7 @@ def insert_instant(
     """
     if work[PlanWork.TIGHTEN, Tighten.MOVING] > 0.5 and move_instant(order, problem, axis, work):
         return True
-    least = 1e300
+    least = NEVER
     for variant in range(6):
         if may_go_on(work) and insert_level(variant, order, problem, axis, work):
             if has_pace(work[PlanWork.PASSING, :]) or not compares_levels(axis):
@@ -120,9 +121,9 @@ def insert_instant(
                 least = cost - 1e-9 * abs(cost)
                 keep_sequence(PlanWork.TRIED, work)
         restore_sequence(PlanWork.KEPT, work)
-    if least < 1e300:
+    if least < NEVER:
         restore_sequence(PlanWork.TRIED, work)
-    return least < 1e300
+    return least < NEVER
 
 
 def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
@@ -230,7 +231,7 @@ def vanishing_level(step: int, work: 'float[:,:]') -> int:
         row = PlanWork.NODES + i
         if work[row, Node.KIND] < 0.5 and abs(work[row, Node.TIME]) < least:
             found = i
-            least = 0.999999 * abs(work[row, Node.TIME])
+            least = abs(work[row, Node.TIME]) / TIE
     return found
 
 

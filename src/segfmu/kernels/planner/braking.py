@@ -7,6 +7,7 @@ pop, a dip (dip.py) may. Else the problem is refused. From zero acceleration on,
 exists (docs/planner.md).
 """
 
+from segfmu.kernels.numerics.numbers import GOLDEN, NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.dip import find_dips, write_dip
 from segfmu.kernels.planner.parameters import saving
@@ -39,14 +40,13 @@ def deep_level(
     bottom: the limit of the acceleration past zero. Golden section, as far as needed: the extreme
     velocity falls with the depth of the level, and may rise again.
     """
-    shrink = 0.6180339887498949
     # a ramp that is longer yet crosses zero while all derivatives still rise, and no faster
     lower = -min(bottom, 1e3 * a)
     upper = 0.0
     if peak_past_zero(v, a, lower, axis) <= velocity_limit:
         return lower
-    inner = upper - shrink * (upper - lower)
-    outer = lower + shrink * (upper - lower)
+    inner = upper - GOLDEN * (upper - lower)
+    outer = lower + GOLDEN * (upper - lower)
     at_inner = peak_past_zero(v, a, inner, axis)
     at_outer = peak_past_zero(v, a, outer, axis)
     for i in range(60):
@@ -59,13 +59,13 @@ def deep_level(
             upper = outer
             outer = inner
             at_outer = at_inner
-            inner = upper - shrink * (upper - lower)
+            inner = upper - GOLDEN * (upper - lower)
             at_inner = peak_past_zero(v, a, inner, axis)
         else:
             lower = inner
             inner = outer
             at_inner = at_outer
-            outer = lower + shrink * (upper - lower)
+            outer = lower + GOLDEN * (upper - lower)
             at_outer = peak_past_zero(v, a, outer, axis)
     return 1.0
 
@@ -116,7 +116,7 @@ def brake(
     reached = v
     for i in range(3):
         count = append_change(phases, count, level, 0.0, axis)
-        duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
+        duration, y, end, lowest, highest = measure_phases(phases, count, v, NEVER, axis)
         if not is_beyond(end, end, 1.0 + 1e-12, axis):
             return count, duration, y, end
         count = count - 1
@@ -129,7 +129,7 @@ def brake(
         if past * sign > 0.0:
             break
         count = append_change(phases, count, level, past, axis)
-        duration, y, reached, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
+        duration, y, reached, lowest, highest = measure_phases(phases, count, v, NEVER, axis)
         level = past
     dips = work[PlanWork.DIP, :]
     if find_dips(v, a, 0.0, axis, dips, work):

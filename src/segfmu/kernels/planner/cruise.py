@@ -4,6 +4,7 @@ The cruise velocity is given, or such that the cruise has zero duration, or the 
 ramp to zero acceleration reaches from either end.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
@@ -64,7 +65,7 @@ def cruise_form(
     if count < 0:
         return -1, 0, 0.0, 0.0
     reverse_phases(phases, row, count)
-    duration, y, end, lowest, highest = measure_phases(phases, count, v, 1e300, axis)
+    duration, y, end, lowest, highest = measure_phases(phases, count, v, NEVER, axis)
     return count, row, duration, y
 
 
@@ -154,7 +155,7 @@ def shorter_cruise(
     Several cruise velocities can cover the distance. Returns the new number of phases.
     """
     distance = problem[Problem.DISTANCE]
-    longest = 1e300
+    longest = NEVER
     fastest = axis[Axis.VELOCITY]
     backwards = axis[Axis.LOWER]
     if count > 0:

@@ -10,6 +10,7 @@ begin with the ramp to zero, whose last level is zero; the more time the first l
 velocity is gained, and the lower the acceleration falls.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -154,11 +155,11 @@ def find_edge(
     accuracy = 1e-3
     if deepest:
         accuracy = 0.01
-    upper = 1e300
+    upper = NEVER
     found = -1.0
     for i in range(60):
         first = 2.0 * lower
-        if upper < 1e300:
+        if upper < NEVER:
             first = 0.5 * (lower + upper)
         shallow, deep = judge_dip(first, end, axis, work)
         if shallow and deep:

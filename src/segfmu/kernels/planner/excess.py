@@ -4,6 +4,7 @@ Each polynomial piece is cut where a derivative is zero, from that of the levels
 the cuts the next lower one rises or falls, so its extremes are at cuts.
 """
 
+from segfmu.kernels.numerics.numbers import TIE
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sides import side_limit
@@ -65,7 +66,7 @@ def note_excess(
         if limit > 0.0:
             share = abs(end[order]) / limit - 1.0
             # the first of peaks that only rounding separates, as in a symmetric motion
-            if share > 1e-10 and share > 1.000001 * excess[order, Excess.SHARE]:
+            if share > 1e-10 and share > TIE * excess[order, Excess.SHARE]:
                 excess[order, Excess.SHARE] = share
                 excess[order, Excess.NODE] = node
                 excess[order, Excess.HOLDING] = holding

@@ -4,6 +4,7 @@ Both are sequences (sequence.py) whose levels alternate. All distances between t
 Where one is not found, slower ramps lead to less extreme ones.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.passing import write_sequence
 from segfmu.kernels.planner.plateaus import keep_sequence, set_alternating
@@ -48,7 +49,7 @@ def extreme_form(
     if not solve_sequence(problem, axis, work):
         return 0, 0.0
     keep_sequence(PlanWork.SOLVED, work)
-    if not tighten(1e300, problem, axis, work):
+    if not tighten(NEVER, problem, axis, work):
         return 0, 0.0
     count = write_sequence(phases, problem, axis, work)
     end = PlanWork.NODES + int(work[PlanWork.PASSING, Passing.COUNT]) + 1

@@ -7,6 +7,7 @@ exists: its distance is continuous in the cruise velocity and unbounded at the t
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
@@ -182,7 +183,7 @@ def braked_ramps(
 ) -> int:
     """The shortest ramps, with braking or forms that take longer to keep the limit; or a status."""
     best = 0
-    shortest = 1e300
+    shortest = NEVER
     usual = usual_duration(problem, axis)
     for variant in range(1, 8):
         # the last three are the fallback

@@ -6,15 +6,14 @@ to the families of the shortest profile. Or a new kind of profile begins to exis
 the duration over a family.
 """
 
-from segfmu.kernels.planner.arcs import next_loop
+from segfmu.kernels.numerics.numbers import GOLDEN, NEVER
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.dipped import problem_between, profile_between, set_both_dips
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
-from segfmu.kernels.planner.parameters import snap_is_last
 from segfmu.kernels.planner.phases import speed_bound, total_duration, valid_duration
-from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, PlanWork, Problem
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -40,14 +39,14 @@ def cruise_times(
 ) -> 'tuple[float, float]':
     """Duration of the paper's form, and that with the cruise that covers the distance.
 
-    1e300 if there is no such form.
+    NEVER if there is no such form.
     """
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)
     if count < 0:
-        return 1e300, 1e300
+        return NEVER, NEVER
     rest = problem[Problem.DISTANCE] - y
     if rest * cruise <= 0.0:
-        return duration, 1e300
+        return duration, NEVER
     return duration, duration + rest / cruise
 
 
@@ -74,9 +73,8 @@ def turning_time(
     phases: 'float[:,:]',
 ) -> float:
     """The least `cruise_time` between two cruise velocities, by golden section."""
-    shrink = 0.6180339887498949
-    p = upper - shrink * (upper - lower)
-    q = lower + shrink * (upper - lower)
+    p = upper - GOLDEN * (upper - lower)
+    q = lower + GOLDEN * (upper - lower)
     t_p = cruise_time(p, covering, problem, axis, phases)
     t_q = cruise_time(q, covering, problem, axis, phases)
     for i in range(30):
@@ -84,13 +82,13 @@ def turning_time(
             upper = q
             q = p
             t_q = t_p
-            p = upper - shrink * (upper - lower)
+            p = upper - GOLDEN * (upper - lower)
             t_p = cruise_time(p, covering, problem, axis, phases)
         else:
             lower = p
             p = q
             t_p = t_q
-            q = lower + shrink * (upper - lower)
+            q = lower + GOLDEN * (upper - lower)
             t_q = cruise_time(q, covering, problem, axis, phases)
     return min(t_p, t_q)
 
@@ -141,24 +139,24 @@ def turning_ends(
     `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    first = 1e300
-    second = 1e300
-    first_covered = 1e300
-    second_covered = 1e300
+    first = NEVER
+    second = NEVER
+    first_covered = NEVER
+    second_covered = NEVER
     # gaps that end later are of no use
     fastest = speed_bound(1.0, 4.0 * after, problem, axis)
     backwards = speed_bound(-1.0, 4.0 * after, problem, axis)
     for i in range(26):
-        third = 1e300
-        third_covered = 1e300
+        third = NEVER
+        third_covered = NEVER
         if i < 25:
             cruise = cruise_sample(i, fastest, backwards)
             third, third_covered = cruise_times(cruise, problem, axis, phases)
-        if second < 1e300 and first >= second and third >= second:
+        if second < NEVER and first >= second and third >= second:
             count = insert_turn(
                 i - 1, False, second, spent, after, fastest, backwards, problem, axis, work, count
             )
-        if second_covered < 1e300 and first_covered >= second_covered:
+        if second_covered < NEVER and first_covered >= second_covered:
             if third_covered >= second_covered:
                 count = insert_turn(
                     i - 1, True, second_covered, spent, after, fastest, backwards, problem, axis,
@@ -230,21 +228,6 @@ def insert_covering(
     return insert_end(spent + duration, after, count, ends)
 
 
-def loop_ends(
-    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int
-) -> int:
-    """Insert the durations of profiles next to a single ramp (arcs.py) that cover the distance."""
-    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    longest = usual_duration(problem, axis)
-    for arc in range(LoopArc.SINGLE):
-        sample = 0
-        while sample >= 0 and sample < 48:
-            sample, duration = next_loop(arc, sample, longest, problem, axis, work)
-            if duration >= 0.0:
-                count = insert_end(duration, after, count, ends)
-    return count
-
-
 def dip_ends(
     after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int
 ) -> int:
@@ -264,15 +247,10 @@ def dip_ends(
 
 
 def gap_ends(
-    after: float,
-    shortest: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
+    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
     """Write the shortest durations above a given one at which a gap can end; returns their number.
 
-    `shortest` is the duration of the shortest profile [s].
     They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per
     row.
     """
@@ -282,9 +260,6 @@ def gap_ends(
         taken, spent = braked(variant, problem, axis, work)
         if taken < 0:
             continue
-        # where the snap is the highest limit, they hardly matter for longer durations
-        if variant == 0 and (after < 1.1 * shortest or not snap_is_last(axis)):
-            count = loop_ends(after, rest, axis, work, count)
         count = covering_ends(spent, after, rest, axis, work, count)
         count = turning_ends(spent, after, rest, axis, work, count)
     return dip_ends(after, problem, axis, work, count)

@@ -4,6 +4,7 @@ An optimum that the velocity, or the acceleration, touches without staying there
 than the conditions at the end need, and its peak at the limit as the condition for it.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.ramp_peak import crossing_time, taylor
 from segfmu.kernels.planner.records import Axis, Node, Passing
@@ -107,7 +108,7 @@ def instant_error(
     order = int(passing[Passing.INSTANT_ORDER + peak])
     first = max(int(passing[Passing.INSTANT_FROM + peak]), 0)
     last = int(passing[Passing.INSTANT_TO + peak])
-    highest = -1e300
+    highest = -NEVER
     for i in range(int(passing[Passing.COUNT]) + 1):
         if i >= first and i <= last:
             sign = passing[Passing.INSTANT_SIGN + peak]

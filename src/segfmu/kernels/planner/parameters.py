@@ -19,6 +19,7 @@ A rise that no limit determines takes a share of the rise it belongs to. From th
 least share holds also beside a limit, so that a loose limit changes nothing.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.ramp import plateau_duration, ramp_duration, rise_moments
 from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.planner.sides import top_acceleration
@@ -97,7 +98,7 @@ def ramp_parameters(share: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
     """
     for i in range(Axis.FULL_RAMP, Axis.SIZE):
         axis[i] = 0.0
-    axis[Axis.LINEAR_FROM] = 1e300
+    axis[Axis.LINEAR_FROM] = NEVER
     bounded = False
     if int(axis[Axis.SHAPE]) == Shape.PLATEAU:
         bounded = plateau_parameters(share, axis)

@@ -1,6 +1,7 @@
 """Plateaus of a sequence (sequence.py): which derivatives stay at their limits, and where."""
 
 
+from segfmu.kernels.numerics.numbers import TIE
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import shift_instants
 from segfmu.kernels.planner.newton import solve_sequence
@@ -177,7 +178,7 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     at_last = abs(work[last, Node.TIME])
     if min(at_first, at_last) >= tiny:
         return False
-    if at_first <= 1.000001 * at_last:
+    if at_first <= TIE * at_last:
         remove_node(0, work)
         insert_node(count - 1, 0, -work[last - 1, Node.SIGN], tiny, False, work)
     else:
@@ -204,7 +205,7 @@ def overlong_plateau(work: 'float[:,:]') -> int:
         held = work[row, Node.TOUCH] < 0.5 and kind != int(passing[Passing.ABOVE])
         if kind > 0 and held and work[row, Node.TIME] < least:
             found = i
-            least = 1.000001 * work[row, Node.TIME]
+            least = TIE * work[row, Node.TIME]
     return found
 
 

@@ -8,6 +8,7 @@ exceeds its limit, and the paper's form with a lower cruise velocity; beside the
 levels next to a single ramp (arcs.py) and profiles that pass zero jerk with snap (passing.py).
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.arcs import loop_form
 from segfmu.kernels.planner.braking import nearly_brakes
 from segfmu.kernels.planner.cruise import shorter_cruise
@@ -44,7 +45,7 @@ def begin_search(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     boundary_problem(problem, axis, work[PlanWork.PROBLEM, :])
     work[PlanWork.FAMILY, Family.MISSED] = Rises.USUAL
     work[PlanWork.FAMILY, Family.SLOW] = 0.0
-    work[PlanWork.FAMILY, Family.FREE] = 1e300
+    work[PlanWork.FAMILY, Family.FREE] = NEVER
     work[PlanWork.PASSING, Passing.PLAIN] = 0.0
 
 
@@ -163,7 +164,7 @@ def usual_braked(
     asked: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
     """`shortest_profile` where the optimal forms fail, without dips: ramps, loops, windows."""
-    # nothing is shorter; 1e300 if there is none without the velocity limit either
+    # nothing is shorter; NEVER if there is none without the velocity limit either
     free = work[PlanWork.FAMILY, Family.FREE]
     status = braked_ramps(asked, axis, phases, work)
     longest = usual_duration(asked, axis)

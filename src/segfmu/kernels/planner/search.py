@@ -3,6 +3,7 @@
 BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
+from segfmu.kernels.numerics.numbers import GOLDEN
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
@@ -105,9 +106,8 @@ def highest_member(
     lower: float, upper: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
     """Parameter and value of the member of the highest value between two, by golden section."""
-    shrink = 0.6180339887498949
-    p = upper - shrink * (upper - lower)
-    q = lower + shrink * (upper - lower)
+    p = upper - GOLDEN * (upper - lower)
+    q = lower + GOLDEN * (upper - lower)
     f_p, duration = canonical_value(p, family, axis)
     f_q, duration = canonical_value(q, family, axis)
     for i in range(30):
@@ -117,13 +117,13 @@ def highest_member(
             upper = q
             q = p
             f_q = f_p
-            p = upper - shrink * (upper - lower)
+            p = upper - GOLDEN * (upper - lower)
             f_p, duration = canonical_value(p, family, axis)
         else:
             lower = p
             p = q
             f_p = f_q
-            q = lower + shrink * (upper - lower)
+            q = lower + GOLDEN * (upper - lower)
             f_q, duration = canonical_value(q, family, axis)
     if f_p >= f_q:
         return p, f_p

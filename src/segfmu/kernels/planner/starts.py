@@ -6,6 +6,7 @@ levels that alternate.
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
@@ -199,7 +200,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     # beside one with plateaus it has to keep the limits nearly
     most = 0.3
     if int(passing[Passing.COUNT]) == q:
-        most = 1e300
+        most = NEVER
     duration = sequence_duration(passing, nodes)
     sign = work[PlanWork.NODES, Node.SIGN]
     scale = duration

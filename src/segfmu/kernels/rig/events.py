@@ -5,6 +5,7 @@
 
 from segfmu.kernels.crane.records import Plant, Work
 from segfmu.kernels.crane.suspension import suspended_energy
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.rig.records import (
     Clock,
     Energies,
@@ -38,7 +39,7 @@ def next_tick(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
 
 
 def next_reading(settings: 'float[:,:]', memory: 'float[:,:]') -> float:
-    """Time [s] since the start of the sensors' next sample; 1e300 for continuous signals."""
+    """Time [s] since the start of the sensors' next sample; NEVER for continuous signals."""
     return next_sample(
         settings[Settings.SENSORS, :], memory[Memory.SENSING:sensing_end(settings), :]
     )
@@ -80,11 +81,11 @@ def handle_events(
 
 
 def next_change(changes: 'float[:,:]', after: float, memory: 'float[:,:]') -> float:
-    """Time [s] of the first change of payload or wind after another time; 1e300: there is none."""
+    """Time [s] of the first change of payload or wind after another time; NEVER: there is none."""
     start = memory[Memory.CLOCK, Clock.START]
     gust = memory[Memory.PLANT, Plant.GUST_START]
     duration = memory[Memory.PLANT, Plant.GUST_DURATION]
-    first = 1e300
+    first = NEVER
     for i in range(changes.shape[0]):
         time = changes[i, PayloadChange.TIME] - start
         if time > after:

@@ -8,6 +8,7 @@ from math import ceil, floor
 
 from segfmu.kernels.crane.records import Coordinates
 from segfmu.kernels.numerics.noise import next_normal, seed_numbers
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.rig.records import (
     Memory,
     Queue,
@@ -65,9 +66,9 @@ def start_sensing(sensors: 'float[:]', state: 'float[:]', memory: 'float[:,:]') 
 
 
 def next_sample(sensors: 'float[:]', memory: 'float[:,:]') -> float:
-    """Time of the next sample since the start [s]; 1e300 for continuous signals."""
+    """Time of the next sample since the start [s]; NEVER for continuous signals."""
     if sensors[Sensors.SAMPLE_TIME] <= 0.0:
-        return 1e300
+        return NEVER
     return memory[Sensing.QUEUE, Queue.TAKEN] * sensors[Sensors.SAMPLE_TIME]
 
 

@@ -5,6 +5,7 @@ goes back to zero. Let go so, the derivative stays inside its limits. Where it c
 attempt is cut (brake.py); the rest of it shows that there is a way on.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.settling.stages import settle
@@ -80,7 +81,7 @@ def lead_to(
         return row
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = state[i]
-        lead[LeadWork.ENDS, i] = 1e300
+        lead[LeadWork.ENDS, i] = NEVER
     lead[LeadWork.ENDS, order] = end
     return settle(order, row, lead, timing, coefficients)
 
@@ -106,7 +107,7 @@ def part_hull(
         value = evaluate_piece(coefficients, row, width, start, order + i)
         check[Check.VALUES, i] = value / factorial
     bernstein_coefficients(check, Check.VALUES, width - order, length, check)
-    largest = -1e300
+    largest = -NEVER
     for i in range(width - order):
         largest = max(largest, outside_by(check[Check.HULLS, i], order, lead))
     return largest
@@ -189,7 +190,7 @@ def try_brake(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
-    """Time [s] at which a derivative comes inside its limits for good; 1e300: it does not.
+    """Time [s] at which a derivative comes inside its limits for good; NEVER: it does not.
 
     It is beyond its upper limit (side 1) or its lower one (-1), now or later. The one above goes to
     a level; settled: those above that one have gone to zero before. -1: at this level the
@@ -216,7 +217,7 @@ def try_brake(
         turn[i] = state[i]
     last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
     if last < 0:
-        return 1e300
+        return NEVER
     room = side * (state[order] - far)
     if room < 0.0:
         return -1.0
@@ -228,13 +229,13 @@ def try_brake(
         row = hold_highest(0.0, hold, row, lead, timing, coefficients)
         last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
     if last < 0 or outside_by(state[order], order, lead) > 0.0:
-        return 1e300
+        return NEVER
     for i in range(order + 1, smoothness + 2):
         if not stays_inside(i, first, last, lead, timing, coefficients):
-            return 1e300
+            return NEVER
     row, local = inside_from(order, first, last, lead, timing, coefficients)
     if last > first and not stays_inside(order, row + 1, last, lead, timing, coefficients):
-        return 1e300
+        return NEVER
     lead[LeadWork.BRAKE, Brake.LAST] = last
     if last == first:
         return lead[LeadWork.BRAKED, Chain.TIME]

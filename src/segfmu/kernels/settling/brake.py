@@ -13,6 +13,7 @@ With the smoothness 2 this is the brake of Ruckig (Berscheid and Kroeger, Jerk-l
 Trajectory Generation with Arbitrary Target States, RSS 2021).
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.brake_limits import set_box
 from segfmu.kernels.settling.brake_pieces import (
@@ -92,7 +93,7 @@ def best_steepness(
     for i in range(limits.shape[0]):
         if limits[i] <= 0.0:
             highest = 8
-    best = 1e300
+    best = NEVER
     steep = 1.0
     chosen = 0.0
     for i in range(highest):

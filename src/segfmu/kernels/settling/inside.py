@@ -4,6 +4,7 @@ To the next derivative it is what a position is to a velocity: that goes as far 
 there, and would be let go in time (attempt.py).
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.attempt import lead_to, outside_by, stays_inside, try_brake
 from segfmu.kernels.settling.brake_pieces import append_pieces
@@ -26,14 +27,14 @@ def best_level(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[float, float]':
-    """The soonest time of `try_brake`, 1e300 if there is none, and its level."""
+    """The soonest time of `try_brake`, NEVER if there is none, and its level."""
     edge = level_limit(order, side, lead)
     least = try_brake(order, side, edge, settled, lead, timing, coefficients)
     best = edge
     share = 1.0
     if least < 0.0:
         # the deepest level from which the derivative does not end beyond its other limit
-        least = 1e300
+        least = NEVER
         low = 0.0
         high = 1.0
         for i in range(60):
@@ -169,7 +170,7 @@ def bring_inside(
     side = side_beyond(order, lead, timing, coefficients)
     if side == 0.0 and not whole:
         return True
-    time = 1e300
+    time = NEVER
     level = 0.0
     settled = False
     for i in range(2):
@@ -189,7 +190,7 @@ def bring_inside(
     elif not whole:
         return True
     if whole:
-        time = 1e300
+        time = NEVER
     append_pieces(time, int(report[Brake.LAST]), lead, timing, coefficients)
     for i in range(order, reached.shape[0] - 2):
         if i <= int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):

@@ -6,6 +6,7 @@ leads over a level are tried (level.py). A state outside its limits is brought i
 (brake.py).
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
@@ -68,7 +69,7 @@ def follow_plan(
         if settled_end(row, last, lead, plan_timing, plan_coefficients):
             tried = tried + 1
             for i in range(Chain.SIZE):
-                lead[LeadWork.ENDS, i] = 1e300
+                lead[LeadWork.ENDS, i] = NEVER
             if order == 1:
                 lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
             try_lead(order, place + 1, limits, lead, timing, coefficients)

@@ -4,6 +4,7 @@ Each axis settles as soon as it can. Axes that shall meet at the target do not a
 those that are late make haste, so that the planner can slow the others down.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import DelayedState, Lower, Problem, WaypointState
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.ends import is_at_velocity, write_end
@@ -153,7 +154,7 @@ def find_leads(
     found = rows - LeadRows.ALL
     longest = max(latest, 0.0)
     if waits:
-        longest = 1e300
+        longest = NEVER
     for attempt in range(2 * axes):
         axis = attempt
         if attempt >= axes:
@@ -173,13 +174,13 @@ def find_leads(
             offsets[axis + 1] = take_lead(first, ends[axis, :], lead, timing, coefficients)
         elif attempt < axes:
             offsets[axis + 1] = 0
-            ends[axis, LeadEnd.TIME] = 1e300
+            ends[axis, LeadEnd.TIME] = NEVER
         if order == LeadStage.VELOCITY:
             follow_whole(
                 axis, limits[axis, :], plan_offsets, plan_timing, plan_coefficients, ends[axis, :],
                 lead, timing, coefficients, offsets,
             )
-        if ends[axis, LeadEnd.TIME] == 1e300:
+        if ends[axis, LeadEnd.TIME] == NEVER:
             return axis
         if attempt >= axes:
             latest = max(latest, ends[axis, LeadEnd.TIME])

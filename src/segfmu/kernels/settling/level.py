@@ -6,6 +6,7 @@ stage at a level of the derivative that has levels, with zero derivatives above,
 profile starts from that level. The search varies the level.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.passing import passing_form
 from segfmu.kernels.planner.phases import copy_phases, total_duration
 from segfmu.kernels.planner.profile import shortest_ramps
@@ -53,7 +54,7 @@ def passing_phases(
     ramps = plan[PlanWork.TRIAL:PlanWork.BEST, :]
     passing = plan[PlanWork.PASSING, :]
     end = lead_end(order, lead)
-    lead[LeadWork.ENDS, seen + 2] = 1e300
+    lead[LeadWork.ENDS, seen + 2] = NEVER
     if run_stage(seen + 2, row, lead, timing, coefficients) < 0:
         return 0
     longest = state[Chain.TIME] - level[Chain.TIME]
@@ -88,7 +89,7 @@ def settle_over_level(
     level = lead[LeadWork.LEVEL, :]
     stage = level_order(order, lead)
     for i in range(Chain.SIZE):
-        lead[LeadWork.ENDS, i] = 1e300
+        lead[LeadWork.ENDS, i] = NEVER
     lead[LeadWork.ENDS, stage] = end
     row = settle(stage, row, lead, timing, coefficients)
     if row < 0 or state[Chain.TIME] >= least:

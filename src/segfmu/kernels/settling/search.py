@@ -6,6 +6,7 @@ other ends are free. The search starts from the soonest ends, goes to the level 
 profile wants first, over a grid, and refines by halved steps. That for a level does the same.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
@@ -17,6 +18,9 @@ from segfmu.kernels.settling.trial import (
     try_level,
 )
 
+# values on both sides of the best one cost at most this share of its time: closer ones gain less
+FLAT = 1.0001
+
 
 def try_end(
     order: int,
@@ -26,7 +30,7 @@ def try_end(
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> bool:
+) -> float:
     """`try_lead` with the ends of the best lead, but one of them changed."""
     bound = lead[LeadWork.LIMITS, stage]
     for i in range(Chain.SIZE):
@@ -49,12 +53,18 @@ def search_end(
         try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients)
     step = 0.125 * bound
     for i in range(10):
-        end = lead[LeadWork.BEST_ENDS, stage]
-        if end > 1e299:
+        around = lead[LeadWork.BEST_ENDS, stage]
+        if around > 1e299:
             break
-        if not try_end(order, stage, end + step, limits, lead, timing, coefficients):
-            if not try_end(order, stage, end - step, limits, lead, timing, coefficients):
-                step = 0.5 * step
+        worst = 0.0
+        for side in range(2):
+            end = around + step * (1 - 2 * side)
+            time = try_end(order, stage, end, limits, lead, timing, coefficients)
+            worst = max(worst, time)
+        if worst <= FLAT * lead[LeadWork.BEST, Lead.TIME]:
+            break
+        if lead[LeadWork.BEST_ENDS, stage] == around:
+            step = 0.5 * step
 
 
 def follow_profile(
@@ -71,7 +81,9 @@ def follow_profile(
         if first[Phase.ABOVE] > 0.5:
             break
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
-        if not try_end(order, stage, level, limits, lead, timing, coefficients):
+        before = lead[LeadWork.BEST, Lead.TIME]
+        try_end(order, stage, level, limits, lead, timing, coefficients)
+        if lead[LeadWork.BEST, Lead.TIME] == before:
             break
 
 
@@ -162,15 +174,15 @@ def search_grid(
 ) -> float:
     """Search for the shortest lead over a level on a grid, and at the one before; its time [s].
 
-    1e300: there is none.
+    NEVER: there is none.
     """
     stage = level_order(order, lead)
     kept = lead[LeadWork.BEST, Lead.LEVEL]
-    least = 1e300
+    least = NEVER
     if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
         # halved steps do not gain more
         least = 1.2 * lead[LeadWork.BEST, Lead.TIME]
-    found = 1e300
+    found = NEVER
     # with limits above the snap the time jumps more often
     count = 6
     if lead[LeadWork.AXIS, Axis.SMOOTHNESS] > 4.5:
@@ -200,12 +212,16 @@ def improve_level(
     step = 0.15 * abs(lead[LeadWork.BEST, Lead.LEVEL]) + 0.005 * bound
     for i in range(8):
         around = lead[LeadWork.BEST, Lead.LEVEL]
+        worst = 0.0
         for side in range(2):
             level = min(max(around + step * (1 - 2 * side), -bound), bound)
             time = try_level(order, level, least, limits, lead, timing, coefficients)
+            worst = max(worst, time)
             if time < least:
                 least = time
                 lead[LeadWork.BEST, Lead.LEVEL] = level
+        if worst <= FLAT * least:
+            break
         if lead[LeadWork.BEST, Lead.LEVEL] == around:
             step = 0.5 * step
 
@@ -219,7 +235,7 @@ def search_levels(
 ) -> None:
     """`search_stages`, but over levels; shorter leads alone are kept."""
     steep = 1.0
-    found = 1e300
+    found = NEVER
     highest = lead[LeadWork.AXIS, Axis.SMOOTHNESS]
     lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
@@ -231,7 +247,7 @@ def search_levels(
             found = search_grid(order, limits, lead, timing, coefficients)
         else:
             level = lead[LeadWork.BEST, Lead.LEVEL]
-            found = try_level(order, level, 1e300, limits, lead, timing, coefficients)
+            found = try_level(order, level, NEVER, limits, lead, timing, coefficients)
         if found < 1e299:
             improve_level(order, found, limits, lead, timing, coefficients)
         if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
@@ -271,9 +287,9 @@ def search_stages(
         if before >= 0.0:
             for j in range(Chain.SIZE):
                 lead[LeadWork.ENDS, j] = lead[LeadWork.BEST_ENDS, j]
-            gained = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
+            try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
             # before a gap of durations the best ends move: they are searched for once more
-            if i > 1 and not gained:
+            if i > 1 and lead[LeadWork.BEST, Lead.TIME] == before:
                 break
         search_ends(order, limits, lead, timing, coefficients)
         steep = 10.0 * steep

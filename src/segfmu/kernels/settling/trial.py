@@ -1,5 +1,6 @@
 """One lead: settling to given ends, its time, its check, and the best one so far."""
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.profile import plain_profile
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.planner.sides import side_limit
@@ -30,7 +31,7 @@ def is_settled(lead: 'float[:,:]') -> bool:
 def soonest_ends(order: int, lead: 'float[:,:]') -> None:
     """Let all stages end as soon as possible, but the last one at the velocity, if it is one."""
     for i in range(Chain.SIZE):
-        lead[LeadWork.ENDS, i] = 1e300
+        lead[LeadWork.ENDS, i] = NEVER
     if order == LeadStage.VELOCITY:
         lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
 
@@ -122,21 +123,23 @@ def try_lead(
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> bool:
-    """Settle from `row` on to the ends in the row ENDS; keep the lead if it is the best one so far.
+) -> float:
+    """Settle from `row` on to the ends in the row ENDS; the time to the target [s], NEVER: none.
 
-    Rows of the second half before `row` belong to the lead as they are.
+    The lead is kept if it is the best one so far. Rows of the second half before `row` belong to
+    it as they are.
     """
     last = settle(order, row, lead, timing, coefficients)
     if last < 0:
-        return False
+        return NEVER
     time = lead[LeadWork.STATE, Chain.TIME]
     if order == LeadStage.ACCELERATION:
         rest = profile_time(lead)
         if rest < 0.0:
-            return False
+            return NEVER
         time = time + rest
-    return keep_better(last, time, limits, lead, timing, coefficients)
+    keep_better(last, time, limits, lead, timing, coefficients)
+    return time
 
 
 def try_level(
@@ -148,13 +151,13 @@ def try_level(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
-    """Settle over a level in less than `least` [s]; its time, 1e300 if it fails.
+    """Settle over a level in less than `least` [s]; its time, NEVER if it fails.
 
     The lead is kept if it is the best one so far.
     """
     last = settle_over_level(order, level, least, LeadRows.PIECES, lead, timing, coefficients)
     if last < 0:
-        return 1e300
+        return NEVER
     time = lead[LeadWork.STATE, Chain.TIME]
     keep_better(last, time, limits, lead, timing, coefficients)
     return time

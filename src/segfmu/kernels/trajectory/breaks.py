@@ -3,6 +3,7 @@
 Arrays are those of evaluate.py; times[waypoint, axis] is the arrival of each axis.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.evaluate import find_piece
 from segfmu.kernels.trajectory.records import Timing
 
@@ -12,9 +13,9 @@ def next_break(
 ) -> float:
     """First time after `time` [s] at which a piece of any axis begins or its last one ends.
 
-    1e300 if there is none.
+    NEVER if there is none.
     """
-    following = 1e300
+    following = NEVER
     for axis in range(ends.shape[0]):
         first = offsets[axis]
         last = offsets[axis + 1]
@@ -42,12 +43,12 @@ def next_plan_event(
     ends: 'float[:]',
     times: 'float[:,:]',
 ) -> float:
-    """First event after `time` of a plan that begins at `start`; 1e300 if there is none.
+    """First event after `time` of a plan that begins at `start`; NEVER if there is none.
 
     Events are the last axis' arrival at a waypoint, the end of the motion, and the starts of all
     pieces, where a derivative of the crane's forces jumps: at smoothness 4 the first one.
     """
-    event = 1e300
+    event = NEVER
     for waypoint in range(1, times.shape[0] + 1):
         arrival = 0.0
         for axis in range(ends.shape[0]):
@@ -58,7 +59,7 @@ def next_plan_event(
         if start + arrival > time + same_break(time):
             event = min(event, start + arrival)
     piece_end = next_break(time + same_break(time) - start, timing, offsets, ends)
-    if piece_end < 1e300:
+    if piece_end < NEVER:
         piece_end = start + piece_end
     # long after the start, the clock may be too coarse to separate a break from the present
     if event <= piece_end + same_break(time) or piece_end <= time:

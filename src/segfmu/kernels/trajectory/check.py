@@ -6,6 +6,7 @@ answer is exact, up to the tolerance for rounding. The coefficients of a derivat
 next one, integrated: running sums.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece, local_time
 from segfmu.kernels.trajectory.records import Brake, Check, Hull, Timing
@@ -216,7 +217,7 @@ def check_axis(
     for d in range(order):
         if not work[Check.JUMPS, d] <= joints * work[Check.PEAKS, d]:
             return False
-    return work[Check.PEAKS, 0] < 1e300
+    return work[Check.PEAKS, 0] < NEVER
 
 
 def check_piece(
@@ -250,7 +251,7 @@ def check_piece(
         start = starts[d]
         largest = integrate_hull(count, start, length, values)
         # not a number, or an infinite one, passes on to the derivatives below
-        if not abs(values[count]) < 1e300:
+        if not abs(values[count]) < NEVER:
             return False
         if d <= order:
             note_ends(d, joined, start, values[count], largest, work)
