@@ -80,6 +80,7 @@ def header(spec: Spec, version: int) -> str:
     rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
     sizes = {
         "VARIABLES": len(described), "NAME": 1 + max(len(e.name) for e in described),
+        "RANGES": len(_ranges(described)),
         "DIFFERENTIABLE": len(_differentiable_places(described)),
         "REALS": len(placed.reals),
         # C has no arrays of no size
@@ -117,7 +118,11 @@ def source(spec: Spec, version: int) -> str:
     placed = layout(spec)
     described = entries(spec, version)
     rows = ",\n".join(_row(spec, e, placed) for e in described)
-    labels = ",\n".join(map(_label, described))
+    known = _ranges(described)
+    labels = ",\n".join(
+        f'    {{"{e.name}", {known.index(_range(e.variable))}}}' for e in described
+    )
+    ranges = ",\n".join(f"    {{{low}, {high}}}" for low, high in known)
     # C has no arrays of no size
     places = ", ".join(map(str, [*_differentiable_places(described), 0]))
     return (
@@ -125,6 +130,7 @@ def source(spec: Spec, version: int) -> str:
         f'static const char model_name[] = "{spec.name}";\n\n'
         f"static const variable model_variables[MODEL_VARIABLES] = {{\n{rows}\n}};\n\n"
         f"static const label model_labels[MODEL_VARIABLES] = {{\n{labels}\n}};\n\n"
+        f"static const range model_ranges[MODEL_RANGES] = {{\n{ranges}\n}};\n\n"
         "static const uint16_t model_differentiable[MODEL_DIFFERENTIABLE + 1] = "
         f"{{{places}}};\n"
     )
@@ -144,15 +150,19 @@ def _row(spec: Spec, entry: Entry, placed: Layout) -> str:
     return f"    {{{', '.join(fields)}}}"
 
 
-def _label(entry: Entry) -> str:
-    """Name and range."""
-    v = entry.variable
+def _ranges(described: Sequence[Entry]) -> list[tuple[str, str]]:
+    """Every range once: many variables share one."""
+    return list(dict.fromkeys(_range(e.variable) for e in described))
+
+
+def _range(v: Variable) -> tuple[str, str]:
     least, most = v.minimum, v.maximum
     if v.enumeration is not None:
         least, most = 1, len(v.enumeration.items)
-    low = "-INFINITY" if least is None else repr(float(least))
-    high = "INFINITY" if most is None else repr(float(most))
-    return f'    {{"{entry.name}", {low}, {high}}}'
+    return (
+        "-INFINITY" if least is None else repr(float(least)),
+        "INFINITY" if most is None else repr(float(most)),
+    )
 
 
 def _differentiable_places(described: Sequence[Entry]) -> list[int]:

@@ -204,8 +204,9 @@ bool glue_in_range(instance *c, const variable *v, double value, const char *wha
 {
     char message[MESSAGE] = "";
     const label *own = glue_label(v);
-    double most = v->counts ? (double)c->start.rows : own->most, fault[RANGE_FAULT_SIZE];
-    int64_t status = segfmu_check_range(value, own->least, most, vector(fault, RANGE_FAULT_SIZE));
+    const range *within = &model_ranges[own->range];
+    double most = v->counts ? (double)c->start.rows : within->most, fault[RANGE_FAULT_SIZE];
+    int64_t status = segfmu_check_range(value, within->least, most, vector(fault, RANGE_FAULT_SIZE));
     if (segfmu_range_message(status, fault, message, MESSAGE)) {
         glue_log(c, STATUS_ERROR, "%s: %s %s", what, own->name, message);
         return false;

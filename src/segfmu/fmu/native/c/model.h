@@ -43,12 +43,17 @@ typedef struct {
 /* What steps do not need of a variable, in a table of its own so that the other one stays small. */
 typedef struct {
     char name[MODEL_NAME];  /* no pointer: the loader would have one to set for each */
-    double least, most;   /* range */
+    uint16_t range;         /* its place among the ranges */
 } label;
 
-/* of variables.c: variables, their labels, and the places of those that are differentiable */
+typedef struct {
+    double least, most;
+} range;
+
+/* of variables.c: variables, their labels and ranges, and the places of those that are differentiable */
 static const variable model_variables[MODEL_VARIABLES];
 static const label model_labels[MODEL_VARIABLES];
+static const range model_ranges[MODEL_RANGES];
 static const uint16_t model_differentiable[MODEL_DIFFERENTIABLE + 1];
 
 /* The beginning of every model's block. */

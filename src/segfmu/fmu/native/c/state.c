@@ -79,10 +79,10 @@ static bool sound_values(const instance *c, const model *m)
     for (size_t i = 0; i < MODEL_VARIABLES; i++) {
         const variable *v = &model_variables[i];
         double value = (double)m->integer[v->kind == KIND_REAL ? 0 : v->offset];
-        const label *own = glue_label(v);
-        double most = v->counts ? (double)c->start.rows : own->most;
+        const range *within = &model_ranges[glue_label(v)->range];
+        double most = v->counts ? (double)c->start.rows : within->most;
         if (v->kind != KIND_REAL && v->setting != SET_NEVER
-            && !(value >= own->least && value <= most)) {
+            && !(value >= within->least && value <= most)) {
             return false;
         }
     }
