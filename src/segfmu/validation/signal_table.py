@@ -41,7 +41,9 @@ def read_table(path: Path) -> dict[str, FloatArray]:
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except (ValueError, csv.Error) as error:
-        raise InputError(f"{path}: no table of numbers: {error}".splitlines()[0]) from None
+        # what NumPy advises behind the semicolon is for its callers
+        (told, *_) = re.split("[;\n]", str(error))
+        raise InputError(f"{path}: no table of numbers: {told}") from None
     if "time" not in names:
         raise InputError(f"{path}: no column time")
     if len(set(names)) != len(names):
