@@ -21,12 +21,12 @@ def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_constants_of_a_module_and_of_others_become_numbers(written: Path) -> None:
     written.write_text(
-        "from segfmu.kernels.numerics.numbers import NEVER\n\nLIMIT = -2.5e-3\n\n\n"
-        "def least(a: float) -> float:\n    return max(LIMIT, a, -NEVER)\n"
+        "from segfmu.kernels.numerics.numbers import NEVER\n\nLIMIT = -2.5e-3\nMOST = 7\n\n\n"
+        "def least(a: float) -> float:\n    return max(LIMIT, a, -NEVER, MOST)\n"
     )
     tree = ast.parse(amalgam.resolved("new.module"))
     (function,) = (node for node in tree.body if isinstance(node, ast.FunctionDef))
-    assert ast.unparse(function.body[0]) == "return max(-0.0025, a, -1e+300)"
+    assert ast.unparse(function.body[0]) == "return max(-0.0025, a, -1e+300, 7)"
 
 
 @pytest.mark.parametrize("line", ["LIMIT = LEAST = 1.0", "LIMIT = [1.0]", "LIMIT = 2.0 * 3.0"])

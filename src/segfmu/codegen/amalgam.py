@@ -128,17 +128,23 @@ def _constants(name: str, parsed: ast.Module) -> dict[str, float]:
     found: dict[str, float] = {}
     for node in parsed.body:
         if isinstance(node, ast.Assign):
-            try:
-                (target,) = node.targets
-                found[ast.unparse(target)] = float(ast.literal_eval(node.value))
-            except (TypeError, ValueError):
-                raise BuildError(
-                    f"kernels/{name}.py:{node.lineno}: a constant has to be a number"
-                ) from None
+            value = _number(node.value)
+            if value is None or len(node.targets) > 1:
+                raise BuildError(f"kernels/{name}.py:{node.lineno}: a constant has to be a number")
+            found[ast.unparse(node.targets[0])] = value
         elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{PACKAGE}."):
             module = import_module(node.module or "")
             found |= {
                 a.asname or a.name: getattr(module, a.name)
-                for a in node.names if isinstance(getattr(module, a.name), float)
+                for a in node.names if isinstance(getattr(module, a.name), int | float)
             }
     return found
+
+
+def _number(node: ast.expr) -> float | None:
+    """The number that an expression is; None unless it is one."""
+    try:
+        value = ast.literal_eval(node)
+    except ValueError:
+        return None
+    return value if isinstance(value, int | float) else None

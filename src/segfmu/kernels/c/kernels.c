@@ -13705,7 +13705,7 @@ static double shifted_root(double value, int64_t power, double shift)
         return 0.5 * (shift + sqrt(shift * shift + 4.0 * value));
     }
     x = shift + pow(value, (1.0 / (power + INT64_C(1))));
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         x_power = 1.0;
         for (j = INT64_C(0); j < power - INT64_C(1); j += INT64_C(1))
@@ -17864,7 +17864,7 @@ static int64_t vanishing_cruise(double short_0001, double far, double start, arr
     e_other = 0.0;
     e_before = 0.0;
     falls_short = 1;
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         middle = start;
         if (i > INT64_C(0))
@@ -18205,7 +18205,7 @@ static double loop_radius(int64_t arc, double place, double missing, double larg
     e_other = e_lower;
     e_before = e_lower;
     scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
         {
@@ -18307,7 +18307,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     {
         speed = 0.0;
     }
-    for (i = INT64_C(0); i < INT64_C(120); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if ((e_newest == 0.0) || (fabs(newest - other) <= 2e-16 * fabs(newest)))
         {
@@ -18440,7 +18440,7 @@ static int64_t first_window(double* result_0, double* result_1, double f_start, 
     going_on = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(INT64_C(80), 0.0, t_zero, family, axis);
+        end = window_edge(INT64_C(100), 0.0, t_zero, family, axis);
         canonical_value(&value, &duration, end, family, axis);
         going_on = -1.0;
     }
@@ -18550,7 +18550,7 @@ static double second_window(double t_zero, array_double_1d family, array_double_
         upper = 2.0 * upper;
         canonical_value(&value, &duration, upper, family, axis);
     }
-    result = window_edge(INT64_C(80), upper, t_zero, family, axis);
+    result = window_edge(INT64_C(100), upper, t_zero, family, axis);
     return result;
 }
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
@@ -18645,8 +18645,8 @@ static double nearby_member(array_double_1d family, array_double_1d axis)
     double f_upper;
     double result;
     target = (*cspan_at(&family, INT64_C(16)));
-    lower = 0.95 * (*cspan_at(&family, INT64_C(26)));
-    upper = 1.05 * (*cspan_at(&family, INT64_C(26)));
+    lower = (1.0 - 0.05) * (*cspan_at(&family, INT64_C(26)));
+    upper = (1.0 + 0.05) * (*cspan_at(&family, INT64_C(26)));
     if (lower <= 0.0)
     {
         return -1.0;
@@ -18699,7 +18699,7 @@ static double member_search(array_double_1d family, array_double_1d axis)
         begin = (int64_t)((*cspan_at(&family, INT64_C(22))));
         lower = (*cspan_at(&family, INT64_C(23)));
         f_lower = (*cspan_at(&family, INT64_C(24)));
-        if ((begin > INT64_C(13)) && (lower >= 0.0) && (f_lower > target))
+        if ((begin > INT64_C(12) + INT64_C(1)) && (lower >= 0.0) && (f_lower > target))
         {
             return -1.0;
         }
@@ -18707,14 +18707,14 @@ static double member_search(array_double_1d family, array_double_1d axis)
     p = 0.0;
     for (i = begin; i < INT64_C(36); i += INT64_C(1))
     {
-        p = (*cspan_at(&family, INT64_C(18))) * i * i / 144.0;
+        p = (*cspan_at(&family, INT64_C(18))) * i * i / (INT64_C(12) * INT64_C(12));
         canonical_value(&value, &duration, p, family, axis);
         upper = p;
         f_upper = value;
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            outside = (*cspan_at(&family, INT64_C(18))) * (i - INT64_C(1)) * (i - INT64_C(1)) / 144.0;
+            outside = (*cspan_at(&family, INT64_C(18))) * (i - INT64_C(1)) * (i - INT64_C(1)) / (INT64_C(12) * INT64_C(12));
             lower = window_edge(INT64_C(24), p, outside, family, axis);
             canonical_value(&f_lower, &duration, lower, family, axis);
         }
@@ -19413,7 +19413,7 @@ static double zero_time(int64_t order, int64_t top, double length, array_double_
     lower = 0.0;
     upper = length;
     t = 0.5 * length;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         value = taylor_value(order, top, t, state);
         if (value * (*cspan_at(&state, order)) > 0.0)
@@ -20295,7 +20295,7 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
     }
     other = 2.0 * newest;
     e_other = last_jerk(other, axis, work);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if (e_other >= 0.0)
         {
@@ -20308,7 +20308,7 @@ static void balance_jerk(array_double_1d axis, array_double_2d work)
     }
     before = other;
     e_before = e_other;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         share = root_share(newest, other, before, e_newest, e_other, e_before);
         second = newest + share * (other - newest);
@@ -20361,7 +20361,7 @@ static bool close_dip(double first, double end, array_double_1d axis, array_doub
     e_other = last_excess(other, end, axis, work);
     before = other;
     e_before = e_other;
-    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         share = root_share(newest, other, before, e_newest, e_other, e_before);
         time = newest + share * (other - newest);
@@ -20425,7 +20425,7 @@ static double find_edge(bool deepest, double lower, double end, array_double_1d 
     }
     upper = 1e+300;
     found = -1.0;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         first = 2.0 * lower;
         if (upper < 1e+300)
@@ -20666,7 +20666,7 @@ static double level_past_zero(double v, double a, double velocity_limit, double 
     e_other = peak_past_zero(v, a, other, axis) - velocity_limit;
     before = other;
     e_before = e_other;
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         share = root_share(newest, other, before, e_newest, e_other, e_before);
         level = newest + share * (other - newest);
@@ -21099,7 +21099,7 @@ static double cruise_edge(double inside, double outside, double h_inside, double
     h_other = h_inside;
     h_before = h_inside;
     width = 1e-10 * fabs(outside - inside);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if (fabs(outside - inside) <= width)
         {
@@ -24316,7 +24316,8 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
             settled = ((*cspan_at(&work, INT64_C(101), INT64_C(11))) > 0.5) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
-        if (settled && (longest <= 1.1 * free) && (early_window(longest, asked, axis) <= 0.0))
+        settled = settled && (longest <= 1.1 * free);
+        if (settled && (early_window(longest, asked, axis) <= 0.0))
         {
             return status;
         }
@@ -27101,11 +27102,11 @@ static int64_t turning_ends(double spent, double after, array_double_1d problem,
     second_covered = 1e+300;
     fastest = speed_bound(1.0, 4.0 * after, problem, axis);
     backwards = speed_bound(-1.0, 4.0 * after, problem, axis);
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(24) + INT64_C(2); i += INT64_C(1))
     {
         third = 1e+300;
         third_covered = 1e+300;
-        if (i < INT64_C(25))
+        if (i < INT64_C(24) + INT64_C(1))
         {
             cruise = cruise_sample(i, fastest, backwards);
             cruise_times(&third, &third_covered, cruise, problem, axis, phases);
@@ -28087,7 +28088,7 @@ static double first_feasible(double accuracy, double outside, double inside, arr
     double duration;
     int64_t i;
     duration = inside * (1.0 - 0.75 * accuracy);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if ((duration <= outside) || (inside - outside <= accuracy * inside))
         {

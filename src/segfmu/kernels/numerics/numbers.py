@@ -6,3 +6,13 @@ NEVER = 1e300
 GOLDEN = 0.6180339887498949
 # of two values the second one counts as larger by this factor only: rounding decides nothing
 TIE = 1.000001
+# two numbers of a motion differ by rounding alone within this share: states, limits
+EQUAL = 1e-12
+# the same of durations, which are sums of a few
+SAME_TIME = 1e-13
+# a shorter duration, or a better value, by less than this share is a gain by rounding
+GAINED = 1e-10
+# as GAINED, of solutions by Newton's method
+WORTH = 1e-9
+# steps after which a bracket is a point, if its search does not end before
+HALVINGS = 100

@@ -22,6 +22,16 @@ from segfmu.kernels.planner.plateaus import (
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import sequence_duration
 
+# nodes of a sequence that is changed: others are too long
+MOST_NODES = 12
+# changes of it until it has failed
+CHANGES = 10
+# a sequence is better if it costs this share less
+BETTER = 1e-9
+# of the whole duration: what a short level takes at most, and a new one at least
+SHORT = 0.1
+NEW = 0.03
+
 
 def may_go_on(work: 'float[:,:]') -> bool:
     """Whether Newton's method has taken few steps for these limits; more hardly ever help."""
@@ -57,7 +67,7 @@ def insert_level(
         place = count
         beside = count - 1
         sign = -1.0
-    if place < 0 or beside < 0 or beside >= count or count > 12:
+    if place < 0 or beside < 0 or beside >= count or count > MOST_NODES:
         return False
     row = PlanWork.NODES + beside
     if passing[Passing.INSTANTS] > 2.5 or work[row, Node.KIND] > 0.5:
@@ -118,7 +128,7 @@ def insert_instant(
                 return True
             cost = sequence_cost(work)
             if cost < least:
-                least = cost - 1e-9 * abs(cost)
+                least = cost - BETTER * abs(cost)
                 keep_sequence(PlanWork.TRIED, work)
         restore_sequence(PlanWork.KEPT, work)
     if least < NEVER:
@@ -210,7 +220,7 @@ def end_plateau(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[
 
 def meet_all(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Change a solved sequence until it keeps the limits of an axis."""
-    for attempt in range(10):
+    for attempt in range(CHANGES):
         place = overlong_plateau(work)
         if place >= 0:
             if not end_plateau(place, problem, axis, work):
@@ -226,7 +236,7 @@ def vanishing_level(step: int, work: 'float[:,:]') -> int:
     """The free level of the least time, if that is short: of every `step`-th node; -1: none."""
     passing = work[PlanWork.PASSING, :]
     found = -1
-    least = 0.1 * passing[Passing.TIME]
+    least = SHORT * passing[Passing.TIME]
     for i in range(0, int(passing[Passing.COUNT]), step):
         row = PlanWork.NODES + i
         if work[row, Node.KIND] < 0.5 and abs(work[row, Node.TIME]) < least:
@@ -266,7 +276,7 @@ def flip_level(work: 'float[:,:]') -> bool:
     if found < 0:
         return False
     row = PlanWork.NODES + found
-    time = max(abs(work[row, Node.TIME]), 0.03 * work[PlanWork.PASSING, Passing.TIME])
+    time = max(abs(work[row, Node.TIME]), NEW * work[PlanWork.PASSING, Passing.TIME])
     if work[row, Node.TIME] > 0.0:
         time = -time
     work[row, Node.TIME] = time

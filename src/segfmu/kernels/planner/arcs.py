@@ -1,5 +1,6 @@
 """Profiles of two levels next to a single ramp (loop.py): a search along all their arcs."""
 
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
@@ -70,7 +71,7 @@ def loop_root(
     e_other = e_lower
     e_before = e_lower
     duration = -1.0
-    for i in range(100):
+    for i in range(HALVINGS):
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         place = newest + share * (other - newest)
         if place == newest or place == other:
@@ -171,7 +172,7 @@ def loop_form(
                 used = write_member(trial, family, axis)
                 duration = valid_duration(trial, used, problem, axis)
                 # a gain by rounding is none
-                if duration >= 0.0 and duration < longest * (1.0 - 1e-10):
+                if duration >= 0.0 and duration < longest * (1.0 - GAINED):
                     copy_phases(trial, phases, used)
                     count = used
                     longest = duration

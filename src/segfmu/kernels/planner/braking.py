@@ -7,7 +7,7 @@ pop, a dip (dip.py) may. Else the problem is refused. From zero acceleration on,
 exists (docs/planner.md).
 """
 
-from segfmu.kernels.numerics.numbers import GOLDEN, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, GOLDEN, HALVINGS, NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.dip import find_dips, write_dip
 from segfmu.kernels.planner.parameters import saving
@@ -22,6 +22,9 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Braking, Phase, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, reverse_axis, side_limit
+
+# steps of golden section to the least peak
+SECTIONS = 60
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
@@ -49,13 +52,13 @@ def deep_level(
     outer = lower + GOLDEN * (upper - lower)
     at_inner = peak_past_zero(v, a, inner, axis)
     at_outer = peak_past_zero(v, a, outer, axis)
-    for i in range(60):
+    for i in range(SECTIONS):
         if at_inner <= velocity_limit:
             return inner
         if at_outer <= velocity_limit:
             return outer
         # far from zero they differ by rounding
-        if at_inner < at_outer - 1e-12 * velocity_limit:
+        if at_inner < at_outer - EQUAL * velocity_limit:
             upper = outer
             outer = inner
             at_outer = at_inner
@@ -87,7 +90,7 @@ def level_past_zero(
     e_other = peak_past_zero(v, a, other, axis) - velocity_limit
     before = other
     e_before = e_other
-    for i in range(60):
+    for i in range(HALVINGS):
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         level = newest + share * (other - newest)
         if level == newest or level == other:
@@ -117,7 +120,7 @@ def brake(
     for i in range(3):
         count = append_change(phases, count, level, 0.0, axis)
         duration, y, end, lowest, highest = measure_phases(phases, count, v, NEVER, axis)
-        if not is_beyond(end, end, 1.0 + 1e-12, axis):
+        if not is_beyond(end, end, 1.0 + EQUAL, axis):
             return count, duration, y, end
         count = count - 1
         sign = 1.0

@@ -4,7 +4,7 @@ The cruise velocity is given, or such that the cruise has zero duration, or the 
 ramp to zero acceleration reaches from either end.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME_TIME
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
@@ -22,6 +22,10 @@ from segfmu.kernels.planner.phases import (
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import is_beyond
+
+# a root, and the distance that a profile has to cover, within these shares
+ROOT = 1e-15
+COVERED = 1e-14
 
 
 def append_velocity_change(
@@ -79,7 +83,7 @@ def with_cruise(
         return max(count, 0)
     hold = (distance - y) / cruise
     # shorter than rounding: no cruise; the caller checks the remaining error
-    if hold < 0.0 and abs(distance - y) > 1e-13 * abs(distance):
+    if hold < 0.0 and abs(distance - y) > SAME_TIME * abs(distance):
         return 0
     return insert_hold(phases, count, row, 0.0, hold)
 
@@ -105,7 +109,7 @@ def vanishing_cruise(
     e_other = 0.0
     e_before = 0.0
     falls_short = True
-    for i in range(120):
+    for i in range(HALVINGS):
         middle = start
         if i > 0:
             share = root_share(newest, other, before, e_newest, e_other, e_before)
@@ -125,7 +129,7 @@ def vanishing_cruise(
         newest = middle
         e_newest = error
         falls_short = missing
-        if count >= 0 and abs(error) <= 1e-15 * abs(distance):
+        if count >= 0 and abs(error) <= ROOT * abs(distance):
             other = newest
             break
     lower = newest
@@ -183,7 +187,7 @@ def shorter_cruise(
             if used > 0:
                 duration = valid_duration(trial, used, problem, axis)
             # a gain by rounding is none
-            if duration >= 0.0 and duration < longest * (1.0 - 1e-10):
+            if duration >= 0.0 and duration < longest * (1.0 - GAINED):
                 copy_phases(trial, phases, used)
                 count = used
                 longest = duration
@@ -217,6 +221,6 @@ def direct_form(
     if is_beyond(cruise, cruise, 1.0, axis):
         return 0
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)
-    if abs(y - distance) > 1e-14 * (abs(distance) + (abs(v) + abs(w)) * duration):
+    if abs(y - distance) > COVERED * (abs(distance) + (abs(v) + abs(w)) * duration):
         return 0
     return max(count, 0)

@@ -10,7 +10,7 @@ begin with the ramp to zero, whose last level is zero; the more time the first l
 velocity is gained, and the lower the acceleration falls.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -19,6 +19,16 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Dip, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sequence import advance, pass_node, sequence_duration, set_level
 from segfmu.kernels.planner.sides import mirror_axis, side_limit
+
+# how accurately the shallowest dip and the deepest one are found, as a share of them
+ACCURACY = 1e-3
+DEEPEST = 0.01
+# velocity that a motion gains at least while it brings an acceleration to zero, as a share of the
+# acceleration times the duration of one ramp: that gains 0.5, and every motion 0.4, with a limit of
+# the pop alone
+LEAST_GAIN = 0.37
+# the least dip begins at this share of that duration
+LEAST = 0.02
 
 
 def begin_dip(above: int, v: float, a: float, work: 'float[:,:]') -> None:
@@ -68,7 +78,7 @@ def balance_jerk(axis: 'float[:]', work: 'float[:,:]') -> None:
         return
     other = 2.0 * newest
     e_other = last_jerk(other, axis, work)
-    for i in range(60):
+    for i in range(HALVINGS):
         if e_other >= 0.0:
             break
         newest = other
@@ -77,7 +87,7 @@ def balance_jerk(axis: 'float[:]', work: 'float[:,:]') -> None:
         e_other = last_jerk(other, axis, work)
     before = other
     e_before = e_other
-    for i in range(80):
+    for i in range(HALVINGS):
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         second = newest + share * (other - newest)
         if second == newest or second == other or e_newest == 0.0:
@@ -114,7 +124,7 @@ def close_dip(first: float, end: float, axis: 'float[:]', work: 'float[:,:]') ->
     e_other = last_excess(other, end, axis, work)
     before = other
     e_before = e_other
-    for i in range(80):
+    for i in range(HALVINGS):
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         time = newest + share * (other - newest)
         if time == newest or time == other or e_newest == 0.0:
@@ -152,12 +162,12 @@ def find_edge(
 
     It is more than `lower`, and the acceleration at its end is `end`. -1: there is none.
     """
-    accuracy = 1e-3
+    accuracy = ACCURACY
     if deepest:
-        accuracy = 0.01
+        accuracy = DEEPEST
     upper = NEVER
     found = -1.0
-    for i in range(60):
+    for i in range(HALVINGS):
         first = 2.0 * lower
         if upper < NEVER:
             first = 0.5 * (lower + upper)
@@ -170,7 +180,7 @@ def find_edge(
             lower = first
         else:
             upper = first
-        if upper - lower <= 1e-12 * upper or (found > 0.0 and upper - lower <= accuracy * upper):
+        if upper - lower <= EQUAL * upper or (found > 0.0 and upper - lower <= accuracy * upper):
             break
     return found
 
@@ -189,8 +199,7 @@ def find_dips(
     if a < 0.0:
         sign = -1.0
     duration, slope = ramp_duration(abs(a), axis)
-    # a ramp gains 0.5 of this, and every motion 0.4, which is that with a limit of the pop alone
-    gain = 0.37 * abs(a) * duration
+    gain = LEAST_GAIN * abs(a) * duration
     if ramps_suffice(axis) or sign * v + gain > side_limit(1, sign, axis):
         return False
     dips[Dip.V] = v
@@ -201,7 +210,7 @@ def find_dips(
         begin_dip(above, sign * v, abs(a), work)
         if sign < 0.0:
             mirror_axis(axis)
-        least = find_edge(False, 0.02 * duration, -end, axis, work)
+        least = find_edge(False, LEAST * duration, -end, axis, work)
         if sign < 0.0:
             mirror_axis(axis)
         if least > 0.0:

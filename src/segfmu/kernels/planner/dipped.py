@@ -6,6 +6,7 @@ and the acceleration at their ends are searched for: a deep one takes longer, bu
 motion in the other direction.
 """
 
+from segfmu.kernels.numerics.numbers import WORTH
 from segfmu.kernels.planner.dip import find_deepest, find_dips, write_dip
 from segfmu.kernels.planner.enclose import clear_nearest, nearest_weight, timed_between
 from segfmu.kernels.planner.forms import braked_ramps, is_done, passing_either_way, shortest_between
@@ -21,6 +22,9 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Cell, Dip, Nearest, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, reverse_axis
 from segfmu.kernels.planner.timed_cruise import is_enclosed
+
+# accelerations at which dips end, beside zero, as shares of the limit
+ENDS = 0.45
 
 
 def set_dips(
@@ -127,7 +131,7 @@ def best_depth(
             depth = middle + 0.25 * i / 2**sweep
             if sweep > 0 and (i % 2 == 0 or depth < 0.0 or depth > 1.0):
                 continue
-            longest = total_duration(phases, count) * (1.0 - 1e-9)
+            longest = total_duration(phases, count) * (1.0 - WORTH)
             taken = dipped_profile(depth, longest, phases, asked, axis, work)
             if taken > 0:
                 count = taken
@@ -143,7 +147,7 @@ def shorter_dipped(
 ) -> int:
     """Replace a profile of `count` phases by the shortest one with dips; its number of phases."""
     for i in range(3):
-        end = 0.45 * i * min(axis[Axis.ACCELERATION], axis[Axis.LOWER + 1])
+        end = ENDS * i * min(axis[Axis.ACCELERATION], axis[Axis.LOWER + 1])
         if set_both_dips(end, asked, axis, work):
             count = best_depth(count, phases, asked, axis, work)
     return count

@@ -4,10 +4,17 @@ Each polynomial piece is cut where a derivative is zero, from that of the levels
 the cuts the next lower one rises or falls, so its extremes are at cuts.
 """
 
-from segfmu.kernels.numerics.numbers import TIE
+from segfmu.kernels.numerics.numbers import HALVINGS, TIE
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sides import side_limit
+
+# of a piece's length: where a peak is known
+PEAK = 1e-7
+# a limit is exceeded by more than this share
+EXCEEDED = 1e-10
+# a derivative has one zero at most between those of the ones above
+ZEROS = 16
 
 
 def taylor_value(order: int, top: int, t: float, state: 'float[:]') -> float:
@@ -28,7 +35,7 @@ def zero_time(order: int, top: int, length: float, state: 'float[:]') -> float:
     lower = 0.0
     upper = length
     t = 0.5 * length
-    for i in range(60):
+    for i in range(HALVINGS):
         value = taylor_value(order, top, t, state)
         if value * state[order] > 0.0:
             lower = t
@@ -41,7 +48,7 @@ def zero_time(order: int, top: int, length: float, state: 'float[:]') -> float:
             if t + newton > lower and t + newton < upper:
                 step = newton
         t = t + step
-        if abs(step) <= 1e-7 * length:
+        if abs(step) <= PEAK * length:
             break
     return t
 
@@ -66,7 +73,7 @@ def note_excess(
         if limit > 0.0:
             share = abs(end[order]) / limit - 1.0
             # the first of peaks that only rounding separates, as in a symmetric motion
-            if share > 1e-10 and share > TIE * excess[order, Excess.SHARE]:
+            if share > EXCEEDED and share > TIE * excess[order, Excess.SHARE]:
                 excess[order, Excess.SHARE] = share
                 excess[order, Excess.NODE] = node
                 excess[order, Excess.HOLDING] = holding
@@ -87,7 +94,7 @@ def piece_excess(
     top = int(axis[Axis.SMOOTHNESS]) + 1
     rest = length
     # each derivative has one zero at most between those of the ones above
-    for i in range(16):
+    for i in range(ZEROS):
         step = rest
         advance_piece(top, step, state, end)
         for j in range(q - 1):

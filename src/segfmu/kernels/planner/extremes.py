@@ -12,6 +12,11 @@ from segfmu.kernels.planner.records import Axis, Cell, Nearest, Node, Passing, P
 from segfmu.kernels.planner.sides import top_acceleration
 from segfmu.kernels.planner.tighten import tighten
 
+# levels of a start, as a share of those that alone fill the duration
+ALTERNATING = 0.6
+# attempts at the distance, each at a slower pace
+SLOWER = 0.2
+
 
 def set_extreme(
     sign: float, pace: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
@@ -33,7 +38,7 @@ def set_extreme(
     passing[Passing.TARGET] = duration
     passing[Passing.FREE] = sign
     q = int(axis[Axis.ABOVE]) + 2
-    set_alternating(sign, 0.6 * duration / q, work)
+    set_alternating(sign, ALTERNATING * duration / q, work)
 
 
 def extreme_form(
@@ -79,7 +84,7 @@ def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
             phases = cell[Cell.ABOVE:Cell.PROBLEM, :]
         nearest[found] = 0.0
         for attempt in range(3):
-            pace = 1.0 - 0.2 * attempt
+            pace = 1.0 - SLOWER * attempt
             count, reached = extreme_form(sign, pace, phases, problem, axis, work)
             if count > 0 and sign * reached >= sign * distance:
                 nearest[found] = count

@@ -7,7 +7,7 @@ exists: its distance is continuous in the cruise velocity and unbounded at the t
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import GAINED, NEVER, SAME_TIME, WORTH
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
@@ -57,7 +57,7 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
         end = v + 0.5 * (a + b) * duration
         # relative to the motion, which can be tiny
         scale = abs(v) + abs(w) + (abs(a) + abs(b)) * duration
-        if abs(end - w) <= 1e-13 * min(fastest_velocity(axis), scale):
+        if abs(end - w) <= SAME_TIME * min(fastest_velocity(axis), scale):
             if valid_duration(phases, count, problem, axis) >= 0.0:
                 return count
     # both cannot be valid; that in the direction of the distance is more likely
@@ -216,7 +216,7 @@ def shorter_braked(
     """
     first = crosses_zero(0, phases)
     last = crosses_zero(count - 1, phases)
-    longest = total_duration(phases, count) * (1.0 - 1e-10)
+    longest = total_duration(phases, count) * (1.0 - GAINED)
     for variant in range(1, 4):
         if (variant == 2 or first) and (variant == 1 or last):
             used, duration = braked_variant(variant, longest, problem, axis, phases, work)
@@ -230,7 +230,7 @@ def shorter_than_detour(
     count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
     """Replace a profile of `count` phases that may be a detour by the shortest one that brakes."""
-    longest = total_duration(phases, count) * (1.0 - 1e-10)
+    longest = total_duration(phases, count) * (1.0 - GAINED)
     for variant in range(1, 8):
         used, duration = braked_variant(variant, longest, problem, axis, phases, work)
         if used > 0:
@@ -251,7 +251,7 @@ def passing_either_way(
     passing[Passing.START] = 0.0
     passing[Passing.JERK] = 0.0
     copy_phases(phases, ramps, count)
-    longest = total_duration(ramps, count) * (1.0 - 1e-9)
+    longest = total_duration(ramps, count) * (1.0 - WORTH)
     whole = longest
     forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work)
     settled = passing[Passing.SETTLED]

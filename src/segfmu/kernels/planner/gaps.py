@@ -15,6 +15,12 @@ from segfmu.kernels.planner.merged import same_members, set_family, set_member, 
 from segfmu.kernels.planner.phases import speed_bound, total_duration, valid_duration
 from segfmu.kernels.planner.records import Axis, PlanWork, Problem
 
+# two ends of gaps are one within this share
+ONE = 1e-10
+# cruise velocities that are tried, and steps of golden section between them
+CRUISES = 24
+SECTIONS = 30
+
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
     """Insert a duration above `after` in the sorted first column of ends; the longest drops out."""
@@ -23,7 +29,7 @@ def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') ->
     place = count
     while place > 0 and ends[place - 1, 0] > duration:
         place = place - 1
-    if place > 0 and duration - ends[place - 1, 0] <= 1e-10 * duration:
+    if place > 0 and duration - ends[place - 1, 0] <= ONE * duration:
         return count
     count = min(count + 1, ends.shape[0])
     for j in range(count - 1 - place):
@@ -77,7 +83,7 @@ def turning_time(
     q = lower + GOLDEN * (upper - lower)
     t_p = cruise_time(p, covering, problem, axis, phases)
     t_q = cruise_time(q, covering, problem, axis, phases)
-    for i in range(30):
+    for i in range(SECTIONS):
         if t_p <= t_q:
             upper = q
             q = p
@@ -113,14 +119,14 @@ def insert_turn(
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
     lower = cruise_sample(max(sample - 1, 0), fastest, backwards)
-    upper = cruise_sample(min(sample + 1, 24), fastest, backwards)
+    upper = cruise_sample(min(sample + 1, CRUISES), fastest, backwards)
     turn = turning_time(lower, upper, covering, problem, axis, phases)
     return insert_end(spent + min(turn, least), after, count, ends)
 
 
 def cruise_sample(sample: int, fastest: float, backwards: float) -> float:
     """One of 25 cruise velocities up to the fastest one, in both directions."""
-    share = 2.0 * sample / 24 - 1.0
+    share = 2.0 * sample / CRUISES - 1.0
     if share < 0.0:
         return backwards * share
     return fastest * share
@@ -146,10 +152,10 @@ def turning_ends(
     # gaps that end later are of no use
     fastest = speed_bound(1.0, 4.0 * after, problem, axis)
     backwards = speed_bound(-1.0, 4.0 * after, problem, axis)
-    for i in range(26):
+    for i in range(CRUISES + 2):
         third = NEVER
         third_covered = NEVER
-        if i < 25:
+        if i < CRUISES + 1:
             cruise = cruise_sample(i, fastest, backwards)
             third, third_covered = cruise_times(cruise, problem, axis, phases)
         if second < NEVER and first >= second and third >= second:

@@ -14,6 +14,18 @@ from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Gentle, Phase, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
+# difference for slopes, as a share of the levels, and the least determinant of a step, of its terms
+DIFFERENCE = 1e-7
+DETERMINANT = 1e-9
+# starts: half the difference of the levels grows by this from one to the next
+WIDER = 1.5
+# steps until it has failed; shares of the usual speed: slopes of the step before do as well, only
+# rounding is left, and a solution
+STEPS = 16
+CLOSE = 1e-4
+ROUNDED = 2e-15
+SOLVED = 1e-13
+
 
 def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
     """Set the levels to the extreme accelerations of the polynomial of degree five."""
@@ -124,7 +136,7 @@ def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
     """Set the derivatives of both errors with the levels, from differences; False: all are zero."""
     gain = gentle[Gentle.GAIN]
     excess = gentle[Gentle.EXCESS]
-    change = 1e-7 * max(abs(gentle[Gentle.LEVELS]), abs(gentle[Gentle.LEVELS + 1]))
+    change = DIFFERENCE * max(abs(gentle[Gentle.LEVELS]), abs(gentle[Gentle.LEVELS + 1]))
     if change == 0.0:
         return False
     for i in range(2):
@@ -148,7 +160,7 @@ def gentle_step(gentle: 'float[:]') -> bool:
     e1 = gentle[Gentle.EXCESS_SLOPES]
     e2 = gentle[Gentle.EXCESS_SLOPES + 1]
     determinant = g1 * e2 - g2 * e1
-    if not abs(determinant) > 1e-9 * (abs(g1 * e2) + abs(g2 * e1)):
+    if not abs(determinant) > DETERMINANT * (abs(g1 * e2) + abs(g2 * e1)):
         return False
     gentle[Gentle.STEPS] = (g2 * excess - e2 * gain) / determinant
     gentle[Gentle.STEPS + 1] = (e1 * gain - g1 * excess) / determinant
@@ -159,7 +171,7 @@ def spread_levels(attempt: int, gentle: 'float[:]') -> None:
     """Move the levels apart, or past each other, for another attempt of Newton's method."""
     middle = 0.5 * (gentle[Gentle.LEVELS] + gentle[Gentle.LEVELS + 1])
     half = 0.5 * (gentle[Gentle.LEVELS] - gentle[Gentle.LEVELS + 1])
-    factor = 1.5 * attempt + 1.0
+    factor = WIDER * attempt + 1.0
     if attempt % 2 == 0:
         factor = -factor
     half = factor * half
@@ -186,8 +198,8 @@ def solve_gentle(
     error = gentle_errors(problem, axis, gentle)
     speed = usual_speed(problem, axis)
     # close to the root the derivatives of the step before do as well
-    close = 1e-4 * speed
-    for i in range(16):
+    close = CLOSE * speed
+    for i in range(STEPS):
         if (i == 0 or error > close) and not gentle_slopes(problem, axis, gentle):
             return False
         if not gentle_step(gentle):
@@ -206,9 +218,9 @@ def solve_gentle(
             error = gentle_errors(problem, axis, gentle)
             break
         error = reached
-        if error <= 2e-15 * speed:
+        if error <= ROUNDED * speed:
             break
-    return error <= 1e-13 * speed
+    return error <= SOLVED * speed
 
 
 def write_gentle(

@@ -7,6 +7,7 @@ the share of the second one.
 
 from math import ceil
 
+from segfmu.kernels.numerics.numbers import HALVINGS, SAME_TIME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
@@ -18,6 +19,29 @@ from segfmu.kernels.planner.phases import (
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
 from segfmu.kernels.planner.synchronize import timed_profile
+
+# how a duration grows that is looked for behind the last end of a gap: by less at first
+GROWTH = 1.005
+GROWTH_LATER = 1.02
+GROWTH_LAST = 1.1
+LATER = 230
+LAST = 350
+GROWTHS = 600
+# how accurately the first feasible duration is found; coarsely where it may lie much earlier
+ACCURACY = 4e-9
+COARSE = 1e-4
+# steps from the start of a gap, doubled, up to this share of its end; not where a duration is this
+# much above the shortest one
+FIRST_STEP = 0.004
+BEFORE_END = 0.98
+ABOVE_SHORTEST = 1.1
+# beside the first feasible duration, as a share of the accuracy
+INSIDE = 0.75
+# a duration is a multiple of the sample time within this share of one, and a duration beyond the
+# end of a gap by this share is feasible
+ROUNDED = 1e-9
+# meetings of axes until there is no common duration
+SWEEPS = 100000
 
 
 def set_shortest(
@@ -46,7 +70,7 @@ def set_stretched(
     if cell[Cell.RESULT, Interval.ABOVE_COUNT] == 0.0:
         for i in range(int(cell[Cell.RESULT, Interval.BELOW_COUNT])):
             duration = duration + phases[i, Phase.DURATION]
-    if duration == 0.0 or abs(duration - shortest) > 1e-13 * shortest:
+    if duration == 0.0 or abs(duration - shortest) > SAME_TIME * shortest:
         status, duration = set_shortest(cell, axis, work)
     count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
     if resting and count == 0:
@@ -61,10 +85,10 @@ def set_duration(
     """Write a profile of the given duration [s], delay included; False if that is not feasible."""
     delay = cell[Cell.PLACE, Place.DELAY]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
-    if target < shortest * (1.0 - 1e-13):
+    if target < shortest * (1.0 - SAME_TIME):
         return False
     resting = is_resting(cell[Cell.PROBLEM, :], axis)
-    if resting or target <= shortest * (1.0 + 1e-13):
+    if resting or target <= shortest * (1.0 + SAME_TIME):
         set_stretched(target - delay, resting, cell, axis, work)
         return True
     weight = timed_profile(target - delay, axis, cell, work)
@@ -90,24 +114,24 @@ def next_feasible(
     for sweep in range(8):
         count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
-            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + 1e-9)
+            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + ROUNDED)
             if set_duration(duration, cell, axis, work):
                 if axis[Axis.PLATEAU] < 0.5 or not ramps_suffice(axis):
-                    duration = first_feasible(4e-9, after, duration, cell, axis, work)
+                    duration = first_feasible(ACCURACY, after, duration, cell, axis, work)
                 return earlier_feasible(start, duration, cell, axis, work)
             after = duration
         if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:
             break
-    growth = 1.005
-    for i in range(600):
+    growth = GROWTH
+    for i in range(GROWTHS):
         duration = after * growth
         if set_duration(duration, cell, axis, work):
-            return first_feasible(4e-9, after, duration, cell, axis, work)
+            return first_feasible(ACCURACY, after, duration, cell, axis, work)
         after = duration
-        if i > 230:
-            growth = 1.02
-        if i > 350:
-            growth = 1.1
+        if i > LATER:
+            growth = GROWTH_LATER
+        if i > LAST:
+            growth = GROWTH_LAST
     return -1.0
 
 
@@ -120,14 +144,14 @@ def earlier_feasible(
     that `gap_ends` tells.
     """
     outside = start
-    if start > 1.1 * cell[Cell.RESULT, Interval.SHORTEST]:
+    if start > ABOVE_SHORTEST * cell[Cell.RESULT, Interval.SHORTEST]:
         return end
     for i in range(4):
-        duration = start * (1.0 + 0.004 * 2**i)
-        if duration > 0.98 * end:
+        duration = start * (1.0 + FIRST_STEP * 2**i)
+        if duration > BEFORE_END * end:
             break
         if set_duration(duration, cell, axis, work):
-            return first_feasible(1e-4, outside, duration, cell, axis, work)
+            return first_feasible(COARSE, outside, duration, cell, axis, work)
         outside = duration
     return end
 
@@ -144,8 +168,8 @@ def first_feasible(
 
     accuracy: by which share it may be longer than that.
     """
-    duration = inside * (1.0 - 0.75 * accuracy)
-    for i in range(60):
+    duration = inside * (1.0 - INSIDE * accuracy)
+    for i in range(HALVINGS):
         if duration <= outside or inside - outside <= accuracy * inside:
             break
         if set_duration(duration, cell, axis, work):
@@ -160,7 +184,7 @@ def round_up(duration: float, sample_time: float) -> float:
     """The next multiple of the sample time, or the duration itself if there is none."""
     if sample_time <= 0.0:
         return duration
-    return ceil(duration / sample_time - 1e-9) * sample_time
+    return ceil(duration / sample_time - ROUNDED) * sample_time
 
 
 def common_duration(
@@ -182,7 +206,7 @@ def common_duration(
     duration = round_up(duration, sample_time)
     place = first
     agreed = 0
-    for i in range(100000):
+    for i in range(SWEEPS):
         if agreed == last - first:
             return duration
         cell = cells[place, :, :]

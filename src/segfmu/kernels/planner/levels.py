@@ -11,8 +11,21 @@ the ratio of a ramp's duration to its change never grows with the change.
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import HALVINGS
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
+
+# shares of rounding in the gain of a velocity, in the balance of two levels, and in a time
+GAIN = 1e-14
+BALANCE = 2e-16
+TIME = 4e-16
+# near a root: the slope is known, and Halley's method is worth it
+NEAR = 1e-9
+NEAR_BENT = 1e-7
+# height of a power that does not lead out of the bracket
+HEIGHT = 60.0
+# the least end of a bracket, as a share of the other
+LEAST = 1e-3
 
 
 def level_gain(level: float, a: float, b: float, axis: 'float[:]') -> 'tuple[float, float]':
@@ -44,7 +57,7 @@ def solve_level(
     t_low, least = level_gain(low, a, b, axis)
     if gain <= least:
         # up to rounding, this is the lowest level
-        if gain < least - 1e-14 * (abs(gain) + abs(least)):
+        if gain < least - GAIN * (abs(gain) + abs(least)):
             return 0.0, -1.0, low
         return t_low, 0.0, low
     start = near
@@ -79,14 +92,14 @@ def root_level(
     level = a
     t_before = start
     rate_before = 0.0
-    for i in range(100):
+    for i in range(HALVINGS):
         change, growth = ramp_change(t, axis)
         level = a + change
         t_end, slope = ramp_duration(level - b, axis)
         first = 0.5 * (a + level) * t
         second = 0.5 * (level + b) * t_end
         error = first + second - gain
-        if abs(error) <= 2e-16 * (abs(first) + abs(second)):
+        if abs(error) <= BALANCE * (abs(first) + abs(second)):
             return t, level
         if error > 0.0:
             upper = t
@@ -96,14 +109,14 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
-            near = 1e-9 * t
+            near = NEAR * t
             bend = 0.0
             if i > 0:
                 bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before)
             if bend != 0.0 and abs(bend) < 0.5 * rate:
                 # Halley's method, with the change of the slope since the step before
                 newton = t - error / (rate - bend)
-                near = 1e-7 * t
+                near = NEAR_BENT * t
             # the error of the next step is the square of this one, or less
             if abs(newton - t) <= near:
                 change, growth = ramp_change(newton, axis)
@@ -112,14 +125,14 @@ def root_level(
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
             far = reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached)
             # a power of this height leads out of the bracket, and can overflow
-            if far and reached < 60.0 * t * rate:
+            if far and reached < HEIGHT * t * rate:
                 newton = t * (gain / reached) ** (reached / (t * rate))
                 # the power can differ on both sides of the root: halve the bracket in between
                 if i % 3 == 2:
-                    newton = sqrt(max(lower, 1e-3 * upper) * upper)
+                    newton = sqrt(max(lower, LEAST * upper) * upper)
             if newton > lower and newton < upper:
                 following = newton
-        if abs(following - t) <= 4e-16 * t:
+        if abs(following - t) <= TIME * t:
             return t, level
         t_before = t
         rate_before = rate

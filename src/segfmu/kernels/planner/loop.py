@@ -10,10 +10,17 @@ arcs of one. In its middle, the ramp between the levels is slower: its duration 
 needs, with p = 0 or q = 0. Along all these arcs the distance is searched for (arcs.py).
 """
 
+from segfmu.kernels.numerics.numbers import HALVINGS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.ramp import ramp_change, ramp_duration
 from segfmu.kernels.planner.records import Family, LoopArc, Problem
 from segfmu.kernels.planner.sides import side_limit
+
+# the least radius of a loop that is tried, as a share of the largest one
+LEAST = 1e-6
+# shares of rounding: of a gain of velocity, and of a radius
+GAIN = 1e-16
+RADIUS = 4e-16
 
 
 def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float:
@@ -115,7 +122,7 @@ def loop_radius(
     """
     lower = 0.0
     e_lower = -missing
-    upper = min(max(0.25 * missing / family[Family.TOP], 1e-6 * largest), 0.25 * largest)
+    upper = min(max(0.25 * missing / family[Family.TOP], LEAST * largest), 0.25 * largest)
     e_upper = set_point(place, upper, family, axis)
     while e_upper < 0.0 or arc == LoopArc.FOLD:
         if not upper < largest:
@@ -133,8 +140,8 @@ def loop_radius(
     e_other = e_lower
     e_before = e_lower
     scale = abs(family[Family.V]) + abs(family[Family.W]) + missing
-    for i in range(80):
-        if abs(e_newest) <= 1e-16 * scale or abs(other - newest) <= 4e-16 * newest:
+    for i in range(HALVINGS):
+        if abs(e_newest) <= GAIN * scale or abs(other - newest) <= RADIUS * newest:
             break
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         radius = newest + share * (other - newest)

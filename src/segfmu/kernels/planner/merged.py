@@ -4,6 +4,7 @@ Reversal of time and mirroring of the position reduce every branch to the canoni
 search.py searches by distance or by duration.
 """
 
+from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
 from segfmu.kernels.planner.phases import (
@@ -18,6 +19,20 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search, member_search, nearby_member
 from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
+
+# of the velocity limit: what a peak leaves below it
+MARGIN = 1e-9
+# the least first level, and steps by which a bracket is probed, as shares; where it is that narrow,
+# what exceeds the limit is next to it
+LOWEST = 0.001
+PROBE = 1e-3
+NARROW = 1e-5
+# halvings to a level that exists, steps to the highest one, and those by secants that are flat
+EXISTS = 24
+STEPS = 60
+FLAT_STEPS = 24
+# the least scale of a family, as a share of the time
+SCALE = 0.1
 
 
 def set_family(
@@ -79,7 +94,7 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
     With `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.
     """
     family[Family.MEMBER] = member
-    family[Family.SCALE] = min(max(family[Family.LAST_RAMP], 0.1 * time), time)
+    family[Family.SCALE] = min(max(family[Family.LAST_RAMP], SCALE * time), time)
     family[Family.NEAR] = -1.0
     if by_time:
         family[Family.BY_TIME] = 1.0
@@ -178,11 +193,11 @@ def level_within(
         peak_limit = axis[Axis.LOWER]
         other_limit = axis[Axis.VELOCITY]
     v = family[Family.START_VELOCITY]
-    rounding = 1e-12 * fastest_velocity(axis)
-    margin = 1e-9 * fastest_velocity(axis)
-    too_low = max(family[Family.A], max(family[Family.B], 0.001 * outside))
+    rounding = EQUAL * fastest_velocity(axis)
+    margin = MARGIN * fastest_velocity(axis)
+    too_low = max(family[Family.A], max(family[Family.B], LOWEST * outside))
     inside = too_low
-    for i in range(24):
+    for i in range(EXISTS):
         count = merged_form(phases, inside, family, axis)
         duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, axis)
         peak = highest
@@ -214,7 +229,7 @@ def highest_within(
     axis: 'float[:]',
 ) -> float:
     """The highest first level that keeps the velocity limit less a billionth: a bracketed root."""
-    margin = 1e-9 * fastest_velocity(axis)
+    margin = MARGIN * fastest_velocity(axis)
     before = outside
     e_before = e_outside
     newest_inside = True
@@ -222,12 +237,12 @@ def highest_within(
     constant = False
     probing = False
     steps = 0
-    while steps < 60:
+    while steps < STEPS:
         steps = steps + 1
         probing = False
         if constant:
             e_inside = 0.0
-            if steps > 24:
+            if steps > FLAT_STEPS:
                 break
         elif abs(e_inside) <= margin:
             probing = True
@@ -236,7 +251,7 @@ def highest_within(
         else:
             share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before)
         if probing:
-            share = 1e-3
+            share = PROBE
         level = inside + share * (outside - inside)
         count = merged_form(phases, level, family, axis)
         error = 0.0
@@ -253,7 +268,7 @@ def highest_within(
             e_inside = error
             newest_inside = True
             # close enough: what exceeds the limit is next to it
-            if probing and outside - inside <= 1e-5 * outside:
+            if probing and outside - inside <= NARROW * outside:
                 break
             constant = constant or probing
         elif probing:
@@ -279,8 +294,8 @@ def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') ->
     lowered and held (tempered), so that the peak is at the limit less a billionth.
     """
     count = merged_form(phases, family[Family.TOP], family, axis)
-    rounding = 1e-12 * fastest_velocity(axis)
-    margin = 1e-9 * fastest_velocity(axis)
+    rounding = EQUAL * fastest_velocity(axis)
+    margin = MARGIN * fastest_velocity(axis)
     if count <= 0:
         return count
     v = family[Family.START_VELOCITY]

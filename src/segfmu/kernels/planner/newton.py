@@ -12,6 +12,34 @@ from segfmu.kernels.planner.sequence import (
     run_sequence,
 )
 
+# share of a time or pace by which it is changed for slopes: their errors and those of rounding are
+# about alike; a time counts as this share of the whole at least
+DIFFERENCE = 1e-5
+LEAST_TIME = 1e-3
+# added to a matrix for a step, as a share of its largest entry
+SHIFT = 1e-12
+# a step in times of the whole duration that only a singular matrix gives
+SINGULAR = 1e12
+# of a level's time, what a step takes off or adds at most; of the whole, so that it changes its
+# sign; and of the pace
+LESS = 0.7
+MORE = 1.5
+ACROSS = 0.01
+SLOWER = 0.3
+# steps until it has failed, and halvings of one
+STEPS = 30
+HALVINGS = 8
+# what four steps leave of an error where they get anywhere
+HOPEFUL = 0.7
+# errors: of rounding alone; of a solution, and beside one; and near enough to leave the grid GRID
+ROUNDED = 2e-15
+SOLVED = 1e-12
+BESIDE = 1e-11
+NEAR = 1e-4
+GRID = 1e-10
+# what a step has to take off an error, as a share of its length
+GAINED = 1e-4
+
 
 def has_pace(passing: 'float[:]') -> bool:
     """Whether the pace of a sequence is an unknown."""
@@ -33,7 +61,7 @@ def pace_column(
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
-    change = 1e-5
+    change = DIFFERENCE
     passing[Passing.PACE] = passing[Passing.PACE] + change
     run_sequence(problem, passing, axis, nodes, residual)
     passing[Passing.PACE] = passing[Passing.PACE] - change
@@ -66,7 +94,7 @@ def time_column(
             before[j, i] = nodes[column + j, i]
     for j in range(2):
         spent = spent - nodes[column + j, Node.RAMP] - nodes[column + j, Node.HOLD]
-    change = 1e-5 * (abs(nodes[column, Node.TIME]) + 1e-3 * passing[Passing.TIME])
+    change = DIFFERENCE * (abs(nodes[column, Node.TIME]) + LEAST_TIME * passing[Passing.TIME])
     nodes[column, Node.TIME] = nodes[column, Node.TIME] + change
     row = first_row(column, passing, nodes)
     begin = row
@@ -101,7 +129,7 @@ def whole_column(
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     time = nodes[column, Node.TIME]
-    change = 1e-5 * (abs(time) + 1e-3 * passing[Passing.TIME])
+    change = DIFFERENCE * (abs(time) + LEAST_TIME * passing[Passing.TIME])
     nodes[column, Node.TIME] = time + change
     run_sequence(problem, passing, axis, nodes, residual)
     nodes[column, Node.TIME] = time
@@ -131,7 +159,7 @@ def newton_step(
         for i in range(count):
             largest = max(largest, abs(work[PlanWork.MATRIX + i, j]))
         # far from singular to rounding errors; the step changes by as little, mirrored or not
-        added = 1e-12 * largest
+        added = SHIFT * largest
         if largest == 0.0:
             added = 1.0
         diagonal = work[PlanWork.MATRIX + j, j]
@@ -151,21 +179,21 @@ def longest_step(work: 'float[:,:]') -> float:
     for i in range(count):
         change = work[PlanWork.STEP + i, 0]
         time = nodes[i, Node.TIME]
-        if not abs(change) < 1e12 * passing[Passing.TIME]:
+        if not abs(change) < SINGULAR * passing[Passing.TIME]:
             return 0.0
         most = 0.5 * passing[Passing.TIME]
         if nodes[i, Node.KIND] < 0.5:
-            most = 0.7 * abs(time)
+            most = LESS * abs(time)
             if change * time >= 0.0:
-                most = 1.5 * abs(time)
+                most = MORE * abs(time)
             # a small level can change its sign
-            most = most + 0.01 * passing[Passing.TIME]
+            most = most + ACROSS * passing[Passing.TIME]
         if abs(change) * share > most:
             share = most / abs(change)
     if has_pace(passing):
         change = abs(work[PlanWork.STEP + count, 0])
-        if change * share > 0.3 * passing[Passing.PACE]:
-            share = 0.3 * passing[Passing.PACE] / change
+        if change * share > SLOWER * passing[Passing.PACE]:
+            share = SLOWER * passing[Passing.PACE] / change
     return share
 
 
@@ -206,13 +234,13 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
     error = residual_norm(count, residual)
     quick = ramps_suffice(axis) or passing[Passing.QUICK] > 0.5
     earlier = error
-    for i in range(30):
+    for i in range(STEPS):
         # what is left are rounding errors
-        if error <= 2e-15:
+        if error <= ROUNDED:
             break
         # levels of the jerk are found soon, or hardly ever: two of 1,400 take longer
         if quick and i > 0 and i % 4 == 0:
-            if error > 0.7 * earlier:
+            if error > HOPEFUL * earlier:
                 break
             earlier = error
         newton_step(count, problem, axis, work)
@@ -220,23 +248,23 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
         # far from the root the method can be chaotic: rounding errors, which differ by processor,
         # must not decide where it goes
         grid = 0.0
-        if error > 1e-4:
-            grid = 1e-10
+        if error > NEAR:
+            grid = GRID
         reached = error
-        for j in range(8):
+        for j in range(HALVINGS):
             # at the root only rounding errors are left
-            if share == 0.0 or (j > 0 and error <= 1e-11):
+            if share == 0.0 or (j > 0 and error <= BESIDE):
                 break
             take_step(share, grid, work)
             run_sequence(problem, passing, axis, nodes, residual)
             reached = residual_norm(count, residual)
-            if reached < error * (1.0 - 1e-4 * share):
+            if reached < error * (1.0 - GAINED * share):
                 break
             take_step(-share, grid, work)
             share = 0.5 * share
-        if not reached < error * (1.0 - 1e-4 * share):
+        if not reached < error * (1.0 - GAINED * share):
             # the states are those of a step that was taken back
             run_sequence(problem, passing, axis, nodes, residual)
             break
         error = reached
-    return error <= 1e-12
+    return error <= SOLVED

@@ -27,6 +27,19 @@ from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
 from segfmu.kernels.planner.tighten import tighten
 
+# the pace of a sequence that is slowed down, from the one before; halvings end at this difference
+SLOWER = 0.97
+PACES = 24
+PACE_ERROR = 1e-4
+# a level's time is nothing below this share of the whole, and a moment below this of its scale
+NO_TIME = 1e-13
+NO_LEVEL = 1e-12
+# steps of a duration that is approached: the least one as a share of the way, what tightening may
+# take at each of them, and in all
+LEAST_STEP = 0.01
+EACH = 40.0
+ALL = 300.0
+
 
 def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Slow a solved sequence down, as little as possible, until it keeps the limits.
@@ -37,8 +50,8 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     fast = 1.0
     slow = 0.0
-    for i in range(24):
-        passing[Passing.PACE] = 0.97 * fast
+    for i in range(PACES):
+        passing[Passing.PACE] = SLOWER * fast
         if slow > 0.0:
             passing[Passing.PACE] = 0.5 * (slow + fast)
         if not solve_sequence(problem, axis, work):
@@ -50,7 +63,7 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
             slow = passing[Passing.PACE]
         else:
             fast = passing[Passing.PACE]
-        if slow > 0.0 and fast - slow < 1e-4:
+        if slow > 0.0 and fast - slow < PACE_ERROR:
             break
     if slow > 0.0:
         restore_sequence(PlanWork.KEPT, work)
@@ -62,7 +75,7 @@ def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     for i in range(int(passing[Passing.COUNT])):
-        if nodes[i, Node.KIND] < 0.5 and abs(nodes[i, Node.TIME]) < 1e-13 * passing[Passing.TIME]:
+        if nodes[i, Node.KIND] < 0.5 and abs(nodes[i, Node.TIME]) < NO_TIME * passing[Passing.TIME]:
             nodes[i, Node.TIME] = 0.0
     run_sequence(problem, passing, axis, nodes, work[PlanWork.RESIDUAL, :])
 
@@ -81,7 +94,7 @@ def idle_time(i: int, axis: 'float[:]', work: 'float[:,:]') -> float:
         return 0.0
     spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
     scale = residual_scale(int(passing[Passing.ABOVE]) + 1, passing, axis)
-    if abs(work[row, Node.LEVEL]) * spent > 1e-12 * scale:
+    if abs(work[row, Node.LEVEL]) * spent > NO_LEVEL * scale:
         return 0.0
     return spent
 
@@ -231,16 +244,16 @@ def pace_down(
     taken[Tighten.MOVING] = moving
     reached = shortest
     step = target - shortest
-    least = 0.01 * step
+    least = LEAST_STEP * step
     while reached < target:
-        taken[Tighten.MOST] = taken[Tighten.STEPS] + 40.0
+        taken[Tighten.MOST] = taken[Tighten.STEPS] + EACH
         duration = min(reached + step, target)
         if follow(duration, problem, axis, work) and passing[Passing.PACE] <= 1.0:
             keep_sequence(PlanWork.SOLVED, work)
             reached = duration
         else:
             step = 0.5 * step
-        if step < least or taken[Tighten.STEPS] > 300.0:
+        if step < least or taken[Tighten.STEPS] > ALL:
             return False
     return True
 

@@ -1,5 +1,6 @@
 """Lists of phases: rows of the record `Phase`."""
 
+from segfmu.kernels.numerics.numbers import EQUAL, SAME_TIME
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.ramp_peak import extreme_gain, ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
@@ -239,17 +240,17 @@ def valid_duration(
 ) -> float:
     """Duration [s] of phases that join the boundary states within the velocity limit, else -1."""
     distance = problem[Problem.DISTANCE]
-    most = slowest_velocity(axis) * (1.0 + 1e-12)
+    most = slowest_velocity(axis) * (1.0 + EQUAL)
     duration, y, end, lowest, highest = measure_phases(
         phases, count, problem[Problem.V], most, axis
     )
-    if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
+    if is_beyond(lowest, highest, 1.0 + EQUAL, axis):
         return -1.0
     # relative to the motion, which can be tiny
     fastest = max(-lowest, highest)
-    if abs(end - problem[Problem.W]) > 1e-12 * fastest:
+    if abs(end - problem[Problem.W]) > EQUAL * fastest:
         return -1.0
-    if abs(y - distance) > 1e-12 * (abs(distance) + fastest * duration):
+    if abs(y - distance) > EQUAL * (abs(distance) + fastest * duration):
         return -1.0
     return duration
 
@@ -293,7 +294,7 @@ def fit_duration(phases: 'float[:,:]', count: int, target: float) -> int:
     kept = 0
     for i in range(count):
         duration = phases[i, Phase.DURATION]
-        if duration > 1e-13 * target:
+        if duration > SAME_TIME * target:
             for j in range(Phase.SIZE):
                 phases[kept, j] = phases[i, j]
             total = total + duration

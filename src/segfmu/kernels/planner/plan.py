@@ -3,6 +3,7 @@
 `plan_phases` is the entry point; it allocates nothing.
 """
 
+from segfmu.kernels.numerics.numbers import EQUAL, SAME_TIME
 from segfmu.kernels.planner.intervals import common_duration, set_duration
 from segfmu.kernels.planner.parameters import axis_limits
 from segfmu.kernels.planner.plan_axis import plan_axis
@@ -35,7 +36,7 @@ def check_waypoints(
             report[Refusal.VALUE] = velocity
             report[Refusal.BOUND] = side_limit(1, velocity, axes[i, :])
             report[Refusal.SIDE] = own_side(1, velocity, axes[i, :])
-            if abs(velocity) > report[Refusal.BOUND] * (1.0 + 1e-12):
+            if abs(velocity) > report[Refusal.BOUND] * (1.0 + EQUAL):
                 return PlanStatus.WAYPOINT_VELOCITY
             moving = velocity != 0.0 or acceleration != 0.0
             if dwells[j] > 0.0 and moving:
@@ -43,7 +44,7 @@ def check_waypoints(
             report[Refusal.VALUE] = acceleration
             report[Refusal.BOUND] = side_limit(2, acceleration, axes[i, :])
             report[Refusal.SIDE] = own_side(2, acceleration, axes[i, :])
-            if abs(acceleration) > report[Refusal.BOUND] * (1.0 + 1e-12):
+            if abs(acceleration) > report[Refusal.BOUND] * (1.0 + EQUAL):
                 return PlanStatus.WAYPOINT_ACCELERATION
     return PlanStatus.PLANNED
 
@@ -116,12 +117,12 @@ def prolong_from(
         reached = common_duration(
             present + share * rest, 0.0, j, j + last - first, axes, cells, work
         )
-        if reached >= 0.0 and reached - present <= rest * (1.0 + 1e-13):
+        if reached >= 0.0 and reached - present <= rest * (1.0 + SAME_TIME):
             for i in range(j, j + last - first):
                 cells[i, Cell.RESULT, Interval.DURATION] = reached
         share = 1.0
     rest, base, count = time_left(first, step, target, cells)
-    return rest <= 1e-13 * target
+    return rest <= SAME_TIME * target
 
 
 def prolong_all(
@@ -143,7 +144,7 @@ def prolong_all(
         cells[j, Cell.PLACE, Place.PROLONGED] = 1.0
     for sweep in range(50):
         rest, base, count = time_left(first, step, target, cells)
-        if rest <= 1e-13 * target:
+        if rest <= SAME_TIME * target:
             return True
         if count == 0:
             return False
@@ -159,7 +160,7 @@ def prolong_all(
                 reached = common_duration(
                     present * factor + extra, 0.0, j, end, axes, cells, work
                 )
-                if reached < 0.0 or reached - present > rest * (1.0 + 1e-13):
+                if reached < 0.0 or reached - present > rest * (1.0 + SAME_TIME):
                     cells[j, Cell.PLACE, Place.PROLONGED] = 0.0
                 else:
                     rest = rest - (reached - present)
@@ -297,7 +298,7 @@ def synchronize_plan(
     target = longest
     if duration > 0.0:
         target = duration - resting
-        if target < longest * (1.0 - 1e-13):
+        if target < longest * (1.0 - SAME_TIME):
             return PlanStatus.DURATION_TOO_SHORT
     if synchronization != Synchronization.TOTAL and duration <= 0.0:
         return PlanStatus.PLANNED

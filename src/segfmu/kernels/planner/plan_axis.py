@@ -2,6 +2,7 @@
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import WORTH
 from segfmu.kernels.planner.intervals import set_shortest
 from segfmu.kernels.planner.parameters import (
     moderate_share,
@@ -24,6 +25,9 @@ from segfmu.kernels.planner.records import (
     Rises,
 )
 from segfmu.kernels.planner.sides import own_side, side_limit
+
+# a thousandth less is no reason for steeper rises
+LESS = 0.999
 
 
 def note_shortest(time: float, axis: 'float[:]', cell: 'float[:,:]') -> None:
@@ -98,9 +102,9 @@ def smoothness_share(usual: float, share: float) -> float:
     """Least duration with rises of `share` over that with `usual` ones, where both fit.
 
     A motion of the snap lasts as the square root of 1 - share, and so does a change of the velocity
-    with the jerk alone. A thousandth less is no reason for steeper rises.
+    with the jerk alone.
     """
-    return 0.999 * sqrt((1.0 - usual) / (1.0 - share))
+    return LESS * sqrt((1.0 - usual) / (1.0 - share))
 
 
 def shorter_with(
@@ -153,7 +157,7 @@ def plan_thoroughly(
     could last are feasible still (`slower_passing`).
     """
     axes[axis, Axis.THOROUGH] = 1.0
-    if not shorter_with(share, share, 1.0 - 1e-9, axis, axes, cells, work):
+    if not shorter_with(share, share, 1.0 - WORTH, axis, axes, cells, work):
         axes[axis, Axis.THOROUGH] = 0.0
 
 

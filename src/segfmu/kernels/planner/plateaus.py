@@ -8,6 +8,16 @@ from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sequence import sequence_duration
 
+# nodes of a sequence that gets a plateau: others are too long
+MOST_NODES = 12
+# a plateau takes this share of the level that it begins from
+SHARE = 0.7
+# of the whole duration: what a level at an end takes at first, and what a hold lacks by rounding
+NEW = 0.03
+NO_HOLD = 1e-12
+# plateaus and levels that are added until it has failed
+CHANGES = 16
+
 
 def keep_sequence(row: int, work: 'float[:,:]') -> None:
     """Copy the sequence to the rows KEPT, FOUND or SOLVED of `work` (PlanWork), from `row` on."""
@@ -110,7 +120,7 @@ def split_ramp(
             return False
     if work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
         return False
-    share = 0.7
+    share = SHARE
     if touch:
         share = 0.5
     time = share * 0.5 * (work[first, Node.TIME] + work[last, Node.TIME])
@@ -141,7 +151,7 @@ def insert_plateau(
     place = int(excess[Excess.NODE])
     sign = excess[Excess.SIGN]
     holding = excess[Excess.HOLDING] > 0.5
-    if count > 12:
+    if count > MOST_NODES:
         return False
     if kind == q - 2:
         if not holding:
@@ -168,7 +178,7 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     count = int(passing[Passing.COUNT])
     first = PlanWork.NODES
     last = PlanWork.NODES + count - 1
-    tiny = 0.03 * passing[Passing.TIME]
+    tiny = NEW * passing[Passing.TIME]
     if count < 2 or work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
         return False
     # the largest distance would become the least one
@@ -198,7 +208,7 @@ def overlong_plateau(work: 'float[:,:]') -> int:
     """The plateau whose hold is the most below zero; -1 if there is none."""
     passing = work[PlanWork.PASSING, :]
     found = -1
-    least = -1e-12 * passing[Passing.TIME]
+    least = -NO_HOLD * passing[Passing.TIME]
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         kind = int(work[row, Node.KIND])
@@ -277,7 +287,7 @@ def meet_limits(
     passing = work[PlanWork.PASSING, :]
     q = int(passing[Passing.ABOVE]) + 2
     added = 0
-    for attempt in range(16):
+    for attempt in range(CHANGES):
         if attempt > 0 and not solve_sequence(problem, axis, work):
             if added == 0 or added != q - 3:
                 return False

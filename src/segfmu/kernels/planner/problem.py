@@ -3,6 +3,17 @@
 from segfmu.kernels.planner.intervals import round_up
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 
+# a velocity or acceleration is zero, or its limit, within this share of it
+NEARLY = 1e-9
+# and one that is rounded again stays as it is
+ROUNDED = 1e-15
+# sample times [s], and the largest count of samples that is a whole number
+SHORTEST_SAMPLE = 1e-9
+LONGEST_SAMPLE = 1e6
+WHOLE = 1e15
+# the largest double
+LARGEST = 1.7976931348623157e308
+
 
 def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
     """PLANNED, or the error (PlanStatus), with a report (Refusal).
@@ -38,8 +49,7 @@ def check_numbers(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
             report[Refusal.AXIS] = axis
             for i in range(WaypointState.SIZE):
                 value = states[j, axis, i]
-                # the largest double
-                if abs(value) <= 1.7976931348623157e308:
+                if abs(value) <= LARGEST:
                     continue
                 report[Refusal.VALUE] = value
                 if i == WaypointState.POSITION:
@@ -115,9 +125,9 @@ def settle_value(
     limit = limits[axis, order]
     if value < 0.0 and lower[axis, order] > 0.0:
         limit = lower[axis, order]
-    if abs(value) <= 1e-9 * limit and abs(value) <= 1e-9 * motion_scale(order, states, limits):
+    if abs(value) <= NEARLY * limit and abs(value) <= NEARLY * motion_scale(order, states, limits):
         return 0.0
-    if abs(abs(value) - limit) <= 1e-9 * limit:
+    if abs(abs(value) - limit) <= NEARLY * limit:
         if value > 0.0:
             return limit
         return -limit
@@ -145,7 +155,7 @@ def settle_states(
                     settled = settle_value(given, i, axis, states, limits, lower)
                 if j > first:
                     before = states[j - 1, axis, WaypointState.VELOCITY + i]
-                    if abs(settled - before) <= 1e-15 * abs(before):
+                    if abs(settled - before) <= ROUNDED * abs(before):
                         settled = before
                 if abs(settled - given) > 0.0:
                     states[j, axis, WaypointState.VELOCITY + i] = settled
@@ -163,10 +173,10 @@ def settle_dwells(sample_time: float, dwells: 'float[:]') -> int:
     """Round dwells up to multiples of a sample time [s], 0: any; returns how many change."""
     changed = 0
     # others are refused, and counts beyond this are no whole numbers
-    if 1e-9 <= sample_time <= 1e6:
+    if SHORTEST_SAMPLE <= sample_time <= LONGEST_SAMPLE:
         for j in range(dwells.shape[0]):
             rounded = dwells[j]
-            if rounded < 1e15 * sample_time:
+            if rounded < WHOLE * sample_time:
                 rounded = round_up(rounded, sample_time)
             if abs(rounded - dwells[j]) > 0.0:
                 dwells[j] = rounded
@@ -186,5 +196,4 @@ def is_same(before: 'float[:,:]', state: 'float[:,:]') -> bool:
 def differ(before: float, value: float) -> bool:
     """Whether two numbers differ by more than rounding, relative to their size or to 1."""
     size = abs(value)
-    # the largest double
-    return not (size <= 1.7976931348623157e308 and abs(value - before) <= 1e-15 * max(size, 1.0))
+    return not (size <= LARGEST and abs(value - before) <= ROUNDED * max(size, 1.0))

@@ -10,6 +10,7 @@ jerk's variance is the sum of w_i^2 / 12. A rise is at most half of the one it b
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import HALVINGS
 from segfmu.kernels.planner.records import Axis
 
 
@@ -25,7 +26,7 @@ def shifted_root(value: float, power: int, shift: float) -> float:
     if power == 1:
         return 0.5 * (shift + sqrt(shift * shift + 4.0 * value))
     x = shift + value ** (1.0 / (power + 1))
-    for i in range(60):
+    for i in range(HALVINGS):
         x_power = 1.0
         for j in range(power - 1):
             x_power = x_power * x

@@ -2,9 +2,14 @@
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import HALVINGS
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.ramp import inner_rise
 from segfmu.kernels.planner.records import Axis
+
+# where a peak is known, as shares of a ramp and of a piece
+PEAK = 1e-9
+PEAK_OF_PIECE = 1e-7
 
 
 def curved_part(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
@@ -31,7 +36,7 @@ def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
     low = 0.0
     high = upper
     s = upper * sqrt(min(max(2.0 * value, 0.0), 1.0))
-    for i in range(100):
+    for i in range(HALVINGS):
         at, slope, integral = curved_part(s, axis)
         if at > value:
             high = s
@@ -43,7 +48,7 @@ def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
             if s + newton > low and s + newton < high:
                 step = newton
         s = s + step
-        if abs(step) <= 1e-9:
+        if abs(step) <= PEAK:
             return s
     return s
 
@@ -151,7 +156,7 @@ def crossing_time(
     low = 0.0
     high = length
     t = 0.5 * length
-    for i in range(100):
+    for i in range(HALVINGS):
         at = a + taylor(t, jerk, snap, crackle, pop, highest)
         if at * a <= 0.0:
             high = t
@@ -164,6 +169,6 @@ def crossing_time(
             if t + newton > low and t + newton < high:
                 step = newton
         t = t + step
-        if abs(step) <= 1e-7 * length:
+        if abs(step) <= PEAK_OF_PIECE * length:
             break
     return t

@@ -3,12 +3,30 @@
 BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
-from segfmu.kernels.numerics.numbers import GOLDEN
+from segfmu.kernels.numerics.numbers import GOLDEN, HALVINGS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
+
+# a root within a share of the newest parameter, and a sum whose terms may cancel within one of them
+ROOT = 2e-16
+ROUNDED = 2e-15
+# the first member covers the target within this share
+COVERED = 1e-14
+# steps of golden section, doublings to a parameter that has a member and to one that covers enough
+SECTIONS = 30
+DOUBLINGS = 60
+FARTHER = 200
+# parameters that are tried before those, and shares beside one that was found with another bound
+SHORTER = 12
+BESIDE = 0.05
+# of the search among all members: parameters on this side of SCALE and in all, growing as squares,
+# and halvings to the edge of a window
+SCALED = 12
+MEMBERS = 36
+EDGE = 24
 
 
 def window_edge(
@@ -56,8 +74,8 @@ def bracketed_root(
     speed = abs(family[Family.V]) + abs(family[Family.W])
     if family[Family.BY_TIME] > 0.5:
         speed = 0.0
-    for i in range(120):
-        if e_newest == 0.0 or abs(newest - other) <= 2e-16 * abs(newest):
+    for i in range(HALVINGS):
+        if e_newest == 0.0 or abs(newest - other) <= ROOT * abs(newest):
             break
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         p = newest + share * (other - newest)
@@ -69,7 +87,7 @@ def bracketed_root(
         newest = p
         e_newest = error
         # rounding error of a sum whose terms may cancel
-        if abs(error) <= 2e-15 * (abs(target) + speed * duration):
+        if abs(error) <= ROUNDED * (abs(target) + speed * duration):
             break
     if abs(e_other) < abs(e_newest):
         return other
@@ -110,7 +128,7 @@ def highest_member(
     q = lower + GOLDEN * (upper - lower)
     f_p, duration = canonical_value(p, family, axis)
     f_q, duration = canonical_value(q, family, axis)
-    for i in range(30):
+    for i in range(SECTIONS):
         if max(f_p, f_q) >= family[Family.TARGET]:
             break
         if f_p >= f_q:
@@ -145,7 +163,7 @@ def first_window(
     end = t_zero
     going_on = t_zero
     if duration < 0.0:
-        end = window_edge(80, 0.0, t_zero, family, axis)
+        end = window_edge(HALVINGS, 0.0, t_zero, family, axis)
         value, duration = canonical_value(end, family, axis)
         going_on = -1.0
     if family[Family.V] < 0.0:
@@ -183,7 +201,7 @@ def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> floa
     -1 if there is none. A longer motion covers less distance while the velocity in between is
     negative.
     """
-    samples = 12
+    samples = SHORTER
     span = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     for i in range(1, samples + 1):
         if only_farther(family):
@@ -225,7 +243,7 @@ def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
         note_near_gain(family, axis)
         return -1.0
     # the first member covers the target up to rounding
-    if abs(f_lower - target) <= 1e-14 * (abs(target) + (abs(v) + abs(w)) * duration):
+    if abs(f_lower - target) <= COVERED * (abs(target) + (abs(v) + abs(w)) * duration):
         return 0.0
     if f_lower > target:
         note_near(f_lower, duration, family, axis)
@@ -250,12 +268,12 @@ def second_window(t_zero: float, family: 'float[:]', axis: 'float[:]') -> float:
     """First parameter beyond t_zero with a member, if t_zero has none."""
     upper = family[Family.LAST_RAMP]
     value, duration = canonical_value(upper, family, axis)
-    for i in range(60):
+    for i in range(DOUBLINGS):
         if duration >= 0.0:
             break
         upper = 2.0 * upper
         value, duration = canonical_value(upper, family, axis)
-    return window_edge(80, upper, t_zero, family, axis)
+    return window_edge(HALVINGS, upper, t_zero, family, axis)
 
 
 def farther_member(
@@ -266,7 +284,7 @@ def farther_member(
     upper = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     if upper <= lower:
         upper = 2.0 * lower
-    for i in range(200):
+    for i in range(FARTHER):
         f_upper, duration = canonical_value(upper, family, axis)
         if f_upper >= family[Family.TARGET]:
             return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
@@ -282,8 +300,8 @@ def nearby_member(family: 'float[:]', axis: 'float[:]') -> float:
     As the bound changes, the member moves along.
     """
     target = family[Family.TARGET]
-    lower = 0.95 * family[Family.NEAR]
-    upper = 1.05 * family[Family.NEAR]
+    lower = (1.0 - BESIDE) * family[Family.NEAR]
+    upper = (1.0 + BESIDE) * family[Family.NEAR]
     if lower <= 0.0:
         return -1.0
     f_lower, duration = canonical_value(lower, family, axis)
@@ -316,21 +334,21 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         begin = int(family[Family.PASSED])
         lower = family[Family.PASSED_INSIDE]
         f_lower = family[Family.PASSED_VALUE]
-        if begin > 13 and lower >= 0.0 and f_lower > target:
+        if begin > SCALED + 1 and lower >= 0.0 and f_lower > target:
             return -1.0
     p = 0.0
-    for i in range(begin, 36):
-        p = family[Family.SCALE] * i * i / 144.0
+    for i in range(begin, MEMBERS):
+        p = family[Family.SCALE] * i * i / (SCALED * SCALED)
         value, duration = canonical_value(p, family, axis)
         upper = p
         f_upper = value
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            outside = family[Family.SCALE] * (i - 1) * (i - 1) / 144.0
-            lower = window_edge(24, p, outside, family, axis)
+            outside = family[Family.SCALE] * (i - 1) * (i - 1) / (SCALED * SCALED)
+            lower = window_edge(EDGE, p, outside, family, axis)
             f_lower, duration = canonical_value(lower, family, axis)
         if not inside and lower >= 0.0:
-            upper = window_edge(24, lower, p, family, axis)
+            upper = window_edge(EDGE, lower, p, family, axis)
             f_upper, duration = canonical_value(upper, family, axis)
         found = lower >= 0.0 and (f_lower - target) * (f_upper - target) <= 0.0
         found = found and f_upper != f_lower
@@ -350,6 +368,6 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         if inside:
             lower = p
             f_lower = value
-            if i > 12 and value > target:
+            if i > SCALED and value > target:
                 return -1.0
     return -1.0

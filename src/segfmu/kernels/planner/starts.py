@@ -30,6 +30,20 @@ from segfmu.kernels.planner.records import (
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 
+# a hold is none below this share of a ramp, and a limit is reached within it
+ROUNDED = 1e-9
+# levels of a start, as shares of those that alone fill the duration
+ALTERNATING = 0.7
+FASTER = 0.35
+# levels of ordinary profiles meet at zero: where the snap has them, they are higher by this; and
+# two attempts with more and less
+HIGHER = 1.25
+MORE = 1.3
+LESS = 0.8
+# what a sequence without plateaus may exceed limits by, and what it takes of one with them
+NEARLY = 0.3
+SHORTER = 0.9
+
 
 def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
     """Append a level to a sequence, or enlarge the last one if that has the same sign."""
@@ -58,7 +72,7 @@ def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
         return
     time = rise - inner_rise(rise, 1, axis)
     append_level(sign, time, work)
-    if hold > 1e-9 * duration:
+    if hold > ROUNDED * duration:
         count = int(work[PlanWork.PASSING, Passing.COUNT])
         insert_node(count, 3, sign, hold, False, work)
     append_level(-sign, time, work)
@@ -68,10 +82,10 @@ def limit_held(a: float, v: float, axis: 'float[:]') -> 'tuple[int, float]':
     """The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none."""
     order = 0
     value = 0.0
-    if abs(a) >= side_limit(2, a, axis) * (1.0 - 1e-9):
+    if abs(a) >= side_limit(2, a, axis) * (1.0 - ROUNDED):
         order = 2
         value = a
-    elif a == 0.0 and abs(v) >= side_limit(1, v, axis) * (1.0 - 1e-9):
+    elif a == 0.0 and abs(v) >= side_limit(1, v, axis) * (1.0 - ROUNDED):
         order = 1
         value = v
     if value < 0.0:
@@ -136,15 +150,15 @@ def set_sequence(
         return False
     copy_levels(count, phases, problem[Problem.V], axis, work)
     if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
-        set_alternating(1.0, 0.7 * passing[Passing.TIME] / q, work)
+        set_alternating(1.0, ALTERNATING * passing[Passing.TIME] / q, work)
     # the levels of ordinary profiles are lower, as they meet at zero
     factor = 1.0
     if q == 4:
-        factor = 1.25
+        factor = HIGHER
     if attempt % 3 == 1:
-        factor = 1.3 * factor
+        factor = MORE * factor
     elif attempt % 3 == 2:
-        factor = 0.8 * factor
+        factor = LESS * factor
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         if work[row, Node.KIND] < 0.5:
@@ -198,7 +212,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     if is_brief(axis) or is_resting(problem, axis):
         return False
     # beside one with plateaus it has to keep the limits nearly
-    most = 0.3
+    most = NEARLY
     if int(passing[Passing.COUNT]) == q:
         most = NEVER
     duration = sequence_duration(passing, nodes)
@@ -212,9 +226,9 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
             if work[PlanWork.FAMILY, Family.FREE] >= duration:
                 break
             scale = work[PlanWork.FAMILY, Family.FREE]
-        set_alternating(sign, 0.35 * scale / q, work)
+        set_alternating(sign, FASTER * scale / q, work)
         if solve_rotated(problem, axis, work):
-            shorter = sequence_duration(passing, nodes) < 0.9 * duration
+            shorter = sequence_duration(passing, nodes) < SHORTER * duration
             if shorter and largest_excess(axis, work) < most:
                 passing[Passing.QUICK] = 0.0
                 keep_sequence(PlanWork.SOLVED, work)

@@ -16,6 +16,7 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 * the mean of the motions over about the least and the largest distance (extremes.py).
 """
 
+from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.dipped import timed_dipped
 from segfmu.kernels.planner.enclose import (
@@ -49,10 +50,16 @@ from segfmu.kernels.planner.records import (
 from segfmu.kernels.planner.sides import is_beyond
 from segfmu.kernels.planner.timed_cruise import is_enclosed
 
+# stretches of a cruise from the whole one on: each has this power of the one before, up to nearly
+# none
+LESS = 0.75
+NONE = 0.99
+STRETCHES = 9
+
 
 def is_turning(lowest: float, highest: float) -> bool:
     """Whether a motion with these velocities goes both ways, not by rounding alone."""
-    return min(-lowest, highest) > 1e-12 * max(-lowest, highest)
+    return min(-lowest, highest) > EQUAL * max(-lowest, highest)
 
 
 def turns_back(v: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
@@ -92,14 +99,14 @@ def timed_gently(
         duration, y, end, lowest, highest = measure_phases(
             phases, count, problem[Problem.V], 0.0, axis
         )
-        if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
+        if is_beyond(lowest, highest, 1.0 + EQUAL, axis):
             return False
         if is_turning(lowest, highest) and not turning:
             return False
         fastest = max(-lowest, highest)
-        if abs(end - problem[Problem.W]) > 1e-12 * fastest:
+        if abs(end - problem[Problem.W]) > EQUAL * fastest:
             return False
-        if abs(y - problem[Problem.DISTANCE]) > 1e-12 * fastest * target:
+        if abs(y - problem[Problem.DISTANCE]) > EQUAL * fastest * target:
             return False
         work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
         work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
@@ -123,11 +130,11 @@ def timed_slower(
     factor = factor * factor
     steepest = max(problem[Problem.A], problem[Problem.B])
     lowest = min(problem[Problem.A], problem[Problem.B])
-    for attempt in range(9):
-        room = axis[Axis.ACCELERATION] * factor * factor * (1.0 - 1e-12)
+    for attempt in range(STRETCHES):
+        room = axis[Axis.ACCELERATION] * factor * factor * (1.0 - EQUAL)
         fits = steepest <= room
-        room = axis[Axis.LOWER + 1] * factor * factor * (1.0 - 1e-12)
-        if fits and -lowest <= room and factor < 0.99:
+        room = axis[Axis.LOWER + 1] * factor * factor * (1.0 - EQUAL)
+        if fits and -lowest <= room and factor < NONE:
             rest[Problem.V] = problem[Problem.V] / factor
             rest[Problem.A] = problem[Problem.A] / (factor * factor)
             rest[Problem.W] = problem[Problem.W] / factor
@@ -149,7 +156,7 @@ def timed_slower(
                 stretch_phases(cell[Cell.BELOW:Cell.ABOVE, :], below, 1.0 / factor)
                 stretch_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], above, 1.0 / factor)
                 return True
-        factor = factor ** 0.75
+        factor = factor ** LESS
     return False
 
 

@@ -10,6 +10,18 @@ from segfmu.kernels.planner.plateaus import keep_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import sequence_duration
 
+# Newton's steps that a sequence may take in all and at each limit, and the least part of an excess
+# that it takes away at once; with ramps that take much longer there is more to gain, and where
+# levels are compared there is more to do
+ALL = 150.0
+EACH = 40.0
+LEAST = 0.1
+LONGER = 1.4
+ALL_LONGER = 400.0
+LEAST_LONGER = 0.02
+COMPARED = 500.0
+EACH_COMPARED = 200.0
+
 
 def loosen(share: float, axis: 'float[:]', work: 'float[:,:]') -> None:
     """Write the axis with limits that lie between those asked for (1) and what is taken (0)."""
@@ -40,15 +52,15 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
     # the ramps that it started from can take much longer
     passing[Passing.TIME] = sequence_duration(passing, nodes)
     keep_sequence(PlanWork.SOLVED, work)
-    most = 150.0
-    each = 40.0
-    least = 0.1
-    if longest > 1.4 * passing[Passing.TIME]:
-        most = 400.0
-        least = 0.02
+    most = ALL
+    each = EACH
+    least = LEAST
+    if longest > LONGER * passing[Passing.TIME]:
+        most = ALL_LONGER
+        least = LEAST_LONGER
     if compares_levels(axis):
-        most = most + 500.0
-        each = 200.0
+        most = most + COMPARED
+        each = EACH_COMPARED
     steps[Tighten.STEPS] = 0.0
     steps[Tighten.MOVING] = 0.0
     target = passing[Passing.TARGET]

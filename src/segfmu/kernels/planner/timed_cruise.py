@@ -4,6 +4,7 @@ A cruise velocity is possible if its velocity changes leave time for a cruise. T
 form one or several windows; within a window the distance is continuous.
 """
 
+from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.phases import (
@@ -14,6 +15,18 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.records import Cell, Nearest, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
+
+# errors of the duration [share] and the velocity that a profile may have
+TIME_ERROR = 3e-11
+VELOCITY_ERROR = 1e-11
+# of a distance
+ROUNDED = 2e-15
+# of an edge between cruises, as a share of the interval that it lies in
+EDGE = 1e-10
+# cruise velocities that are tried, and widenings of the range around one that is near
+SAMPLES = 24
+WIDENINGS = 30
+WIDER = 2.5
 
 
 def timed_cruise(
@@ -55,10 +68,10 @@ def cruise_range(
     failed = False
     missing = distance - y
     # the distance grows with the cruise velocity by about its duration and half of the ramps'
-    cruise = middle + 2.5 * missing / (problem[Problem.DURATION] + hold)
+    cruise = middle + WIDER * missing / (problem[Problem.DURATION] + hold)
     if cruise * limit > limit * limit:
         cruise = limit
-    for i in range(30):
+    for i in range(WIDENINGS):
         if abs(missing) > distance_within(outside - inside, problem):
             break
         count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
@@ -92,15 +105,15 @@ def keep_nearest(
     nearest = work[PlanWork.NEAREST, :]
     distance = problem[Problem.DISTANCE]
     target = problem[Problem.DURATION]
-    most = slowest_velocity(axis) * (1.0 + 1e-12)
+    most = slowest_velocity(axis) * (1.0 + EQUAL)
     duration, y, end, lowest, highest = measure_phases(
         trial, count, problem[Problem.V], most, axis
     )
-    if is_beyond(lowest, highest, 1.0 + 1e-12, axis):
+    if is_beyond(lowest, highest, 1.0 + EQUAL, axis):
         return
-    if abs(duration - target) > 3e-11 * target:
+    if abs(duration - target) > TIME_ERROR * target:
         return
-    if abs(end - problem[Problem.W]) > 1e-11 * max(-lowest, highest):
+    if abs(end - problem[Problem.W]) > VELOCITY_ERROR * max(-lowest, highest):
         return
     below = nearest[Nearest.BELOW_COUNT] > 0.0
     if y <= distance and (not below or y > nearest[Nearest.BELOW_DISTANCE]):
@@ -156,8 +169,8 @@ def between_cruises(
     e_other = e_lower
     e_before = e_other
     speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
-    rounding = 2e-15 * (abs(distance) + speed * problem[Problem.DURATION])
-    for i in range(100):
+    rounding = ROUNDED * (abs(distance) + speed * problem[Problem.DURATION])
+    for i in range(HALVINGS):
         if e_newest == 0.0 or e_other == 0.0:
             return
         share = root_share(newest, other, before, e_newest, e_other, e_before)
@@ -196,8 +209,8 @@ def cruise_edge(
     h_newest = h_outside
     h_other = h_inside
     h_before = h_inside
-    width = 1e-10 * abs(outside - inside)
-    for i in range(60):
+    width = EDGE * abs(outside - inside)
+    for i in range(HALVINGS):
         if abs(outside - inside) <= width:
             break
         share = root_share(newest, other, before, h_newest, h_other, h_before)
@@ -215,7 +228,7 @@ def cruise_edge(
         h_newest = hold
         if fits:
             inside = cruise
-            if hold <= 1e-12 * problem[Problem.DURATION]:
+            if hold <= EQUAL * problem[Problem.DURATION]:
                 break
         else:
             outside = cruise
@@ -238,7 +251,7 @@ def scan_cruises(
     distance = problem[Problem.DISTANCE]
     fastest = speed_bound(1.0, problem[Problem.DURATION], problem, axis)
     backwards = speed_bound(-1.0, problem[Problem.DURATION], problem, axis)
-    samples = 24
+    samples = SAMPLES
     inside = False
     before = 0.0
     e_before = 0.0

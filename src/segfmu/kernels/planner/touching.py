@@ -4,6 +4,7 @@ Where braking exceeds the velocity limit, the shortest motions can be in windows
 durations. Other starts of Newton's method often do not lead there.
 """
 
+from segfmu.kernels.numerics.numbers import WORTH
 from segfmu.kernels.planner.instant import add_instant
 from segfmu.kernels.planner.orientation import reverse_search
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -25,6 +26,16 @@ from segfmu.kernels.planner.sequence import sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import begin_sequence
 
+# share of the velocity limit near which a ramp to zero acceleration touches it: of 122 motions that
+# these starts shorten, 0.9 loses none, 0.95 two
+NEAR = 0.9
+# two levels of the snap make one of the jerk, in this time
+TWO_LEVELS = 0.7
+# attempts, those whose velocity touches its limit at one end at most, and those of short searches
+ATTEMPTS = 34
+ONE_END = 30
+FEW = 6
+
 
 def sign_of(value: float) -> float:
     """-1 below zero, else 1."""
@@ -36,9 +47,8 @@ def sign_of(value: float) -> float:
 def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
     """Whether the ramp from the acceleration a to zero comes near the velocity limit."""
     duration, slope = ramp_duration(abs(a), axis)
-    # of 122 motions that touching starts shorten, 0.9 loses none, 0.95 two
     sign = sign_of(a)
-    return sign * v + 0.5 * abs(a) * duration > 0.9 * side_limit(1, sign, axis)
+    return sign * v + 0.5 * abs(a) * duration > NEAR * side_limit(1, sign, axis)
 
 
 def set_touching(
@@ -59,7 +69,7 @@ def set_touching(
     time = duration / (q + 2)
     if q == 4:
         # two levels of the snap make one of the jerk
-        time = 0.7 * time
+        time = TWO_LEVELS * time
     set_alternating(sign, time, work)
     last = sign * (1.0 - 2.0 * (q % 2))
     insert_node(q, 0, last, time, False, work)
@@ -78,8 +88,8 @@ def touching_guess(attempt: int) -> 'tuple[int, float]':
     Of 34 attempts the first six are most likely to succeed; the last four are those whose velocity
     touches its limit at both ends.
     """
-    if attempt >= 30:
-        return 6 + attempt % 2, 0.5 + 0.15 * ((attempt - 30) // 2)
+    if attempt >= ONE_END:
+        return 6 + attempt % 2, 0.5 + 0.15 * ((attempt - ONE_END) // 2)
     time = attempt // 6
     share = 0.65
     if time == 1:
@@ -107,11 +117,11 @@ def touching_starts(
     last = may_touch(problem[Problem.W], -problem[Problem.B], axis)
     used = 0
     before = 0.0
-    attempts = 34
+    attempts = ATTEMPTS
     ways = usual_ways(axis, work)
     if ramps_suffice(axis):
         # of 2,576 problems with barely braked states others would shorten two, in more time
-        attempts = 6
+        attempts = FEW
         ways = 2
     for attempt in range(attempts):
         variant, share = touching_guess(attempt)
@@ -124,7 +134,7 @@ def touching_starts(
         if not solve_rotated(problem, axis, work):
             continue
         duration = sequence_duration(passing, work[PlanWork.NODES:PlanWork.KEPT, :])
-        if duration < longest and abs(duration - before) > 1e-9 * duration:
+        if duration < longest and abs(duration - before) > WORTH * duration:
             before = duration
             keep_sequence(PlanWork.SOLVED, work)
             found, longest = shortest_way(ways, longest, longest, phases, problem, axis, work)
@@ -146,7 +156,7 @@ def touching_form(
     copy_phases(phases, ramps, count)
     passing[Passing.START] = 0.0
     passing[Passing.JERK] = 0.0
-    longest = total_duration(ramps, count) * (1.0 - 1e-9)
+    longest = total_duration(ramps, count) * (1.0 - WORTH)
     result, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)
     reverse_search(problem, axis)
     backwards, longest = touching_starts(count, longest, ramps, phases, problem, axis, work)

@@ -1,5 +1,8 @@
 """Transition polynomials: Psi of (12) of the paper (errata E1, E2), and their peaks (errata E3)."""
 
+# halvings of an interval that has the zero of a derivative
+BISECTIONS = 60
+
 
 def transition_coefficients(order: int, coefficients: 'float[:]') -> None:
     """Coefficients of Psi(s, 1) of (12) in ascending powers of s; 2 order + 2 of them."""
@@ -52,7 +55,7 @@ def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') ->
             lower = 0.0
         # bisect the next derivative, which changes sign at an interior extremum
         left = polynomial_derivative(coefficients, count, j + 1, lower)
-        for i in range(60):
+        for i in range(BISECTIONS):
             middle = 0.5 * (lower + upper)
             slope = polynomial_derivative(coefficients, count, j + 1, middle)
             if slope * left > 0.0:

@@ -6,9 +6,13 @@ So its distance lies between two lines in its duration.
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import EQUAL, WORTH
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
+
+# end accelerations on both sides of zero leave a window where one is this small beside the other
+SMALL = 0.2
 
 
 def least_lever(c: float, gain: float, top: float, axis: 'float[:]') -> float:
@@ -50,7 +54,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     if a < 0.0 or b < 0.0 or a + b == 0.0 or axis[Axis.SMOOTHNESS] < 3.0:
         return 0.0
     single, slope = ramp_duration(abs(b - a), axis)
-    if gain < 0.5 * (a + b) * single * (1.0 - 1e-12):
+    if gain < 0.5 * (a + b) * single * (1.0 - EQUAL):
         return 0.0
     # what the ends gain at least, and where
     top = side_limit(2, sign, axis)
@@ -65,7 +69,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
         late = least_lever(b, gain - first, top, axis) - a * first / (3.0 * jerk)
         early = least_lever(a, gain - last, top, axis) - b * last / (3.0 * jerk)
     # (v + first) T + late <= distance <= (w - last) T - early, up to rounding
-    rounding = 1e-9 * (abs(distance) + abs(late) + abs(early))
+    rounding = WORTH * (abs(distance) + abs(late) + abs(early))
     late = late - rounding
     early = early - rounding
     least = max(single, gain / top)
@@ -84,9 +88,9 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
         most = min(most, (distance + early) / fastest)
     elif distance + early > 0.0:
         return 0.0
-    if most < least * (1.0 - 1e-9):
+    if most < least * (1.0 - WORTH):
         return 0.0
-    return min(most * (1.0 + 1e-9), duration)
+    return min(most * (1.0 + WORTH), duration)
 
 
 def short_window(
@@ -100,7 +104,7 @@ def short_window(
     b = problem[Problem.B]
     if a * b >= 0.0:
         return early_window(duration, problem, axis)
-    if min(abs(a), abs(b)) > 0.2 * max(abs(a), abs(b)):
+    if min(abs(a), abs(b)) > SMALL * max(abs(a), abs(b)):
         return 0.0
     for i in range(Problem.SIZE):
         rest[i] = problem[i]
