@@ -34,7 +34,9 @@ WAYS: dict[str, dict[str, str]] = {
         "shorter_dipped": "return count;", "timed_dipped": "return -1.0;",
         "dip_ends": "return count;",
     },
-    "levels next to one ramp": {"loop_form": "return count;"},
+    "levels next to one ramp": {
+        "loop_form": "return count;", "timed_loop": "return;", "loop_ends": "return count;",
+    },
     "steeper rises": {"smoothness_share": "return 0.0;"},
     "shorter by braking first": {"shorter_braked": "return count;"},
     "slower passing profiles": {"slower_passing": "return -1.0;"},

@@ -581,10 +581,21 @@ static double velocity_excess(array_double_2d phases, int64_t count, double v, d
 static int64_t level_within(double* result_0, double* result_1_0001, double* result_2_0001, double* result_3_0001, double outside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
+static double distance_within(double change, array_double_1d problem);
+static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool is_enclosed(array_double_2d work);
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state);
 static double zero_time(int64_t order, int64_t top, double length, array_double_1d state);
 static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end);
@@ -633,15 +644,6 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
 static bool nearly_brakes(double v, double a, array_double_1d axis);
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static double distance_within(double change, array_double_1d problem);
-static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
-static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static bool is_enclosed(array_double_2d work);
-static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -855,8 +857,9 @@ static int64_t insert_turn(int64_t sample, bool covering, double least, double s
 static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
+static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -18234,11 +18237,22 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     level2 = (*cspan_at(&family, INT64_C(31)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
-    if ((fastest <= 0.0) || (mean == 0.0))
+    if (fastest <= 0.0)
     {
         return 0;
     }
-    stretch = 1.0 - error / (mean * fastest);
+    if (mean != 0.0)
+    {
+        stretch = 1.0 - error / (mean * fastest);
+    }
+    else if (((*cspan_at(&family, INT64_C(15))) > 0.5) && (radius == 0.0) && (error == 0.0))
+    {
+        stretch = (*cspan_at(&family, INT64_C(16))) / fastest;
+    }
+    else
+    {
+        return 0;
+    }
     (*cspan_at(&family, INT64_C(33))) = stretch;
     return stretch >= 1.0;
 }
@@ -19145,6 +19159,353 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     count = merged_form(phases, inside, family, axis);
     return count;
 }
+static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
+{
+    int64_t count;
+    int64_t row;
+    double duration;
+    double y;
+    double hold;
+    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
+    if (count < INT64_C(0))
+    {
+        (*result_0) = -INT64_C(1);
+        (*result_1_0001) = 0.0;
+        (*result_2) = -1.0;
+        return 0;
+    }
+    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
+    count = insert_hold(phases, count, row, 0.0, hold);
+    (*result_0) = count;
+    (*result_1_0001) = y + cruise * hold;
+    (*result_2) = hold;
+    return 0;
+}
+static double distance_within(double change, array_double_1d problem)
+{
+    double result;
+    result = 2.0 * (*cspan_at(&problem, INT64_C(5))) * fabs(change);
+    return result;
+}
+static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
+{
+    double distance;
+    double limit;
+    double outside;
+    bool failed;
+    double missing;
+    double cruise;
+    int64_t i;
+    int64_t count;
+    double y_cruise;
+    double inside;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    limit = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    if (y > distance)
+    {
+        limit = -speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    }
+    inside = middle;
+    outside = limit;
+    failed = 0;
+    missing = distance - y;
+    cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
+    if (cruise * limit > limit * limit)
+    {
+        cruise = limit;
+    }
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    {
+        if (fabs(missing) > distance_within(outside - inside, problem))
+        {
+            break;
+        }
+        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
+        if ((count >= INT64_C(0)) && (hold >= 0.0))
+        {
+            inside = cruise;
+            if (((y_cruise - distance) * missing >= 0.0) || (cruise == limit))
+            {
+                break;
+            }
+            missing = distance - y_cruise;
+        }
+        else
+        {
+            outside = cruise;
+            failed = 1;
+        }
+        cruise = limit;
+        if (failed)
+        {
+            cruise = 0.5 * (inside + outside);
+            if ((cruise == inside) || (cruise == outside))
+            {
+                break;
+            }
+        }
+    }
+    return inside;
+}
+static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d nearest;
+    double distance;
+    double target;
+    double most;
+    double duration;
+    double y;
+    double end;
+    double lowest;
+    double highest;
+    bool below;
+    bool above;
+    if (count <= INT64_C(0))
+    {
+        return;
+    }
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    nearest = span_row(&work, INT64_C(58));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    most = slowest_velocity(axis) * (1.0 + 1e-12);
+    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
+    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
+    {
+        return;
+    }
+    if (fabs(duration - target) > 3e-11 * target)
+    {
+        return;
+    }
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * span_max(-lowest, highest))
+    {
+        return;
+    }
+    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
+    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(33)), count);
+        (*cspan_at(&nearest, INT64_C(0))) = count;
+        (*cspan_at(&nearest, INT64_C(1))) = y;
+    }
+    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
+    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
+    {
+        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(66)), count);
+        (*cspan_at(&nearest, INT64_C(2))) = count;
+        (*cspan_at(&nearest, INT64_C(3))) = y;
+    }
+}
+static bool is_enclosed(array_double_2d work)
+{
+    array_double_1d nearest;
+    bool result;
+    nearest = span_row(&work, INT64_C(58));
+    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
+    return result;
+}
+static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    int64_t count;
+    double hold;
+    double y;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+    keep_nearest(count, problem, axis, cell, work);
+    return y;
+}
+static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    double distance;
+    double newest;
+    double other;
+    double before;
+    double e_newest;
+    double e_other;
+    double e_before;
+    double speed;
+    double rounding;
+    int64_t i;
+    double share;
+    double cruise;
+    double error;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    newest = upper;
+    other = lower;
+    before = lower;
+    e_newest = e_upper;
+    e_other = e_lower;
+    e_before = e_other;
+    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
+    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        if ((e_newest == 0.0) || (e_other == 0.0))
+        {
+            return;
+        }
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        if (i == INT64_C(0))
+        {
+            share = e_newest / (e_newest - e_other);
+        }
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            return;
+        }
+        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
+        if (fabs(error) <= rounding)
+        {
+            return;
+        }
+        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
+        newest = cruise;
+        e_newest = error;
+    }
+}
+static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
+{
+    double newest;
+    double other;
+    double before;
+    double h_newest;
+    double h_other;
+    double h_before;
+    double width;
+    int64_t i;
+    double share;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    bool fits;
+    newest = outside;
+    other = inside;
+    before = inside;
+    h_newest = h_outside;
+    h_other = h_inside;
+    h_before = h_inside;
+    width = 1e-10 * fabs(outside - inside);
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        if (fabs(outside - inside) <= width)
+        {
+            break;
+        }
+        share = root_share(newest, other, before, h_newest, h_other, h_before);
+        cruise = newest + share * (other - newest);
+        if ((cruise == newest) || (cruise == other))
+        {
+            break;
+        }
+        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if (count < INT64_C(0))
+        {
+            hold = 0.0;
+        }
+        next_bracket(&other, &before, &h_other, &h_before, fits != (newest == inside), newest, other, h_newest, h_other);
+        newest = cruise;
+        h_newest = hold;
+        if (fits)
+        {
+            inside = cruise;
+            if (hold <= 1e-12 * (*cspan_at(&problem, INT64_C(5))))
+            {
+                break;
+            }
+        }
+        else
+        {
+            outside = cruise;
+        }
+    }
+    return inside;
+}
+static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double distance;
+    double fastest;
+    double backwards;
+    int64_t samples;
+    bool inside;
+    double before;
+    double e_before;
+    double h_before;
+    int64_t i;
+    double cruise;
+    int64_t count;
+    double y;
+    double hold;
+    double error;
+    bool fits;
+    double lower;
+    double e_lower;
+    double upper;
+    double e_upper;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    fastest = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    backwards = speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
+    samples = INT64_C(24);
+    inside = 0;
+    before = 0.0;
+    e_before = 0.0;
+    h_before = 0.0;
+    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+    {
+        cruise = fastest * (2.0 * i / samples - 1.0);
+        if (cruise < 0.0)
+        {
+            cruise = backwards * (2.0 * i / samples - 1.0);
+        }
+        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
+        error = y - distance;
+        fits = (count >= INT64_C(0)) && (hold >= 0.0);
+        if (count < INT64_C(0))
+        {
+            hold = 0.0;
+        }
+        if (fits)
+        {
+            keep_nearest(count, problem, axis, cell, work);
+        }
+        if ((i > INT64_C(0)) && (inside || fits))
+        {
+            lower = before;
+            e_lower = e_before;
+            upper = cruise;
+            e_upper = error;
+            if (!inside)
+            {
+                lower = cruise_edge(cruise, before, hold, h_before, trial, problem, axis);
+                e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
+            }
+            if (!fits)
+            {
+                upper = cruise_edge(before, cruise, h_before, hold, trial, problem, axis);
+                e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
+            }
+            if (e_lower * e_upper <= 0.0)
+            {
+                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
+            }
+            if (is_enclosed(work))
+            {
+                return;
+            }
+        }
+        inside = fits;
+        before = cruise;
+        e_before = error;
+        h_before = hold;
+    }
+}
 static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double part;
@@ -19198,6 +19559,17 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         }
     }
     member_distance(&duration, &y, family, axis);
+    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    {
+        error = duration - (*cspan_at(&family, INT64_C(16)));
+        if (fabs(error) <= 1e-15 * duration)
+        {
+            error = 0.0;
+        }
+        (*result_0) = duration;
+        (*result_1) = error;
+        return 0;
+    }
     error = y - (*cspan_at(&family, INT64_C(16)));
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + top_acceleration(axis) * duration;
     if (fabs(error) <= 2e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
@@ -19385,6 +19757,60 @@ static int64_t loop_form(int64_t last, int64_t count, double longest, array_doub
         }
     }
     return count;
+}
+static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d family;
+    double target;
+    double missing;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(98));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    missing = set_loop(problem, axis, family);
+    (*cspan_at(&family, INT64_C(15))) = 1.0;
+    (*cspan_at(&family, INT64_C(16))) = target;
+    for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
+    {
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            arc_root(&sample, &duration, arc, sample, missing, target, family, axis);
+            if (sample >= INT64_C(0))
+            {
+                used = write_member(span_rows(&work, INT64_C(0), INT64_C(21)), family, axis);
+                keep_nearest(used, problem, axis, cell, work);
+            }
+        }
+        if (is_enclosed(work))
+        {
+            return;
+        }
+    }
+}
+static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+{
+    array_double_1d family;
+    array_double_2d trial;
+    double missing;
+    double duration;
+    int64_t used;
+    family = span_row(&work, INT64_C(98));
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    missing = set_loop(problem, axis, family);
+    arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
+    if (sample < INT64_C(0))
+    {
+        (*result_0_0001) = -INT64_C(1);
+        (*result_1_0001) = -1.0;
+        return 0;
+    }
+    used = write_member(trial, family, axis);
+    (*result_0_0001) = sample;
+    (*result_1_0001) = valid_duration(trial, used, problem, axis);
+    return 0;
 }
 static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state)
 {
@@ -20867,353 +21293,6 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
         count = join_phases(trial, last, phases, count);
     }
     return count;
-}
-static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis)
-{
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    double hold;
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (count < INT64_C(0))
-    {
-        (*result_0) = -INT64_C(1);
-        (*result_1_0001) = 0.0;
-        (*result_2) = -1.0;
-        return 0;
-    }
-    hold = (*cspan_at(&problem, INT64_C(5))) - duration;
-    count = insert_hold(phases, count, row, 0.0, hold);
-    (*result_0) = count;
-    (*result_1_0001) = y + cruise * hold;
-    (*result_2) = hold;
-    return 0;
-}
-static double distance_within(double change, array_double_1d problem)
-{
-    double result;
-    result = 2.0 * (*cspan_at(&problem, INT64_C(5))) * fabs(change);
-    return result;
-}
-static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis)
-{
-    double distance;
-    double limit;
-    double outside;
-    bool failed;
-    double missing;
-    double cruise;
-    int64_t i;
-    int64_t count;
-    double y_cruise;
-    double inside;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    limit = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    if (y > distance)
-    {
-        limit = -speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    }
-    inside = middle;
-    outside = limit;
-    failed = 0;
-    missing = distance - y;
-    cruise = middle + 2.5 * missing / ((*cspan_at(&problem, INT64_C(5))) + hold);
-    if (cruise * limit > limit * limit)
-    {
-        cruise = limit;
-    }
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
-    {
-        if (fabs(missing) > distance_within(outside - inside, problem))
-        {
-            break;
-        }
-        timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
-        if ((count >= INT64_C(0)) && (hold >= 0.0))
-        {
-            inside = cruise;
-            if (((y_cruise - distance) * missing >= 0.0) || (cruise == limit))
-            {
-                break;
-            }
-            missing = distance - y_cruise;
-        }
-        else
-        {
-            outside = cruise;
-            failed = 1;
-        }
-        cruise = limit;
-        if (failed)
-        {
-            cruise = 0.5 * (inside + outside);
-            if ((cruise == inside) || (cruise == outside))
-            {
-                break;
-            }
-        }
-    }
-    return inside;
-}
-static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d nearest;
-    double distance;
-    double target;
-    double most;
-    double duration;
-    double y;
-    double end;
-    double lowest;
-    double highest;
-    bool below;
-    bool above;
-    if (count <= INT64_C(0))
-    {
-        return;
-    }
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    nearest = span_row(&work, INT64_C(58));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    most = slowest_velocity(axis) * (1.0 + 1e-12);
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, trial, count, (*cspan_at(&problem, INT64_C(0))), most, axis);
-    if (is_beyond(lowest, highest, 1.0 + 1e-12, axis))
-    {
-        return;
-    }
-    if (fabs(duration - target) > 3e-11 * target)
-    {
-        return;
-    }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * span_max(-lowest, highest))
-    {
-        return;
-    }
-    below = (*cspan_at(&nearest, INT64_C(0))) > 0.0;
-    if ((y <= distance) && ((!below) || (y > (*cspan_at(&nearest, INT64_C(1))))))
-    {
-        copy_phases(trial, span_rows(&cell, INT64_C(0), INT64_C(33)), count);
-        (*cspan_at(&nearest, INT64_C(0))) = count;
-        (*cspan_at(&nearest, INT64_C(1))) = y;
-    }
-    above = (*cspan_at(&nearest, INT64_C(2))) > 0.0;
-    if ((y >= distance) && ((!above) || (y < (*cspan_at(&nearest, INT64_C(3))))))
-    {
-        copy_phases(trial, span_rows(&cell, INT64_C(33), INT64_C(66)), count);
-        (*cspan_at(&nearest, INT64_C(2))) = count;
-        (*cspan_at(&nearest, INT64_C(3))) = y;
-    }
-}
-static bool is_enclosed(array_double_2d work)
-{
-    array_double_1d nearest;
-    bool result;
-    nearest = span_row(&work, INT64_C(58));
-    result = ((*cspan_at(&nearest, INT64_C(0))) > 0.0) && ((*cspan_at(&nearest, INT64_C(2))) > 0.0);
-    return result;
-}
-static double keep_cruise(double cruise, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    int64_t count;
-    double hold;
-    double y;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
-    keep_nearest(count, problem, axis, cell, work);
-    return y;
-}
-static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    double distance;
-    double newest;
-    double other;
-    double before;
-    double e_newest;
-    double e_other;
-    double e_before;
-    double speed;
-    double rounding;
-    int64_t i;
-    double share;
-    double cruise;
-    double error;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    newest = upper;
-    other = lower;
-    before = lower;
-    e_newest = e_upper;
-    e_other = e_lower;
-    e_before = e_other;
-    speed = fabs((*cspan_at(&problem, INT64_C(0)))) + fabs((*cspan_at(&problem, INT64_C(2))));
-    rounding = 2e-15 * (fabs(distance) + speed * (*cspan_at(&problem, INT64_C(5))));
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        if ((e_newest == 0.0) || (e_other == 0.0))
-        {
-            return;
-        }
-        share = root_share(newest, other, before, e_newest, e_other, e_before);
-        if (i == INT64_C(0))
-        {
-            share = e_newest / (e_newest - e_other);
-        }
-        cruise = newest + share * (other - newest);
-        if ((cruise == newest) || (cruise == other))
-        {
-            return;
-        }
-        error = keep_cruise(cruise, problem, axis, cell, work) - distance;
-        if (fabs(error) <= rounding)
-        {
-            return;
-        }
-        next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-        newest = cruise;
-        e_newest = error;
-    }
-}
-static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis)
-{
-    double newest;
-    double other;
-    double before;
-    double h_newest;
-    double h_other;
-    double h_before;
-    double width;
-    int64_t i;
-    double share;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    bool fits;
-    newest = outside;
-    other = inside;
-    before = inside;
-    h_newest = h_outside;
-    h_other = h_inside;
-    h_before = h_inside;
-    width = 1e-10 * fabs(outside - inside);
-    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
-    {
-        if (fabs(outside - inside) <= width)
-        {
-            break;
-        }
-        share = root_share(newest, other, before, h_newest, h_other, h_before);
-        cruise = newest + share * (other - newest);
-        if ((cruise == newest) || (cruise == other))
-        {
-            break;
-        }
-        timed_cruise(&count, &y, &hold, phases, cruise, problem, axis);
-        fits = (count >= INT64_C(0)) && (hold >= 0.0);
-        if (count < INT64_C(0))
-        {
-            hold = 0.0;
-        }
-        next_bracket(&other, &before, &h_other, &h_before, fits != (newest == inside), newest, other, h_newest, h_other);
-        newest = cruise;
-        h_newest = hold;
-        if (fits)
-        {
-            inside = cruise;
-            if (hold <= 1e-12 * (*cspan_at(&problem, INT64_C(5))))
-            {
-                break;
-            }
-        }
-        else
-        {
-            outside = cruise;
-        }
-    }
-    return inside;
-}
-static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double distance;
-    double fastest;
-    double backwards;
-    int64_t samples;
-    bool inside;
-    double before;
-    double e_before;
-    double h_before;
-    int64_t i;
-    double cruise;
-    int64_t count;
-    double y;
-    double hold;
-    double error;
-    bool fits;
-    double lower;
-    double e_lower;
-    double upper;
-    double e_upper;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    fastest = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    backwards = speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    samples = INT64_C(24);
-    inside = 0;
-    before = 0.0;
-    e_before = 0.0;
-    h_before = 0.0;
-    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
-    {
-        cruise = fastest * (2.0 * i / samples - 1.0);
-        if (cruise < 0.0)
-        {
-            cruise = backwards * (2.0 * i / samples - 1.0);
-        }
-        timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
-        error = y - distance;
-        fits = (count >= INT64_C(0)) && (hold >= 0.0);
-        if (count < INT64_C(0))
-        {
-            hold = 0.0;
-        }
-        if (fits)
-        {
-            keep_nearest(count, problem, axis, cell, work);
-        }
-        if ((i > INT64_C(0)) && (inside || fits))
-        {
-            lower = before;
-            e_lower = e_before;
-            upper = cruise;
-            e_upper = error;
-            if (!inside)
-            {
-                lower = cruise_edge(cruise, before, hold, h_before, trial, problem, axis);
-                e_lower = keep_cruise(lower, problem, axis, cell, work) - distance;
-            }
-            if (!fits)
-            {
-                upper = cruise_edge(before, cruise, h_before, hold, trial, problem, axis);
-                e_upper = keep_cruise(upper, problem, axis, cell, work) - distance;
-            }
-            if (e_lower * e_upper <= 0.0)
-            {
-                between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work);
-            }
-            if (is_enclosed(work))
-            {
-                return;
-            }
-        }
-        inside = fits;
-        before = cruise;
-        e_before = error;
-        h_before = hold;
-    }
 }
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
@@ -27201,6 +27280,29 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     }
     return count;
 }
+static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+{
+    array_double_2d ends;
+    double longest;
+    int64_t arc;
+    int64_t sample;
+    double duration;
+    ends = span_rows(&work, INT64_C(42), INT64_C(58));
+    longest = usual_duration(problem, axis);
+    for (arc = INT64_C(0); arc < INT64_C(5); arc += INT64_C(1))
+    {
+        sample = INT64_C(0);
+        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        {
+            next_loop(&sample, &duration, arc, sample, longest, problem, axis, work);
+            if (duration >= 0.0)
+            {
+                count = insert_end(duration, after, count, ends);
+            }
+        }
+    }
+    return count;
+}
 static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
 {
     array_double_1d rest;
@@ -27229,7 +27331,7 @@ static int64_t dip_ends(double after, array_double_1d problem, array_double_1d a
     }
     return count;
 }
-static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d rest;
     int64_t count;
@@ -27245,6 +27347,10 @@ static int64_t gap_ends(double after, array_double_1d problem, array_double_1d a
         if (taken < INT64_C(0))
         {
             continue;
+        }
+        if ((variant == INT64_C(0)) && ((after < 1.1 * shortest) || (!snap_is_last(axis))))
+        {
+            count = loop_ends(after, rest, axis, work, count);
         }
         count = covering_ends(spent, after, rest, axis, work, count);
         count = turning_ends(spent, after, rest, axis, work, count);
@@ -27891,6 +27997,7 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
         timed_between(rest, axis, cell, work);
         if ((variant == INT64_C(0)) && (!is_enclosed(work)))
         {
+            timed_loop(rest, axis, cell, work);
             note_known(work);
         }
         if (is_enclosed(work))
@@ -27958,6 +28065,7 @@ static double between_extremes(array_double_1d axis, array_double_2d cell, array
     if (!is_enclosed(work))
     {
         timed_between(problem, axis, cell, work);
+        timed_loop(problem, axis, cell, work);
     }
     if (!is_enclosed(work))
     {
@@ -28137,6 +28245,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
 {
     double after;
     double delay;
+    double shortest;
     int64_t sweep;
     int64_t count;
     int64_t i;
@@ -28145,9 +28254,10 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     double result;
     after = start;
     delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
+    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - delay;
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after - delay, span_row(&cell, INT64_C(66)), axis, work);
+        count = gap_ends(after - delay, shortest, span_row(&cell, INT64_C(66)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);

@@ -6,14 +6,15 @@ from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
 from segfmu.kernels.planner.merged import write_member
 from segfmu.kernels.planner.phases import copy_phases, valid_duration
-from segfmu.kernels.planner.records import Family, LoopArc, PlanWork
+from segfmu.kernels.planner.records import Family, LoopArc, PlanWork, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
+from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
 
 def loop_excess(
     arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
-    """Duration of the member at a place (-1: none), and what it goes too far [m].
+    """Duration of the member at a place (-1: none), and what it goes too far [m] or lasts too long.
 
     On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.
     """
@@ -38,6 +39,11 @@ def loop_excess(
         if not slow_middle(side, largest * part * part, family, axis):
             return -1.0, 0.0
     duration, y = member_distance(family, axis)
+    if family[Family.BY_TIME] > 0.5:
+        error = duration - family[Family.TARGET]
+        if abs(error) <= 1e-15 * duration:
+            error = 0.0
+        return duration, error
     error = y - family[Family.TARGET]
     # states on another plan have its rounding errors, and an arc can end at the distance
     speed = abs(family[Family.V]) + abs(family[Family.W]) + top_acceleration(axis) * duration
@@ -177,3 +183,42 @@ def loop_form(
                     count = used
                     longest = duration
     return count
+
+
+def timed_loop(
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """Nearest profiles of the arcs that last the problem's duration, until they enclose it."""
+    family = work[PlanWork.FAMILY, :]
+    target = problem[Problem.DURATION]
+    missing = set_loop(problem, axis, family)
+    family[Family.BY_TIME] = 1.0
+    family[Family.TARGET] = target
+    for arc in range(LoopArc.SINGLE + 1):
+        sample = 0
+        while sample >= 0 and sample < 48:
+            sample, duration = arc_root(arc, sample, missing, target, family, axis)
+            if sample >= 0:
+                used = write_member(work[PlanWork.TRIAL:PlanWork.BEST, :], family, axis)
+                keep_nearest(used, problem, axis, cell, work)
+        if is_enclosed(work):
+            return
+
+
+def next_loop(
+    arc: int, sample: int, longest: float, problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
+) -> 'tuple[int, float]':
+    """The next member of an arc that covers the distance, after a sample 0 .. 47 of its places.
+
+    longest: the longest duration that is looked for [s]. Returns the sample after it (-1: none) and
+    its duration (-1: it exceeds the velocity limit).
+    """
+    family = work[PlanWork.FAMILY, :]
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    missing = set_loop(problem, axis, family)
+    sample, duration = arc_root(arc, sample, missing, longest, family, axis)
+    if sample < 0:
+        return -1, -1.0
+    used = write_member(trial, family, axis)
+    return sample, valid_duration(trial, used, problem, axis)

@@ -161,9 +161,14 @@ def slow_middle(place: float, radius: float, family: 'float[:]', axis: 'float[:]
     level2 = family[Family.SECOND_LEVEL]
     fastest, slope = ramp_duration(abs(level2 - level1), axis)
     mean = 0.5 * (level1 + level2)
-    # the velocity does not tell how slow a ramp with a mean of zero is
-    if fastest <= 0.0 or mean == 0.0:
+    if fastest <= 0.0:
         return False
-    stretch = 1.0 - error / (mean * fastest)
+    if mean != 0.0:
+        stretch = 1.0 - error / (mean * fastest)
+    elif family[Family.BY_TIME] > 0.5 and radius == 0.0 and error == 0.0:
+        # the velocity does not tell how slow the ramp is
+        stretch = family[Family.TARGET] / fastest
+    else:
+        return False
     family[Family.STRETCH] = stretch
     return stretch >= 1.0

@@ -17,6 +17,7 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL
+from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.dipped import timed_dipped
 from segfmu.kernels.planner.enclose import (
@@ -222,6 +223,7 @@ def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
         clear_nearest(work)
         timed_between(rest, axis, cell, work)
         if variant == 0 and not is_enclosed(work):
+            timed_loop(rest, axis, cell, work)
             note_known(work)
         if is_enclosed(work):
             weight = nearest_weight(rest, axis, work[PlanWork.NEAREST, :])
@@ -240,6 +242,7 @@ def between_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -
         return -1.0
     if not is_enclosed(work):
         timed_between(problem, axis, cell, work)
+        timed_loop(problem, axis, cell, work)
     if not is_enclosed(work):
         return -1.0
     surround_nearest(0, axis, cell, work)
