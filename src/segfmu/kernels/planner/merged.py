@@ -7,6 +7,7 @@ search.py searches by distance or by duration.
 from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
+from segfmu.kernels.planner.members import member_search, nearby_member
 from segfmu.kernels.planner.phases import (
     append_change,
     append_hold,
@@ -17,7 +18,7 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
-from segfmu.kernels.planner.search import canonical_search, member_search, nearby_member
+from segfmu.kernels.planner.search import canonical_search
 from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
 
 # of the velocity limit: what a peak leaves below it

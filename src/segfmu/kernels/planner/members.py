@@ -1,0 +1,94 @@
+"""All members of the canonical family (levels.py) with a value, one after the other.
+
+BY_TIME of a family (Family) selects duration or distance, TARGET is its value.
+"""
+
+from segfmu.kernels.planner.records import Family
+from segfmu.kernels.planner.search import bracketed_root, canonical_value, window_edge
+
+# shares beside a parameter that was found with another bound
+BESIDE = 0.05
+# parameters on this side of SCALE and in all, growing as squares, and halvings to the edge of a
+# window
+SCALED = 12
+MEMBERS = 36
+EDGE = 24
+
+
+def nearby_member(family: 'float[:]', axis: 'float[:]') -> float:
+    """Parameter of the member of the target value near that of another bound of the level, or -1.
+
+    As the bound changes, the member moves along.
+    """
+    target = family[Family.TARGET]
+    lower = (1.0 - BESIDE) * family[Family.NEAR]
+    upper = (1.0 + BESIDE) * family[Family.NEAR]
+    if lower <= 0.0:
+        return -1.0
+    f_lower, duration = canonical_value(lower, family, axis)
+    if duration < 0.0:
+        return -1.0
+    f_upper, duration = canonical_value(upper, family, axis)
+    if duration < 0.0 or (f_lower - target) * (f_upper - target) > 0.0 or f_lower == f_upper:
+        return -1.0
+    if f_upper > f_lower:
+        return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
+    return bracketed_root(upper, lower, f_upper, f_lower, family, axis)
+
+
+def member_search(family: 'float[:]', axis: 'float[:]') -> float:
+    """Parameter of the canonical member number MEMBER of the target value, or -1.
+
+    Neither duration nor distance is monotone along the family. The duration falls and rises again
+    as a first level with a long way back gives way to a shorter one; the distance does so while the
+    velocity in between is negative. So the search steps through the members, up to nine times
+    SCALE. With the highest first level it goes on where it found the member before.
+    """
+    target = family[Family.TARGET]
+    passed = 0
+    begin = 0
+    lower = -1.0
+    f_lower = 0.0
+    whole = family[Family.HIGHEST] == family[Family.TOP]
+    if whole and family[Family.MEMBER] > 0.5:
+        passed = int(family[Family.MEMBER])
+        begin = int(family[Family.PASSED])
+        lower = family[Family.PASSED_INSIDE]
+        f_lower = family[Family.PASSED_VALUE]
+        if begin > SCALED + 1 and lower >= 0.0 and f_lower > target:
+            return -1.0
+    p = 0.0
+    for i in range(begin, MEMBERS):
+        p = family[Family.SCALE] * i * i / (SCALED * SCALED)
+        value, duration = canonical_value(p, family, axis)
+        upper = p
+        f_upper = value
+        inside = duration >= 0.0
+        if inside and lower < 0.0 and i > 0:
+            outside = family[Family.SCALE] * (i - 1) * (i - 1) / (SCALED * SCALED)
+            lower = window_edge(EDGE, p, outside, family, axis)
+            f_lower, duration = canonical_value(lower, family, axis)
+        if not inside and lower >= 0.0:
+            upper = window_edge(EDGE, lower, p, family, axis)
+            f_upper, duration = canonical_value(upper, family, axis)
+        found = lower >= 0.0 and (f_lower - target) * (f_upper - target) <= 0.0
+        found = found and f_upper != f_lower
+        if found and passed == int(family[Family.MEMBER]):
+            if whole:
+                family[Family.PASSED] = i + 1
+                family[Family.PASSED_INSIDE] = p
+                if not inside:
+                    family[Family.PASSED_INSIDE] = -1.0
+                family[Family.PASSED_VALUE] = f_upper
+            if f_upper > f_lower:
+                return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
+            return bracketed_root(upper, lower, f_upper, f_lower, family, axis)
+        if found:
+            passed = passed + 1
+        lower = -1.0
+        if inside:
+            lower = p
+            f_lower = value
+            if i > SCALED and value > target:
+                return -1.0
+    return -1.0
