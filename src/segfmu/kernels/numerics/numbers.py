@@ -8,8 +8,8 @@ GOLDEN = 0.6180339887498949
 TIE = 1.000001
 # two numbers of a motion differ by rounding alone within this share: states, limits
 EQUAL = 1e-12
-# the same of durations, which are sums of a few
-SAME_TIME = 1e-13
+# the same of sums of a few phases: durations, and what they gain and cover
+SAME = 1e-13
 # a shorter duration, or a better value, by less than this share is a gain by rounding
 GAINED = 1e-10
 # as GAINED, of solutions by Newton's method

@@ -4,7 +4,7 @@ The cruise velocity is given, or such that the cruise has zero duration, or the 
 ramp to zero acceleration reaches from either end.
 """
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME_TIME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
@@ -83,7 +83,7 @@ def with_cruise(
         return max(count, 0)
     hold = (distance - y) / cruise
     # shorter than rounding: no cruise; the caller checks the remaining error
-    if hold < 0.0 and abs(distance - y) > SAME_TIME * abs(distance):
+    if hold < 0.0 and abs(distance - y) > SAME * abs(distance):
         return 0
     return insert_hold(phases, count, row, 0.0, hold)
 

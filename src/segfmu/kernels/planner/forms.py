@@ -7,7 +7,7 @@ exists: its distance is continuous in the cruise velocity and unbounded at the t
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import GAINED, NEVER, SAME_TIME, WORTH
+from segfmu.kernels.numerics.numbers import GAINED, NEVER, SAME, WORTH
 from segfmu.kernels.planner.braking import braked, surround
 from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
@@ -57,7 +57,7 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
         end = v + 0.5 * (a + b) * duration
         # relative to the motion, which can be tiny
         scale = abs(v) + abs(w) + (abs(a) + abs(b)) * duration
-        if abs(end - w) <= SAME_TIME * min(fastest_velocity(axis), scale):
+        if abs(end - w) <= SAME * min(fastest_velocity(axis), scale):
             if valid_duration(phases, count, problem, axis) >= 0.0:
                 return count
     # both cannot be valid; that in the direction of the distance is more likely

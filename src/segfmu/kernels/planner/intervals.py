@@ -7,7 +7,7 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import HALVINGS, SAME_TIME
+from segfmu.kernels.numerics.numbers import HALVINGS, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
@@ -70,7 +70,7 @@ def set_stretched(
     if cell[Cell.RESULT, Interval.ABOVE_COUNT] == 0.0:
         for i in range(int(cell[Cell.RESULT, Interval.BELOW_COUNT])):
             duration = duration + phases[i, Phase.DURATION]
-    if duration == 0.0 or abs(duration - shortest) > SAME_TIME * shortest:
+    if duration == 0.0 or abs(duration - shortest) > SAME * shortest:
         status, duration = set_shortest(cell, axis, work)
     count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
     if resting and count == 0:
@@ -85,10 +85,10 @@ def set_duration(
     """Write a profile of the given duration [s], delay included; False if that is not feasible."""
     delay = cell[Cell.PLACE, Place.DELAY]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
-    if target < shortest * (1.0 - SAME_TIME):
+    if target < shortest * (1.0 - SAME):
         return False
     resting = is_resting(cell[Cell.PROBLEM, :], axis)
-    if resting or target <= shortest * (1.0 + SAME_TIME):
+    if resting or target <= shortest * (1.0 + SAME):
         set_stretched(target - delay, resting, cell, axis, work)
         return True
     weight = timed_profile(target - delay, axis, cell, work)

@@ -1,6 +1,6 @@
 """Lists of phases: rows of the record `Phase`."""
 
-from segfmu.kernels.numerics.numbers import EQUAL, SAME_TIME
+from segfmu.kernels.numerics.numbers import EQUAL, SAME
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.ramp_peak import extreme_gain, ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
@@ -294,7 +294,7 @@ def fit_duration(phases: 'float[:,:]', count: int, target: float) -> int:
     kept = 0
     for i in range(count):
         duration = phases[i, Phase.DURATION]
-        if duration > SAME_TIME * target:
+        if duration > SAME * target:
             for j in range(Phase.SIZE):
                 phases[kept, j] = phases[i, j]
             total = total + duration

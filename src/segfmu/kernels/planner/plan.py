@@ -3,7 +3,7 @@
 `plan_phases` is the entry point; it allocates nothing.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, SAME_TIME
+from segfmu.kernels.numerics.numbers import EQUAL, SAME
 from segfmu.kernels.planner.intervals import common_duration, set_duration
 from segfmu.kernels.planner.parameters import axis_limits
 from segfmu.kernels.planner.plan_axis import plan_axis
@@ -117,12 +117,12 @@ def prolong_from(
         reached = common_duration(
             present + share * rest, 0.0, j, j + last - first, axes, cells, work
         )
-        if reached >= 0.0 and reached - present <= rest * (1.0 + SAME_TIME):
+        if reached >= 0.0 and reached - present <= rest * (1.0 + SAME):
             for i in range(j, j + last - first):
                 cells[i, Cell.RESULT, Interval.DURATION] = reached
         share = 1.0
     rest, base, count = time_left(first, step, target, cells)
-    return rest <= SAME_TIME * target
+    return rest <= SAME * target
 
 
 def prolong_all(
@@ -144,7 +144,7 @@ def prolong_all(
         cells[j, Cell.PLACE, Place.PROLONGED] = 1.0
     for sweep in range(50):
         rest, base, count = time_left(first, step, target, cells)
-        if rest <= SAME_TIME * target:
+        if rest <= SAME * target:
             return True
         if count == 0:
             return False
@@ -160,7 +160,7 @@ def prolong_all(
                 reached = common_duration(
                     present * factor + extra, 0.0, j, end, axes, cells, work
                 )
-                if reached < 0.0 or reached - present > rest * (1.0 + SAME_TIME):
+                if reached < 0.0 or reached - present > rest * (1.0 + SAME):
                     cells[j, Cell.PLACE, Place.PROLONGED] = 0.0
                 else:
                     rest = rest - (reached - present)
@@ -298,7 +298,7 @@ def synchronize_plan(
     target = longest
     if duration > 0.0:
         target = duration - resting
-        if target < longest * (1.0 - SAME_TIME):
+        if target < longest * (1.0 - SAME):
             return PlanStatus.DURATION_TOO_SHORT
     if synchronization != Synchronization.TOTAL and duration <= 0.0:
         return PlanStatus.PLANNED
