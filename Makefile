@@ -124,8 +124,9 @@ docs: $(VENV)/installed-docs ## the documentation site, into out/site
 bench: $(VENV)/installed-bench ## measure beside the peers; BENCH="--quick --only a,b"
 	$(BIN)/python -m benchmarks --output $(OUT)/benchmarks.json $(BENCH)
 
-fuzz: $(VENV)/installed ## a million random call sequences against each native FMU, with sanitizers
+fuzz: $(VENV)/installed ## random call sequences against each native FMU: a million with sanitizers, 500 in Valgrind
 	$(BIN)/python -m tests.fmu.native.fuzz
+	$(BIN)/python -m tests.fmu.native.fuzz --memcheck --sequences 500
 
 fmus: $(VENV)/installed-platforms ## both FMUs, FMI 2 and 3, with the binaries of all platforms
 	$(BIN)/segfmu build --platforms all --output fmus/dist/fmi2

@@ -1,7 +1,8 @@
 """Random call sequences against native FMUs under sanitizers: `python -m tests.fmu.native.fuzz`.
 
 The sources of an archive are compiled with a driver in C, AddressSanitizer and
-UndefinedBehaviorSanitizer. A failing sequence is repeated with its number as `--first`.
+UndefinedBehaviorSanitizer; or, with `--memcheck`, without them for Valgrind, which finds values
+that nobody has set. A failing sequence is repeated with its number as `--first`.
 """
 
 from __future__ import annotations
@@ -9,7 +10,11 @@ from __future__ import annotations
 import argparse
 import subprocess
 import tempfile
+from collections.abc import Iterator, Sequence
+from itertools import product
 from pathlib import Path
+
+from benchmarks.initialisation import SIZES, changes
 
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
@@ -19,8 +24,9 @@ from segfmu.fmu.native import archive as native
 from segfmu.fmu.standard.spec import Spec, started
 
 DRIVERS = Path(__file__).parent / "c"
-SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w", *SANITIZERS)
+SANITIZERS = ("-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all")
+OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w")
+MEMCHECK = ("valgrind", "--quiet", "--error-exitcode=1", "--leak-check=full")
 # one that follows a stick from the start
 COMMANDED = started(gantry_feedforward.native_spec(), {
     "command.enabled": True, "command.mode": "velocity", "command.velocity.x": 0.2,
@@ -32,7 +38,17 @@ HOOKS = (hook_feedforward.native_spec(), HOOKED)
 SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec(), COMMANDED, *HOOKS)
 
 
-def program(compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1") -> Path:
+def missions(count: int) -> Iterator[Spec]:
+    """GantryFeedforward that searches: both sizes, states given or free, with boxes or without."""
+    for name, free, boxed in product(SIZES, (False, True), (False, True)):
+        for values in changes(count, name, free=free, boxed=boxed):
+            yield started(gantry_feedforward.native_spec(), values)
+
+
+def program(
+    compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1",
+    sanitizers: Sequence[str] = SANITIZERS,
+) -> Path:
     """Compile the driver of a version, which includes the FMU, and put its resources beside it.
 
     `level` is the compiler's option of optimisation.
@@ -42,8 +58,8 @@ def program(compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1
     written(spec, fmi, place)
     target = place / "fuzz"
     subprocess.run(
-        [compiler, *OPTIONS, level, f"-I{place}", f"-I{DRIVERS}", DRIVERS / f"fuzz{fmi}.c", "-lm",
-         "-o", target],
+        [compiler, *OPTIONS, *sanitizers, level, f"-I{place}", f"-I{DRIVERS}",
+         DRIVERS / f"fuzz{fmi}.c", "-lm", "-o", target],
         check=True,
     )
     return target
@@ -57,28 +73,49 @@ def written(spec: Spec, fmi: int, place: Path) -> None:
             (place / own).write_bytes(content)
 
 
-def run(target: Path, sequences: int, first: int, timeout: float | None = None) -> str:
+def run(
+    target: Path, sequences: int, first: int, timeout: float | None = None,
+    under: Sequence[str] = (),
+) -> str:
     """Run a program; returns its summary, raises AssertionError with the report of a crash."""
     done = subprocess.run(
-        [target, str(sequences), str(first), str(target.parent)], capture_output=True, text=True,
-        check=False, timeout=timeout,
+        [*under, target, str(sequences), str(first), str(target.parent)], capture_output=True,
+        text=True, check=False, timeout=timeout,
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout.strip()
 
 
+def searches(
+    target: Path, fmi: int, count: int, sequences: int, first: int, under: Sequence[str] = ()
+) -> list[str]:
+    """Run the program of GantryFeedforward with so many missions of each kind."""
+    told = []
+    for spec in missions(count):
+        (target.parent / "start.bin").write_bytes(native.start_values(spec, fmi))
+        told.append(run(target, sequences, first, under=under))
+    return told
+
+
 def main() -> None:
-    """All programs, with as many sequences each as asked for."""
+    """All programs, with as many sequences each as asked for; one in a hundred searches."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sequences", type=int, default=1_000_000)
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--compiler", default="cc")
+    parser.add_argument("--memcheck", action="store_true")
     chosen = parser.parse_args()
+    sanitizers, under = ((), MEMCHECK) if chosen.memcheck else (SANITIZERS, ())
     for fmi in (2, 3):
         for spec in SPECS:
             with tempfile.TemporaryDirectory() as work:
-                target = program(chosen.compiler, spec, fmi, Path(work))
-                print(f"{spec.name}, FMI {fmi}: {run(target, chosen.sequences, chosen.first)}")
+                target = program(chosen.compiler, spec, fmi, Path(work), sanitizers=sanitizers)
+                told = run(target, chosen.sequences, chosen.first, under=under)
+                print(f"{spec.name}, FMI {fmi}: {told}", flush=True)
+                if spec is SPECS[0]:
+                    count = max(1, chosen.sequences // 10_000)
+                    for told in searches(target, fmi, count, 10, chosen.first, under):
+                        print(f"{spec.name}, FMI {fmi}, a search: {told}", flush=True)
 
 
 if __name__ == "__main__":

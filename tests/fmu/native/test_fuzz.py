@@ -48,3 +48,5 @@ def test_random_calls_end_with_a_status(
     assert (sequences, calls) == (count, 40 * count)
     # a good part of the calls is in order, so that the models run
     assert errors < 0.8 * calls and messages > 0
+    if spec is fuzz.SPECS[0]:
+        assert len(fuzz.searches(target, fmi, 1, 30 if SOAK else 1, 1)) == 8

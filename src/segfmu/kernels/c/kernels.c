@@ -242,6 +242,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
+static double clear_peaks(array_double_1d ends, array_double_2d work, array_double_2d peaks, array_double_2d times);
 static void write_transform(array_double_2d work);
 static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
 static void note_value(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
@@ -9521,6 +9522,28 @@ double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, doub
     result = series_derivative(friction, order);
     return result;
 }
+static double clear_peaks(array_double_1d ends, array_double_2d work, array_double_2d peaks, array_double_2d times)
+{
+    int64_t axis;
+    int64_t i;
+    int64_t side;
+    double duration;
+    duration = 0.0;
+    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        duration = span_max(duration, (*cspan_at(&ends, axis)));
+        (*cspan_at(&work, INT64_C(82), axis)) = 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            (*cspan_at(&peaks, side, i)) = 0.0;
+            (*cspan_at(&times, side, i)) = 0.0;
+        }
+    }
+    return duration;
+}
 static void write_transform(array_double_2d work)
 {
     int64_t last;
@@ -9824,26 +9847,16 @@ static void search_interval(double begin, double end, array_double_2d timing, ar
 void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
 {
     double duration;
-    int64_t axis;
     int64_t i;
-    int64_t side;
+    int64_t axis;
     double begin;
     double end;
     int64_t share;
     double found;
-    duration = 0.0;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        duration = span_max(duration, (*cspan_at(&ends, axis)));
-    }
+    duration = clear_peaks(ends, work, peaks, times);
     for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(80), i)) = 0.0;
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            (*cspan_at(&peaks, side, i)) = 0.0;
-            (*cspan_at(&times, side, i)) = 0.0;
-        }
     }
     write_transform(work);
     note_value(0.0, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
@@ -9880,26 +9893,11 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
 void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
 {
     double duration;
-    int64_t axis;
-    int64_t i;
-    int64_t side;
     double begin;
     double end;
     int64_t count;
     int64_t j;
-    duration = 0.0;
-    for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        duration = span_max(duration, (*cspan_at(&ends, axis)));
-    }
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
-    {
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            (*cspan_at(&peaks, side, i)) = 0.0;
-            (*cspan_at(&times, side, i)) = 0.0;
-        }
-    }
+    duration = clear_peaks(ends, work, peaks, times);
     begin = 0.0;
     end = next_joint(begin, duration, timing, offsets, ends, contacts);
     while(end < 1e+300)

@@ -36,14 +36,9 @@ def demand_peaks(
     Writes them to peaks, and when they are reached [s] to times, (2, Demand.SIZE) both; 0 at time 0
     where there is none in a direction.
     """
-    duration = 0.0
-    for axis in range(ends.shape[0]):
-        duration = max(duration, ends[axis])
+    duration = clear_peaks(ends, work, peaks, times)
     for i in range(Demand.SIZE):
         work[DemandPeaks.SCALE, i] = 0.0
-        for side in range(2):
-            peaks[side, i] = 0.0
-            times[side, i] = 0.0
     write_transform(work)
     note_value(0.0, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times)
     # joints that nearly coincide are one; each axis still ends at its end
@@ -89,13 +84,7 @@ def demand_samples(
     times: 'float[:,:]',
 ) -> None:
     """As `demand_peaks`, among samples: a fast look that may miss a little of a peak."""
-    duration = 0.0
-    for axis in range(ends.shape[0]):
-        duration = max(duration, ends[axis])
-    for i in range(Demand.SIZE):
-        for side in range(2):
-            peaks[side, i] = 0.0
-            times[side, i] = 0.0
+    duration = clear_peaks(ends, work, peaks, times)
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
     while end < NEVER:
@@ -108,6 +97,21 @@ def demand_samples(
             )
         begin = end
         end = next_joint(begin, duration, timing, offsets, ends, contacts)
+
+
+def clear_peaks(
+    ends: 'float[:]', work: 'float[:,:]', peaks: 'float[:,:]', times: 'float[:,:]'
+) -> float:
+    """Begin at the first pieces, with no peaks so far. Returns the duration of the plan [s]."""
+    duration = 0.0
+    for axis in range(ends.shape[0]):
+        duration = max(duration, ends[axis])
+        work[DemandPeaks.NEAR, axis] = 0.0
+    for i in range(Demand.SIZE):
+        for side in range(2):
+            peaks[side, i] = 0.0
+            times[side, i] = 0.0
+    return duration
 
 
 def write_transform(work: 'float[:,:]') -> None:
