@@ -114,135 +114,11 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real load_centre_x(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, x" annotation(Dialog(tab = "load"));
   parameter Real load_centre_y(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, y" annotation(Dialog(tab = "load"));
   parameter Real load_centre_z(unit = "m") = 0.0 "centre of the load's box from its position, the rope's end, z" annotation(Dialog(tab = "load"));
-  parameter Integer obstacle_count(min = 0, max = 16) = 0 "number of obstacles in use" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 1, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 1, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 1, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 1, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 1, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 1, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_1_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 1 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_1_rope = true "the rope keeps off obstacle 1 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 2, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 2, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 2, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 2, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 2, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 2, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_2_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 2 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_2_rope = true "the rope keeps off obstacle 2 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 3, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 3, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 3, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 3, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 3, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 3, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_3_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 3 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_3_rope = true "the rope keeps off obstacle 3 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 4, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 4, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 4, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 4, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 4, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 4, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_4_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 4 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_4_rope = true "the rope keeps off obstacle 4 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 5, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 5, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 5, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 5, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 5, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 5, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_5_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 5 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_5_rope = true "the rope keeps off obstacle 5 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 6, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 6, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 6, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 6, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 6, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 6, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_6_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 6 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_6_rope = true "the rope keeps off obstacle 6 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 7, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 7, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 7, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 7, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 7, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 7, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_7_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 7 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_7_rope = true "the rope keeps off obstacle 7 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 8, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 8, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 8, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 8, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 8, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 8, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_8_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 8 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_8_rope = true "the rope keeps off obstacle 8 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 9, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 9, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 9, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 9, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 9, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 9, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_9_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 9 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_9_rope = true "the rope keeps off obstacle 9 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 10, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 10, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 10, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 10, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 10, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 10, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_10_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 10 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_10_rope = true "the rope keeps off obstacle 10 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 11, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 11, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 11, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 11, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 11, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 11, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_11_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 11 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_11_rope = true "the rope keeps off obstacle 11 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 12, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 12, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 12, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 12, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 12, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 12, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_12_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 12 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_12_rope = true "the rope keeps off obstacle 12 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 13, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 13, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 13, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 13, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 13, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 13, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_13_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 13 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_13_rope = true "the rope keeps off obstacle 13 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 14, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 14, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 14, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 14, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 14, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 14, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_14_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 14 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_14_rope = true "the rope keeps off obstacle 14 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 15, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 15, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 15, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 15, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 15, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 15, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_15_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 15 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_15_rope = true "the rope keeps off obstacle 15 as well" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_minimum_x(unit = "m") = 0.0 "minimum corner of obstacle 16, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_minimum_y(unit = "m") = 0.0 "minimum corner of obstacle 16, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_minimum_z(unit = "m") = 0.0 "minimum corner of obstacle 16, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_maximum_x(unit = "m") = 1.0 "maximum corner of obstacle 16, x" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_maximum_y(unit = "m") = 1.0 "maximum corner of obstacle 16, y" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_maximum_z(unit = "m") = 1.0 "maximum corner of obstacle 16, z" annotation(Dialog(tab = "obstacle"));
-  parameter Real obstacle_16_margin(unit = "m", min = 0.0) = 0.0 "distance that load and rope keep from obstacle 16 along each axis" annotation(Dialog(tab = "obstacle"));
-  parameter Boolean obstacle_16_rope = true "the rope keeps off obstacle 16 as well" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_minimum[:, 3](each unit = "m") = zeros(0, 3) "minimum corners of the obstacles" annotation(Dialog(tab = "obstacle"));
+  final parameter Integer obstacle_count = size(obstacle_minimum, 1) "number of obstacles in use";
+  parameter Real obstacle_maximum[obstacle_count, 3](each unit = "m") = fill(1.0, obstacle_count, 3) "maximum corners of the obstacles" annotation(Dialog(tab = "obstacle"));
+  parameter Real obstacle_margin[obstacle_count](each unit = "m", each min = 0.0) = zeros(obstacle_count) "distances that load and rope keep from the obstacles along each axis" annotation(Dialog(tab = "obstacle"));
+  parameter Boolean obstacle_rope[obstacle_count] = fill(true, obstacle_count) "whether the rope keeps off the obstacles as well" annotation(Dialog(tab = "obstacle"));
   parameter Boolean command_enabled = false "commands can be followed; takes 2 MB, and drives without dead time" annotation(Dialog(tab = "command"));
   parameter Types.Mode command_mode = Types.Mode.mission "what the load does; mission: the plan that it has" annotation(Dialog(tab = "command"));
   parameter Real command_velocity_x(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, x" annotation(Dialog(tab = "command"));
@@ -415,21 +291,52 @@ protected
       557, 558, 559;
       573, 574, 575];
   constant Integer waypoint_dwell_references[16] = {336, 352, 368, 384, 400, 416, 432, 448, 464, 480, 496, 512, 528, 544, 560, 576};
+  constant Integer obstacle_minimum_references[16, 3] = [163, 164, 165;
+      171, 172, 173;
+      179, 180, 181;
+      187, 188, 189;
+      195, 196, 197;
+      203, 204, 205;
+      211, 212, 213;
+      219, 220, 221;
+      227, 228, 229;
+      235, 236, 237;
+      243, 244, 245;
+      251, 252, 253;
+      259, 260, 261;
+      267, 268, 269;
+      275, 276, 277;
+      283, 284, 285];
+  constant Integer obstacle_maximum_references[16, 3] = [166, 167, 168;
+      174, 175, 176;
+      182, 183, 184;
+      190, 191, 192;
+      198, 199, 200;
+      206, 207, 208;
+      214, 215, 216;
+      222, 223, 224;
+      230, 231, 232;
+      238, 239, 240;
+      246, 247, 248;
+      254, 255, 256;
+      262, 263, 264;
+      270, 271, 272;
+      278, 279, 280;
+      286, 287, 288];
+  constant Integer obstacle_margin_references[16] = {169, 177, 185, 193, 201, 209, 217, 225, 233, 241, 249, 257, 265, 273, 281, 289};
+  constant Integer obstacle_rope_references[16] = {170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290};
   final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
       65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
       109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 150, 151, 152, 153, 154,
-      155, 156, 157, 158, 159, 160, 161, 163, 164, 165, 166, 167, 168, 169, 171, 172, 173, 174,
-      175, 176, 177, 179, 180, 181, 182, 183, 184, 185, 187, 188, 189, 190, 191, 192, 193, 195,
-      196, 197, 198, 199, 200, 201, 203, 204, 205, 206, 207, 208, 209, 211, 212, 213, 214, 215,
-      216, 217, 219, 220, 221, 222, 223, 224, 225, 227, 228, 229, 230, 231, 232, 233, 235, 236,
-      237, 238, 239, 240, 241, 243, 244, 245, 246, 247, 248, 249, 251, 252, 253, 254, 255, 256,
-      257, 259, 260, 261, 262, 263, 264, 265, 267, 268, 269, 270, 271, 272, 273, 275, 276, 277,
-      278, 279, 280, 281, 283, 284, 285, 286, 287, 288, 289, 293, 294, 295, 296, 297, 298, 300,
-      301, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319},
+      155, 156, 157, 158, 159, 160, 161, 293, 294, 295, 296, 297, 298, 300, 301, 303, 304, 305,
+      306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
-      waypoint_dwell_references[1:waypoint_count]);
+      waypoint_dwell_references[1:waypoint_count],
+      FMI.references(obstacle_minimum_references, obstacle_count),
+      FMI.references(obstacle_maximum_references, obstacle_count),
+      obstacle_margin_references[1:obstacle_count]);
   final parameter Real reals[:] = cat(1, {crane_bridge_mass, crane_trolley_mass, crane_payload_mass, crane_gravity, crane_rope_min,
       crane_rope_max, limits_x_velocity, limits_x_acceleration, limits_x_jerk, limits_x_snap,
       limits_x_velocity_min, limits_x_acceleration_min, limits_y_velocity, limits_y_acceleration,
@@ -447,35 +354,7 @@ protected
       drive_hoist_acceleration_max, drive_hoist_acceleration_min, drive_hoist_power_max,
       sway_x_angle_max, sway_y_angle_max, workspace_x_min, workspace_x_max, workspace_y_min,
       workspace_y_max, workspace_z_min, workspace_z_max, load_size_x, load_size_y, load_size_z,
-      load_centre_x, load_centre_y, load_centre_z, obstacle_1_minimum_x, obstacle_1_minimum_y,
-      obstacle_1_minimum_z, obstacle_1_maximum_x, obstacle_1_maximum_y, obstacle_1_maximum_z,
-      obstacle_1_margin, obstacle_2_minimum_x, obstacle_2_minimum_y, obstacle_2_minimum_z,
-      obstacle_2_maximum_x, obstacle_2_maximum_y, obstacle_2_maximum_z, obstacle_2_margin,
-      obstacle_3_minimum_x, obstacle_3_minimum_y, obstacle_3_minimum_z, obstacle_3_maximum_x,
-      obstacle_3_maximum_y, obstacle_3_maximum_z, obstacle_3_margin, obstacle_4_minimum_x,
-      obstacle_4_minimum_y, obstacle_4_minimum_z, obstacle_4_maximum_x, obstacle_4_maximum_y,
-      obstacle_4_maximum_z, obstacle_4_margin, obstacle_5_minimum_x, obstacle_5_minimum_y,
-      obstacle_5_minimum_z, obstacle_5_maximum_x, obstacle_5_maximum_y, obstacle_5_maximum_z,
-      obstacle_5_margin, obstacle_6_minimum_x, obstacle_6_minimum_y, obstacle_6_minimum_z,
-      obstacle_6_maximum_x, obstacle_6_maximum_y, obstacle_6_maximum_z, obstacle_6_margin,
-      obstacle_7_minimum_x, obstacle_7_minimum_y, obstacle_7_minimum_z, obstacle_7_maximum_x,
-      obstacle_7_maximum_y, obstacle_7_maximum_z, obstacle_7_margin, obstacle_8_minimum_x,
-      obstacle_8_minimum_y, obstacle_8_minimum_z, obstacle_8_maximum_x, obstacle_8_maximum_y,
-      obstacle_8_maximum_z, obstacle_8_margin, obstacle_9_minimum_x, obstacle_9_minimum_y,
-      obstacle_9_minimum_z, obstacle_9_maximum_x, obstacle_9_maximum_y, obstacle_9_maximum_z,
-      obstacle_9_margin, obstacle_10_minimum_x, obstacle_10_minimum_y, obstacle_10_minimum_z,
-      obstacle_10_maximum_x, obstacle_10_maximum_y, obstacle_10_maximum_z, obstacle_10_margin,
-      obstacle_11_minimum_x, obstacle_11_minimum_y, obstacle_11_minimum_z, obstacle_11_maximum_x,
-      obstacle_11_maximum_y, obstacle_11_maximum_z, obstacle_11_margin, obstacle_12_minimum_x,
-      obstacle_12_minimum_y, obstacle_12_minimum_z, obstacle_12_maximum_x, obstacle_12_maximum_y,
-      obstacle_12_maximum_z, obstacle_12_margin, obstacle_13_minimum_x, obstacle_13_minimum_y,
-      obstacle_13_minimum_z, obstacle_13_maximum_x, obstacle_13_maximum_y, obstacle_13_maximum_z,
-      obstacle_13_margin, obstacle_14_minimum_x, obstacle_14_minimum_y, obstacle_14_minimum_z,
-      obstacle_14_maximum_x, obstacle_14_maximum_y, obstacle_14_maximum_z, obstacle_14_margin,
-      obstacle_15_minimum_x, obstacle_15_minimum_y, obstacle_15_minimum_z, obstacle_15_maximum_x,
-      obstacle_15_maximum_y, obstacle_15_maximum_z, obstacle_15_margin, obstacle_16_minimum_x,
-      obstacle_16_minimum_y, obstacle_16_minimum_z, obstacle_16_maximum_x, obstacle_16_maximum_y,
-      obstacle_16_maximum_z, obstacle_16_margin, command_velocity_x, command_velocity_y,
+      load_centre_x, load_centre_y, load_centre_z, command_velocity_x, command_velocity_y,
       command_velocity_z, command_target_x, command_target_y, command_target_z, limits_scale,
       command_hold, command_distance_x, command_distance_y, command_distance_z,
       friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
@@ -486,29 +365,26 @@ protected
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
-      waypoint_dwell);
+      waypoint_dwell,
+      FMI.rows(obstacle_minimum),
+      FMI.rows(obstacle_maximum),
+      obstacle_margin);
   constant Integer integer_references[7] = {84, 85, 86, 162, 292, 302, 320};
   final parameter Integer integers[7] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, Integer(command_mode), command_tries, waypoint_count};
-  final parameter Integer boolean_references[:] = cat(1, {89, 90, 170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290, 291,
-      299},
+  final parameter Integer boolean_references[:] = cat(1, {89, 90, 291, 299},
       FMI.references(waypoint_velocity_free_references, waypoint_count),
-      FMI.references(waypoint_acceleration_free_references, waypoint_count));
+      FMI.references(waypoint_acceleration_free_references, waypoint_count),
+      obstacle_rope_references[1:obstacle_count]);
   final parameter Integer booleans[:] = cat(1, {if planner_finds_limits then 1 else 0, if planner_slows_down then 1 else 0, if
-      obstacle_1_rope then 1 else 0, if obstacle_2_rope then 1 else 0, if obstacle_3_rope then 1
-      else 0, if obstacle_4_rope then 1 else 0, if obstacle_5_rope then 1 else 0, if
-      obstacle_6_rope then 1 else 0, if obstacle_7_rope then 1 else 0, if obstacle_8_rope then 1
-      else 0, if obstacle_9_rope then 1 else 0, if obstacle_10_rope then 1 else 0, if
-      obstacle_11_rope then 1 else 0, if obstacle_12_rope then 1 else 0, if obstacle_13_rope then
-      1 else 0, if obstacle_14_rope then 1 else 0, if obstacle_15_rope then 1 else 0, if
-      obstacle_16_rope then 1 else 0, if command_enabled then 1 else 0, if command_go then 1 else
-      0},
+      command_enabled then 1 else 0, if command_go then 1 else 0},
       FMI.truths(waypoint_velocity_free),
-      FMI.truths(waypoint_acceleration_free));
+      FMI.truths(waypoint_acceleration_free),
+      FMI.truths(matrix(obstacle_rope)));
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{e792bc4e-c24c-223f-0bd0-be229f38e4e0}", 0);
+      "{401e0ada-f499-92a5-b48f-f90047c7b68c}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

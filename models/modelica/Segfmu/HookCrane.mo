@@ -524,7 +524,7 @@ protected
       reference_sling_x_angle_used, reference_sling_y_angle_used, reference_sling_x_rate_used,
       reference_sling_y_rate_used};
   FMI.Instance fmu = FMI.Instance(folder, "HookCrane", getInstanceName(),
-      "{b8ddd1b1-ce14-3683-63be-5d620ba06820}", 20);
+      "{b5151fbc-371e-ba4f-67d8-5de3dcd1b102}", 20);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[20](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";

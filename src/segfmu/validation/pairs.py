@@ -118,10 +118,15 @@ def without_starts(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]
 
 
 def with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Values by the names of FMI 3.0: the counts of rows, then the rows in use as arrays."""
-    arrays = [a for a in interface.arrays if a.rows in values]
-    found = {a.rows: values[a.rows] for a in arrays} | dict(values)
-    for array in arrays:
-        given = [found.pop(m) for m in array.members if m in values]
-        found[array.name] = given[:array.columns * int(values[array.rows])]
+    """Values by the names of FMI 3.0: the counts of rows, then the rows in use as arrays.
+
+    What is not given among them is that of the archive's start values.
+    """
+    whole = {v.name: v.start for v in interface.variables} | dict(values)
+    members = {m for a in interface.arrays for m in a.members}
+    found = {n: v for n, v in values.items() if n not in members}
+    for array in interface.arrays:
+        if not values.keys().isdisjoint({array.rows, *array.members}):
+            used = array.columns * int(whole[array.rows])
+            found[array.name] = [whole[m] for m in array.members[:used]]
     return found

@@ -15,6 +15,7 @@ from segfmu.cosim import System
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.gantry_feedforward import interface
+from segfmu.validation.pairs import with_arrays
 from tests.campaign import campaign
 from tests.compiler import require_native
 from tests.cosim.probe.build import build
@@ -57,15 +58,7 @@ def arrays(fmu: Importer, values: dict[str, Any]) -> dict[str, Any]:
     """With arrays in place of what FMI 3.0 has as such."""
     if not fmu.three:
         return values
-    found = {n: v for n, v in values.items() if n in fmu.variables}
-    rows = fmu.variables["waypoint.position"]
-    most = int(rows.dimensions[0].start or 16)
-    for name in ("position", "velocity", "acceleration"):
-        block = np.zeros((most, 3))
-        for i in (1, 2):
-            block[i - 1] = [values[f"waypoint[{i}].{name}.{a}"] for a in "xyz"]
-        found[f"waypoint.{name}"] = block
-    return found
+    return with_arrays(interface.native_spec(), values)
 
 
 def follow(fmu: Importer, site: Site, wanted: list[dict[str, Any]], first: int = 0) -> np.ndarray:
@@ -246,8 +239,10 @@ def test_a_joystick_is_an_input(native_fmus, connectable, name: str, fmi: int) -
         expected = follow(fmu, site, wanted)[:, 0]
     values = parameters(site) | {"command.mode": 3}
     with Importer(native_fmus[fmi][0]) as fmu:
+        # fmpy takes whole arrays; what fills up the rows that are not in use is no matter
         given = {
-            n: np.ravel(v).tolist() if np.ndim(v) else v for n, v in arrays(fmu, values).items()
+            n: np.resize(v, [int(d.start) for d in fmu.variables[n].dimensions]).ravel().tolist()
+            if np.ndim(v) else v for n, v in arrays(fmu, values).items()
         }
     signal = np.array(
         list(zip(times, stick, strict=True)),

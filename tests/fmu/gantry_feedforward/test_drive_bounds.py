@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from typing import Any
 
 import numpy as np
 import pytest
@@ -34,13 +35,31 @@ def archive(request, native_fmus, fmus):
     return native_fmus[fmi][0] if kind == "native" else fmus[0]
 
 
+ROW = re.compile(r"(waypoint|obstacle)\[(\d+)\]\.(\w+)(?:\.([xyz]))?$")
+
+
+def with_arrays(unit, values) -> dict[str, Any]:
+    """Values of rows as the FMU has them: one by one, or as whole arrays that it has else."""
+    given = dict(values)
+    for name in [n for n in values if ROW.match(n) and n not in unit.variables]:
+        part, row, field, axis = ROW.match(name).groups()
+        array = f"{part}.{field}"
+        if array not in given:
+            channel = unit.channel([array])
+            channel.read()
+            rows = int(unit.variables[array].dimensions[0].start)
+            given[array] = channel.values.copy().reshape(rows, -1)
+        given[array][int(row) - 1, "xyz".index(axis) if axis else 0] = given.pop(name)
+    return given
+
+
 def initialised(archive, values) -> dict[str, float] | str:
     """Duration and uses of the plan, or why it is refused."""
     names = [f"plan.use.{n}{what}" for n in BOUNDED for what in ("", "_time")]
     names += ["plan.duration", "plan.pace"]
     with load(archive) as unit:
         try:
-            unit.set(values)
+            unit.set(with_arrays(unit, values))
             unit.enter_initialization(0.0, 1.0)
             unit.exit_initialization()
         except SimulationError as error:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,8 @@ from tests.fmu.gantry_feedforward.test_drive_bounds import (
     CRANES,
     GRAVITY,
     bound_values,
+    initialised,
 )
-from tests.fmu.gantry_feedforward.test_drive_bounds import initialised as initialised_by
 from tests.fmu.gantry_feedforward.test_found_limits import FIND, NONE, problem
 
 MODELS = Path(__file__).parents[3] / "models"
@@ -30,21 +29,6 @@ EVERY = np.ones((2, 3), dtype=bool)
 def archive(request, native_fmus, fmus):
     kind, fmi = request.param
     return native_fmus[fmi][0] if kind == "native" else fmus[0]
-
-
-def initialised(archive, values) -> dict[str, float] | str:
-    """Duration and uses of the plan, or why it is refused; waypoints as the FMU has them."""
-    given, rows = dict(values), re.compile(r"waypoint\[(\d+)\]\.(\w+)(?:\.([xyz]))?$")
-    with load(archive) as unit:
-        for name in [n for n in values if rows.match(n) and n not in unit.variables]:
-            row, field, axis = rows.match(name).groups()
-            array = f"waypoint.{field}"
-            if array not in given:
-                channel = unit.channel([array])
-                channel.read()
-                given[array] = channel.values.copy().reshape(16, -1)
-            given[array][int(row) - 1, "xyz".index(axis) if axis else 0] = given.pop(name)
-    return initialised_by(archive, given)
 
 
 def flags(number: int, free: np.ndarray) -> dict[str, bool]:

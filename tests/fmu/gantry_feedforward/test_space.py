@@ -8,6 +8,11 @@ import numpy as np
 import pytest
 
 import segfmu
+from segfmu.cosim.load import load
+from segfmu.fmu.gantry_feedforward import interface
+from segfmu.fmu.native.archive import build_all
+from segfmu.validation.pairs import with_arrays
+from tests.compiler import require_native
 from tests.fmu.gantry_feedforward.test_drive_bounds import initialised
 
 GRAVITY = 9.81
@@ -121,4 +126,39 @@ def test_the_workspace_may_be_touched_and_not_left(native_fmus, size, axis, end)
 def test_wrong_boxes_are_refused_by_name(native_fmus, fmi, values, words) -> None:
     found = initialised(native_fmus[fmi][0], values)
     assert isinstance(found, str)
-    assert words in found
+    assert (words if fmi == 2 else words.replace("[3].margin", ".margin[3]")) in found
+
+
+@pytest.mark.parametrize("waypoints", [4, 30])
+def test_obstacles_are_arrays_in_fmi_3(tmp_path, waypoints) -> None:
+    """All 16 boxes, whatever the room for waypoints is."""
+    require_native()
+    spec = interface.native_spec(interface.spec(waypoints))
+    (archive,) = build_all([spec], tmp_path, fmi=3)
+    corners = np.arange(48.0).reshape(16, 3)
+    rows = {"minimum": corners, "maximum": corners + 1.0, "margin": np.arange(16.0) / 8.0,
+            "rope": np.arange(16) % 3 == 0}
+    with load(archive) as unit:
+        for name, given in rows.items():
+            unit.set({f"obstacle.{name}": given.tolist()})
+        unit.set({"waypoint.position": np.full((waypoints, 3), -0.5).tolist()})
+        for name, given in rows.items():
+            channel = unit.channel([f"obstacle.{name}"])
+            channel.read()
+            assert channel.values.reshape(given.shape).tolist() == given.tolist()
+    rope = {"obstacle.count": 16, "obstacle.minimum": [[9.0, 9.0, -9.0]] * 16,
+            "obstacle.maximum": [[9.5, 9.5, 9.0]] * 15 + [[9.5, 9.5, -10.0]]}
+    told = initialised(archive, rope)
+    assert "obstacle[16]: minimum.z must be below its maximum -10 m, got -9 m" in told
+    rope["obstacle.maximum"][15] = [9.5, 9.5, 9.0]
+    assert isinstance(initialised(archive, rope), dict)
+
+
+def test_rows_that_are_not_given_are_those_of_the_archive() -> None:
+    spec = interface.native_spec()
+    given = {"obstacle.count": 2, "obstacle[2].minimum.y": -3.0, "drive.hoist.lag": 0.1}
+    assert with_arrays(spec, given) == {
+        "obstacle.count": 2, "drive.hoist.lag": 0.1,
+        "obstacle.minimum": [0.0, 0.0, 0.0, 0.0, -3.0, 0.0], "obstacle.maximum": [1.0] * 6,
+        "obstacle.margin": [0.0, 0.0], "obstacle.rope": [True, True],
+    }

@@ -183,6 +183,23 @@ def test_errors_name_the_instance(package) -> None:
         simulated(bad, "-override=feedforward.folder=nowhere")
 
 
+@pytest.mark.parametrize("meets", [False, True])
+def test_obstacles_are_tables(package, meets: bool) -> None:
+    """The rope alone meets the second box, which it may if its row says so."""
+    text = f"""model Boxes
+  extends Segfmu.Coupled(feedforward(
+    obstacle_minimum = [2, 2, -1; 0.4, 0, -0.3], obstacle_maximum = [3, 3, 0; 0.6, 1, -0.2],
+    obstacle_rope = {{true, {str(meets).lower()}}}));
+end Boxes;
+"""
+    boxes = program(package, "Boxes", text)
+    if meets:
+        with pytest.raises(AssertionError, match=r"obstacle 2: the rope meets it"):
+            simulated(boxes)
+    else:
+        simulated(boxes)
+
+
 def test_a_moved_first_waypoint_needs_no_second_change(package) -> None:
     results, said = simulated(program(package, "Moved", MOVED))
     places = ("bridge_position", "trolley_position", "rope_length")

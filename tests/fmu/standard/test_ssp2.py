@@ -117,7 +117,8 @@ def test_connectors_have_the_types_of_fmi3(entries, described) -> None:
             n for n, v in variables.items() if v.causality in ("input", "output")
         }
     assert kinds == {
-        ("Float64", 0), ("Float64", 1), ("Float64", 2), ("Int32", 0), ("Boolean", 0), ("Boolean", 2)
+        ("Float64", 0), ("Float64", 1), ("Float64", 2), ("Int32", 0), ("Boolean", 0),
+        ("Boolean", 1), ("Boolean", 2),
     }
 
 

@@ -306,13 +306,38 @@ def arrays(most: int) -> tuple[Array, ...]:
     )
 
 
+def _obstacles() -> list[Array]:
+    """Corners and margins of obstacles, and whether the rope keeps off them."""
+    rows, count = range(1, SpaceLimits.OBSTACLES + 1), "obstacle.count"
+    corners = [
+        Array(
+            f"obstacle.{corner}", tuple(f"obstacle[{i}].{corner}.{a}" for i in rows for a in "xyz"),
+            count, 3, f"{corner} corners of the obstacles", fixed=True,
+        )
+        for corner in ("minimum", "maximum")
+    ]
+    texts = {
+        "margin": "distances that load and rope keep from the obstacles along each axis",
+        "rope": "whether the rope keeps off the obstacles as well",
+    }
+    return corners + [
+        Array(
+            f"obstacle.{name}", tuple(f"obstacle[{i}].{name}" for i in rows), count, 1, text,
+            fixed=True,
+        )
+        for name, text in texts.items()
+    ]
+
+
 def nativized(own: Spec) -> Spec:
     """The interface of a native FMU, which also names time."""
     names = own.where("output")
     return replace(
         own,
         variables=(*own.variables, time()),
-        arrays=arrays(sum(v.name.endswith("].dwell") for v in own.variables)),
+        arrays=(
+            *arrays(sum(v.name.endswith("].dwell") for v in own.variables)), *_obstacles()
+        ),
         dependencies=tuple((v.name, ("time",)) for v in names),
         orders=3,
         terminals=(SETPOINTS,),

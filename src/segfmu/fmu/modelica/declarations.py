@@ -106,11 +106,10 @@ def _table(spec: Spec, array: Array) -> list[str]:
     values = [literal(v, start) for start in starts]
     rows = [values[i : i + array.columns] for i in range(0, len(values), array.columns)]
     columns = "" if array.columns == 1 else f", {array.columns}"
-    if array is not first and not any(starts):
-        zero = literal(v, 0)
-        value = (
-            f"zeros({count}{columns})" if v.kind == "Real" else f"fill({zero}, {count}{columns})"
-        )
+    size = f"{used if array is first else count}{columns}"
+    if used == 0 or (array is not first and len(set(starts)) == 1):
+        zero = v.kind == "Real" and not v.start
+        value = f"zeros({size})" if zero else f"fill({literal(v, v.start or 0)}, {size})"
     elif array.columns == 1:
         value = listed(values)
     else:

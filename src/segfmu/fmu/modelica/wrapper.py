@@ -96,7 +96,7 @@ def _real_parameters(spec: Spec) -> list[str]:
 def _tables(spec: Spec, kind: Kind, function: str) -> tuple[list[str], list[str]]:
     """Value references and values of the used rows of tables of a kind, the values by a function.
 
-    Columns are taken as they are if they are real.
+    A single column is taken as it is if it is real.
     """
     refs, values = [], []
     for array in (a for a in spec.arrays if spec.variable(a.members[0]).kind == kind):
@@ -106,7 +106,8 @@ def _tables(spec: Spec, kind: Kind, function: str) -> tuple[list[str], list[str]
             f"{name}_references[1:{count}]" if flat
             else f"FMI.references({name}_references, {count})"
         )
-        values.append(name if flat else f"FMI.{function}({name})")
+        table = f"matrix({name})" if flat else name
+        values.append(name if flat and kind == "Real" else f"FMI.{function}({table})")
     return refs, values
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import struct
 
-from segfmu.fmu.native.tables import layout
+from segfmu.fmu.native.tables import layout, most_rows
 from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import entries
 from segfmu.fmu.standard.spec import Spec
@@ -43,7 +43,7 @@ def content(spec: Spec, largest: Spec, version: int, mark: int) -> bytes:
             reals[placed.offsets[v.name]] = float(start)
         else:
             integers[placed.offsets[v.name]] = int(start)
-    rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
+    rows = most_rows(spec)
     head = struct.pack(
         f"<8sQQQ{TOKEN}s", MAGIC, mark, rows, len(entries(spec, version)), guid(spec).encode()
     )

@@ -66,6 +66,11 @@ def _place(variable: Variable, placed: Layout) -> None:
         placed.integers.append(int(start))
 
 
+def most_rows(spec: Spec) -> int:
+    """Rows of the arrays that have those of the build."""
+    return max((len(a.members) // a.columns for a in spec.arrays if not a.fixed), default=0)
+
+
 def header(spec: Spec, version: int) -> str:
     """The text of variables.h."""
     placed = layout(spec)
@@ -77,7 +82,7 @@ def header(spec: Spec, version: int) -> str:
         if n in arrays or n not in members
     ]
     described = entries(spec, version)
-    rows = max((len(a.members) // a.columns for a in spec.arrays), default=0)
+    rows = most_rows(spec)
     sizes = {
         "VARIABLES": len(described), "NAME": 1 + max(len(e.name) for e in described),
         "RANGES": len(_ranges(described)),
@@ -138,16 +143,24 @@ def source(spec: Spec, version: int) -> str:
 
 def _row(spec: Spec, entry: Entry, placed: Layout) -> str:
     v = entry.variable
-    counts = any(v.name == a.rows for a in spec.arrays)
+    counts = any(v.name == a.rows for a in spec.arrays if not a.fixed)
     calculated = v.causality in CALCULATED
     derived = _differentiable(v)
     fields = (
         str(placed.offsets[v.name]),
-        str(entry.array.columns if entry.array else 0), KINDS[v.kind],
+        *_sizes(entry), KINDS[v.kind],
         _setting(v), str(_states(spec).get(v.name, 0)), _truth(calculated), _truth(derived),
         _truth(counts),
     )
     return f"    {{{', '.join(fields)}}}"
+
+
+def _sizes(entry: Entry) -> tuple[str, str]:
+    """Elements whatever the build has room for, and elements of each of its rows."""
+    array = entry.array
+    if array is None or array.fixed:
+        return str(1 if array is None else len(array.members)), "0"
+    return "0", str(array.columns)
 
 
 def _ranges(described: Sequence[Entry]) -> list[tuple[str, str]]:

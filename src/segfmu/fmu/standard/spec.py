@@ -63,7 +63,8 @@ class Array:
     """Scalars of FMI 2.0 that are one array in FMI 3.0, row by row.
 
     `rows` names the variable that counts the rows in use; a row has `columns` members, and the
-    array has one dimension where `columns` is 1.
+    array has one dimension where `columns` is 1. `fixed`: it has as many rows in every build,
+    others have those that the build makes room for.
     """
 
     name: str
@@ -71,6 +72,7 @@ class Array:
     rows: str
     columns: int
     description: str
+    fixed: bool = False
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,7 @@ static void load(void)
 /* Number of values of a variable, as the description has it. */
 static size_t elements(const variable *v)
 {
-    return v->columns == 0 ? 1 : (size_t)(starts.rows * v->columns);
+    return (size_t)(v->elements + starts.rows * v->columns);
 }
 
 /* Set a parameter to something near its start value, or to anything. */

@@ -81,8 +81,8 @@ static bool glue_settable(instance *c, const char *function, const uint32_t refe
                    const void *values, size_t size, int kinds);
 /* Number of elements of a variable. */
 static size_t glue_elements_of(const instance *c, const variable *v);
-/* Whether a value is in the range of its variable; reports if not, `what` goes before. */
-static bool glue_in_range(instance *c, const variable *v, double value, const char *what);
+/* Whether a value of an element is in the range of its variable; reports if not, `what` goes before. */
+static bool glue_in_range(instance *c, const variable *v, size_t element, double value, const char *what);
 static void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[]);
 static bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size);

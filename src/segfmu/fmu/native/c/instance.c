@@ -200,15 +200,18 @@ void glue_set_time(instance *c, double time)
     c->model->evaluated = 0;
 }
 
-bool glue_in_range(instance *c, const variable *v, double value, const char *what)
+bool glue_in_range(instance *c, const variable *v, size_t element, double value, const char *what)
 {
-    char message[MESSAGE] = "";
+    char message[MESSAGE] = "", place[24] = "";
     const label *own = glue_label(v);
     const range *within = &model_ranges[own->range];
     double most = v->counts ? (double)c->start.rows : within->most, fault[RANGE_FAULT_SIZE];
     int64_t status = segfmu_check_range(value, within->least, most, vector(fault, RANGE_FAULT_SIZE));
     if (segfmu_range_message(status, fault, message, MESSAGE)) {
-        glue_log(c, STATUS_ERROR, "%s: %s %s", what, own->name, message);
+        if (glue_elements_of(c, v) > 1) {
+            snprintf(place, sizeof place, "[%lu]", (unsigned long)element + 1);
+        }
+        glue_log(c, STATUS_ERROR, "%s: %s%s %s", what, own->name, place, message);
         return false;
     }
     return true;
@@ -216,7 +219,7 @@ bool glue_in_range(instance *c, const variable *v, double value, const char *wha
 
 size_t glue_elements_of(const instance *c, const variable *v)
 {
-    return v->columns == 0 ? 1 : (size_t)(c->start.rows * v->columns);
+    return (size_t)(v->elements + c->start.rows * v->columns);
 }
 
 const variable *glue_variable(uint32_t reference)

@@ -31,7 +31,8 @@ enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT };
 /* A variable; its value reference is its place in the table, from 1. */
 typedef struct {
     uint16_t offset;      /* of its first value in `real`, else in `integer` */
-    uint16_t columns;     /* of an array, which has all rows of the instance; 0: a scalar */
+    uint16_t elements;    /* of a scalar, which is one, or of an array of the same size everywhere */
+    uint16_t columns;     /* of another array, which has all rows of the instance */
     uint8_t kind;
     uint8_t setting;
     uint8_t state;        /* its place among the states, from 1; 0: it is none */

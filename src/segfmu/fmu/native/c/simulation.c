@@ -17,7 +17,7 @@ static bool in_range(instance *c)
         for (size_t k = 0; v->setting != SET_NEVER && k < glue_elements_of(c, v); k++) {
             double value = v->kind == KIND_REAL ? c->model->real[v->offset + k]
                                                 : (double)c->model->integer[v->offset + k];
-            if (!glue_in_range(c, v, value, "initialisation failed")) {
+            if (!glue_in_range(c, v, k, value, "initialisation failed")) {
                 return false;
             }
         }

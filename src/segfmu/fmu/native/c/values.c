@@ -116,7 +116,7 @@ void glue_get_reals(const instance *c, const uint32_t references[], size_t count
     const double *real = c->model->real;
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
-        if (v->columns == 0) {
+        if (v->elements == 1) {
             *values++ = real[v->offset];
         } else {
             size_t elements = glue_elements_of(c, v);
@@ -168,7 +168,7 @@ static bool tuned_in_range(instance *c, const variable *v, const double values[]
         return true;
     }
     for (size_t k = 0; k < count; k++) {
-        if (!glue_in_range(c, v, values[k], "tuning refused")) {
+        if (!glue_in_range(c, v, k, values[k], "tuning refused")) {
             return false;
         }
     }
@@ -217,7 +217,7 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
     }
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
-        if (v->columns == 0) {
+        if (v->elements == 1) {
             real[v->offset] = *values++;
         } else {
             size_t elements = glue_elements_of(c, v);
