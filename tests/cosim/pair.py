@@ -41,6 +41,31 @@ def place(number: int, position: list[float]) -> dict[str, float]:
     }
 
 
+def box(number: int, minimum: list[float], maximum: list[float]) -> dict[str, float]:
+    """Parameters of an obstacle."""
+    return {
+        f"obstacle[{number}].{corner}.{axis}": value
+        for corner, values in (("minimum", minimum), ("maximum", maximum))
+        for axis, value in zip("xyz", values, strict=True)
+    }
+
+
+# limits of the load are found from the bounds of the drives, and what the load does at the inner
+# waypoints, so that it comes up steeply behind the first box
+FREE: dict[str, Any] = {
+    "planner.finds_limits": True, "waypoint.count": 4, **place(1, [0.0, 0.0, -0.6]),
+    **place(2, [0.2, 0.15, -0.45]), **place(3, [0.5, 0.4, -0.45]), **place(4, [0.7, 0.6, -0.6]),
+    **{f"limits.{a}.{n}": 0.0 for a in "xyz" for n in ("velocity", "acceleration", "jerk", "snap")},
+    **{f"drive.{d}.velocity_max": v
+       for d, v in (("bridge", 0.6), ("trolley", 0.5), ("hoist", 0.3))},
+    **{f"drive.{d}.acceleration_max": v
+       for d, v in (("bridge", 0.7), ("trolley", 0.6), ("hoist", 0.5))},
+    **{f"waypoint[{i}].{n}_free.{a}": True
+       for i in (2, 3) for n in ("velocity", "acceleration") for a in "xyz"},
+    "obstacle.count": 2, **box(1, [0.12, 0.09, -1.0], [0.45, 0.4, -0.49]),
+    **box(2, [0.8, -1.0, -1.0], [0.9, 2.0, 0.0]), "obstacle[2].rope": False,
+    **{f"load.size.{a}": 0.04 for a in "xyz"},
+}
 # of the pair with a hook: its feedback of measured signals brings a deviation to rest in the wind
 HOOKED: tuple[dict[str, Any], dict[str, Any]] = (
     {"limits.x.velocity": 0.4, "hook.sling": 0.28},
@@ -62,6 +87,7 @@ MISSIONS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
          "waypoint[4].dwell": 0.3},
         {},
     ),
+    "free states and boxes": (FREE, {}),
     "where it is": (
         {"waypoint.count": 2, **place(1, [0.1, 0.0, -0.5]), **place(2, [0.1, 0.0, -0.5])}, {},
     ),

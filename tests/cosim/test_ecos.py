@@ -10,11 +10,11 @@ import pytest
 
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
-from segfmu.fmu.standard.spec import Spec
+from segfmu.fmu.standard.spec import Spec, started
 from segfmu.validation.scenario import sized
 from tests.compiler import needs_native
 from tests.cosim.importers import load_threads, require
-from tests.cosim.pair import HOOKED, HOOKS, MISSIONS, SPECS, STEP, STOP, compare, signals
+from tests.cosim.pair import FREE, HOOKED, HOOKS, MISSIONS, SPECS, STEP, STOP, compare, signals
 
 # Of FMI 3.0, Ecos knows scalars only, and sets whole numbers with the function of another type.
 SCALARS: tuple[dict[str, Any], dict[str, Any]] = (
@@ -68,6 +68,14 @@ def ecos(
 def test_ecos_gives_what_our_master_gives(native_fmus, case: str) -> None:
     version, values = CASES[case]
     compare(ecos(native_fmus[version], *values), native_fmus[2], values)
+
+
+@needs_native
+def test_free_states_and_boxes_are_in_an_archive_of_fmi_3(native_fmus, tmp_path: Path) -> None:
+    """As start values: Ecos cannot set its arrays."""
+    planner, plant = sized(None)
+    paths = build_all(tmp_path, Choice(True, 3), (started(planner, FREE), plant))
+    compare(ecos((paths[0], paths[1]), {}, {}), native_fmus[2], (FREE, {}))
 
 
 @pytest.mark.parametrize("fmi", (2, 3))

@@ -20,7 +20,7 @@ from segfmu.fmu.standard.spec import Spec
 from segfmu.validation.scenario import sized
 from tests.compiler import needs_native
 from tests.cosim.importers import require
-from tests.cosim.pair import HOOKED, HOOKS, MISSIONS, SPECS, STEP, STOP, compare, signals
+from tests.cosim.pair import FREE, HOOKED, HOOKS, MISSIONS, SPECS, STEP, STOP, compare, signals
 
 # libcosim has no enumerations, so missions have none
 SETTERS = {"Real": "real", "Integer": "integer", "Boolean": "boolean"}
@@ -89,6 +89,17 @@ def test_libcosim_gives_what_our_master_gives(native_fmus, mission: str) -> None
     values = MISSIONS[mission]
     found = libcosim(native_fmus[2], *values)
     compare(found, native_fmus[2], values)
+
+
+def test_free_states_and_boxes_act(native_fmus) -> None:
+    """The load is longer under way than without the boxes, and passes waypoints without a stop."""
+    found = libcosim(native_fmus[2], FREE, {})
+    fast = libcosim(native_fmus[2], FREE | {"obstacle.count": 0}, {})
+    ends = [rows["plan.next_event"][-1] for rows in (fast, found)]
+    assert ends[0] + 0.05 < ends[1] < STOP
+    speed = np.hypot(found["reference.load.velocity.x"], found["reference.load.velocity.y"])
+    far = found["reference.load.position.x"]
+    assert speed[(far > 0.1) & (far < 0.6)].min() > 0.1
 
 
 def test_libcosim_runs_the_pair_with_a_hook(hook_fmus) -> None:
