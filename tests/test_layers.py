@@ -27,7 +27,7 @@ ALLOWED = {
 }
 
 EXTERNAL = {
-    "sympy": {"crane/lagrangian.py", "crane/hook_lagrangian.py", "crane/flatness.py", "codegen"},
+    "sympy": {"crane/lagrangian.py", "crane/hook/lagrangian.py", "crane/flatness.py", "codegen"},
     "fmpy": {"cosim"},
     "pythonfmu": {"fmu"},
     "matplotlib": {"validation"},

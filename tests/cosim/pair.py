@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from segfmu.cosim import simulate
-from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair, native
+from segfmu.fmu.pair import ModelPair
+from segfmu.fmu.pairs import GANTRY, HOOK, native
 from segfmu.fmu.standard.spec import Spec
 
 STEP, STOP = 0.005, 4.5

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate
-from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair, native
+from segfmu.fmu.pair import ModelPair
+from segfmu.fmu.pairs import GANTRY, HOOK, native
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.fmu.standard.system import values
 from segfmu.fmu.system import write_system

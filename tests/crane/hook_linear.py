@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from segfmu.crane.hook import HookCrane
+from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.linear import SIGNS
 from segfmu.kernels.crane.records import Axes, GeneralisedForce, Vector
 from segfmu.kernels.hook._hook import hook_driven, hook_rhs

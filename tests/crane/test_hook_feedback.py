@@ -11,7 +11,7 @@ from scipy.linalg import solve_discrete_are
 
 from segfmu import FlatInverse, Limits, Waypoint, plan
 from segfmu.crane import Crane, Drive, Friction, HookCrane, Plant, Rig, Sensors, Setpoints
-from segfmu.crane.hook_feedback import HookController, HookFeedback, HookWeights, design_hook
+from segfmu.crane.hook.feedback import HookController, HookFeedback, HookWeights, design_hook
 from segfmu.crane.linear import sampled
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Axes

@@ -8,7 +8,8 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from segfmu.crane import hook_lagrangian, lagrangian
+from segfmu.crane import lagrangian
+from segfmu.crane.hook import lagrangian as hook_lagrangian
 from segfmu.kernels.crane._crane import crane_rhs
 from segfmu.kernels.hook._hook import hook_driven, hook_energy, hook_load, hook_rhs
 from segfmu.kernels.hook.records import HookMasses, HookState

@@ -20,7 +20,7 @@ from segfmu.crane import (
     TravelLimits,
     Wind,
 )
-from segfmu.crane.hook_state import plant_state
+from segfmu.crane.hook.model import HOOK
 from segfmu.crane.inverse import FlatInverse
 from segfmu.errors import InputError, SimulationError
 from segfmu.kernels.crane.bounds import resisting_mass
@@ -106,7 +106,7 @@ def test_mass_along_the_rope_is_that_of_newtons_forces() -> None:
             ])
             before = driven(state, np.zeros(3), np.zeros(3), crane.masses).force
             after = driven(state, np.array([0.0, 0.0, 1.0]), np.zeros(3), crane.masses).force
-            mass = resisting_mass(parameters, plant_state(state))
+            mass = resisting_mass(parameters, HOOK.kept(state))
             assert after[2] - before[2] == pytest.approx(mass, rel=1e-9)
             along = np.sin(state[3])
             moved = driven(state, np.array([1.0, 0.0, 0.0]), np.zeros(3), crane.masses).force

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from segfmu.cosim import simulate, write_csv
-from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair
+from segfmu.fmu.pair import ModelPair
+from segfmu.fmu.pairs import GANTRY, HOOK
 
 FOLDER = Path(__file__).parents[2] / "fmus"
 

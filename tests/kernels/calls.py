@@ -9,7 +9,7 @@ import numpy as np
 
 from segfmu import Limits, Waypoint, plan
 from segfmu.crane import HookCrane, HookWeights, Rig, design_hook
-from segfmu.crane.hook_state import plant_state
+from segfmu.crane.flat_model import GANTRY
 from segfmu.crane.observer import Uncertainty
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import (
@@ -613,7 +613,7 @@ def rig_calls() -> dict[str, Call]:
     memory = zeros(backend.rig_rows(settings), Memory.COLUMNS)
     setpoints = zeros(Setpoints.SIZE)
     setpoints[Setpoints.REFERENCE : Setpoints.REFERENCE + State.SIZE] = HANGING
-    start = plant_state(HANGING)
+    start = GANTRY.kept(HANGING)
     backend.rig_start(settings, components, changes, start, setpoints, 0.2, memory)
     _, table, gains, tracker = controller.arrays
     fault, balance = zeros(SetupFault.SIZE), zeros(Balance.SIZE)

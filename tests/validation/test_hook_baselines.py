@@ -39,10 +39,10 @@ def test_swings_of_a_driven_carriage_are_those_of_the_model() -> None:
         found = swings(PORT, rope, inf)
         assert [s.frequency for s in found] == pytest.approx(PORT.frequencies(rope), rel=1e-12)
         # at first all stays where it is
-        assert sum(s.hook for s in found) == pytest.approx(1.0)
+        assert sum(s.end for s in found) == pytest.approx(1.0)
         assert sum(s.load for s in found) == pytest.approx(1.0)
         # under a constant acceleration rope and sling hang in one line
-        hook, load = (sum(getattr(s, n) / s.frequency**2 for s in found) for n in ("hook", "load"))
+        hook, load = (sum(getattr(s, n) / s.frequency**2 for s in found) for n in ("end", "load"))
         assert [hook, load] == pytest.approx([rope / 9.81, (rope + 4.0) / 9.81])
 
 
@@ -59,7 +59,7 @@ def test_swings_of_a_carriage_that_yields_conserve_momentum() -> None:
 
 def test_one_load_swings_as_a_pendulum() -> None:
     (one,) = swings(PORT.crane, 9.0, inf)
-    assert (one.frequency, one.hook, one.load) == pytest.approx((np.sqrt(9.81 / 9.0), 1.0, 1.0))
+    assert (one.frequency, one.end, one.load) == pytest.approx((np.sqrt(9.81 / 9.0), 1.0, 1.0))
 
 
 def test_shapers_of_both_swings_leave_neither() -> None:

@@ -3,13 +3,9 @@ package Segfmu "Swing-free motion of a gantry crane: planner and crane as FMUs, 
   annotation(
     version = "0.3.0",
     Documentation(info = "<html>
-<p>GantryFeedforward plans the motion of a crane's load and inverts the crane; GantryCrane is the crane
-with drives, sensors and sway feedback. HookFeedforward and HookCrane are the same for a load that hangs by a
-sling on a hook. All classes run an FMU (FMI 2.0 model exchange); the folders of
+<p>GantryFeedforward plans the motion of a crane's load and inverts the crane; GantryCrane is the crane with drives, sensors and sway feedback. The partial model Coupled has both, connected. HookFeedforward, HookCrane and HookCoupled are the same for a load that hangs by a sling on a hook; the feedback of HookCrane needs co-simulation: here it is switched off. All classes run an FMU (FMI 2.0 model exchange); the folders of
 the unpacked FMUs are in this package's Resources/FMUs, or are given by the parameter <code>folder</code>.
-A connector of one class belongs to the connector of the same name of the other; the partial models Coupled
-and HookCoupled have both, connected. The feedback of HookCrane needs co-simulation: here it is switched
-off.</p>
+A connector of one class belongs to the connector of the same name of the other.</p>
 <p>PlainCrane is a second crane, of Newton's equations in Modelica alone, to check the first one.</p>
 </html>"),
     Icon(graphics = {

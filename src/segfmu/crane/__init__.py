@@ -9,8 +9,8 @@ from segfmu.crane.feedback import PayloadSchedule, SwayFeedback, Weights, design
 from segfmu.crane.feedback import design as design_lqr
 from segfmu.crane.feedforward import Compensation, Feedforward
 from segfmu.crane.flat_feedback import design_flat
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.hook_feedback import HookController, HookFeedback, HookWeights, design_hook
+from segfmu.crane.hook.feedback import HookController, HookFeedback, HookWeights, design_hook
+from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.inverse import FlatInverse
 from segfmu.crane.observer import Observer, Uncertainty, design_observer
 from segfmu.crane.operator import Operator

@@ -20,7 +20,6 @@ from segfmu.crane.drive_refusals import exceeded, refused, require_below, requir
 from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import model_of, require_flat, require_force
-from segfmu.crane.hook import HookCrane
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.limit_search import KEPT, Found, LimitSearch
 from segfmu.errors import InfeasibleError, InputError
@@ -157,14 +156,15 @@ def plan_actuated(
 def _require_judged(
     crane: AnyCrane, smoothness: int, clearance: Clearance | None
 ) -> None:
-    """Refuse what is not judged with a hook: forces that jump, and a rope near obstacles."""
+    """Refuse what is not judged: forces that jump, and with some models a rope near obstacles."""
     require_force(crane, smoothness)
-    if isinstance(crane, HookCrane) and clearance is not None:
+    unjudged = model_of(crane).unjudged
+    if unjudged and clearance is not None:
         for number, obstacle in enumerate(clearance.obstacles, 1):
             if obstacle.rope:
                 raise InputError(
-                    f"obstacle {number}: the rope above a hook, and the sling below it, are not "
-                    "judged; give it rope=False, and a margin that keeps them off"
+                    f"obstacle {number}: {unjudged}, are not judged; give it rope=False, and a "
+                    "margin that keeps them off"
                 )
 
 

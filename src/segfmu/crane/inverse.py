@@ -7,7 +7,8 @@ from numpy.typing import ArrayLike
 
 from segfmu.crane.contacts import NONE, Contacts
 from segfmu.crane.equipment import Friction
-from segfmu.crane.flat_models import GANTRY, model_of, require_flat, require_force
+from segfmu.crane.flat_model import GANTRY
+from segfmu.crane.flat_models import model_of, require_flat, require_force
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rope import LoadTrajectory
 from segfmu.errors import InputError

@@ -71,8 +71,13 @@ class Crane:
         return self.payload_mass * self.gravity
 
     @property
-    def hook(self) -> tuple[float, float]:
-        """Mass of the hook [kg] and length of its sling [m]: there is none."""
+    def crane(self) -> Crane:
+        """Carriages, load and rope range, as every model has them: this crane."""
+        return self
+
+    @property
+    def tackle(self) -> tuple[float, float]:
+        """Mass [kg] and length [m] of what is between rope and load: nothing."""
         return 0.0, 0.0
 
     def plant(self, driven: bool, lag: ArrayLike = 0.0) -> FloatArray:

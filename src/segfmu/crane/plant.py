@@ -16,8 +16,7 @@ from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
-from segfmu.crane.hook import HookCrane
-from segfmu.crane.hook_state import hook_state, plant_state
+from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rig import Rig
 from segfmu.crane.setpoints import Setpoints
@@ -35,7 +34,6 @@ from segfmu.kernels.crane.records import (
     Vector,
 )
 from segfmu.kernels.crane.records import Plant as Parameters
-from segfmu.kernels.hook.records import HookState
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import (
     Balance,
@@ -125,12 +123,13 @@ class Plant:
             known[Tracking.PERIOD] = controller.sample_time
             backend.set_drives(self._settings[Settings.PLANT], known)
         self._check_plant()
-        self._has_hook = isinstance(crane, HookCrane)
-        size = HookState.SIZE if self._has_hook else State.SIZE
+        model = model_of(crane)
+        self._places = model.places
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(
             self._settings, self._components, self._changes,
-            plant_state(sized("state", state, size)), setpoints.vector, start_time, self._memory,
+            model.kept(sized("state", state, model.state.SIZE)), setpoints.vector, start_time,
+            self._memory,
         )
 
     @property
@@ -186,7 +185,8 @@ class Plant:
     def state(self) -> FloatArray:
         """State (10,), with a hook (14,); a copy."""
         state = self._memory[Memory.STATE, : PlantState.SIZE]
-        return hook_state(state) if self._has_hook else state[: State.SIZE].copy()
+        found: FloatArray = state[self._places]
+        return found
 
     @property
     def measured(self) -> FloatArray:

@@ -1,6 +1,6 @@
 """Refusal of trajectories along which the rope goes slack or leaves its range.
 
-kernels/crane/rope.py does the check, with a hook kernels/hook/rope.py.
+kernels/crane/rope.py does the check.
 """
 
 from __future__ import annotations
@@ -10,12 +10,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.crane.hook import HookCrane
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import RopeDemand, RopeFault, RopeWork
-from segfmu.kernels.hook.records import HookPath
 from segfmu.kernels.messages import ROPE, ROPE_LIMITS
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.messages import text_apart
@@ -74,38 +72,23 @@ def require_rope(crane: Crane, trajectory: LoadTrajectory) -> None:
     timing, coefficients, offsets = joined_pieces(trajectory, 4)
     report = np.zeros(RopeFault.SIZE)
     status = backend.check_rope(
-        timing, coefficients, offsets, _bounds(crane), _work(coefficients), report
+        timing, coefficients, offsets, rope_bounds(crane), rope_work(coefficients), report
     )
-    _require_met(status, report)
+    require_met(status, report)
 
 
-def require_hook(hook: HookCrane, trajectory: LoadTrajectory) -> None:
-    """Check the same of the hook, and that the sling stays taut.
-
-    Raises
-    ------
-    InfeasibleError
-        As `require_rope`.
-    """
-    timing, coefficients, offsets = joined_pieces(trajectory, 4)
-    report = np.zeros(RopeFault.SIZE)
-    status = backend.check_hook(
-        timing, coefficients, offsets, timing[offsets[1:] - 1].sum(axis=1),
-        np.array(hook.crane.masses), *hook.hook, _bounds(hook.crane), _work(coefficients),
-        np.zeros((HookPath.SIZE, HookPath.COLUMNS)), report,
-    )
-    _require_met(status, report)
-
-
-def _bounds(crane: Crane) -> FloatArray:
+def rope_bounds(crane: Crane) -> FloatArray:
+    """The kernels' `RopeBounds`."""
     return np.array([crane.gravity, crane.rope_min or 0.0, crane.rope_max or 0.0])
 
 
-def _work(coefficients: FloatArray) -> FloatArray:
+def rope_work(coefficients: FloatArray) -> FloatArray:
+    """The kernels' `RopeWork` for pieces with these coefficients."""
     return np.zeros((RopeWork.SIZE, 4 * coefficients.shape[1] - 5))
 
 
-def _require_met(status: int, report: FloatArray) -> None:
+def require_met(status: int, report: FloatArray) -> None:
+    """Raise InfeasibleError for a `RopeDemand` that is not met, with its `RopeFault`."""
     if status != RopeDemand.MET:
         time, worst, bound = report.tolist()
         raise InfeasibleError(

@@ -1,13 +1,10 @@
-"""The registered models. A further model is one more entry here."""
+"""The registered models: those of all pairs, and others that are registered later."""
 
 from __future__ import annotations
 
 from segfmu.errors import BuildError
-from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
-from segfmu.fmu.gantry_feedforward.model import GANTRY_FEEDFORWARD
-from segfmu.fmu.hook_crane.model import HOOK_CRANE
-from segfmu.fmu.hook_feedforward.model import HOOK_FEEDFORWARD
 from segfmu.fmu.model import Model
+from segfmu.fmu.pairs import MODELS
 
 _registered: dict[str, Model] = {}
 
@@ -42,7 +39,5 @@ def named(name: str) -> Model:
     return _registered[name]
 
 
-register(GANTRY_FEEDFORWARD)
-register(GANTRY_CRANE)
-register(HOOK_FEEDFORWARD)
-register(HOOK_CRANE)
+for _model in MODELS.values():
+    register(_model)

@@ -9,8 +9,9 @@ from pathlib import Path
 
 from segfmu.errors import BuildError
 from segfmu.fmu.feedforward.interface import WAYPOINTS
+from segfmu.fmu.gantry_crane.pair import GANTRY
 from segfmu.fmu.native.archive import pack
-from segfmu.fmu.pairs import GANTRY, native
+from segfmu.fmu.pairs import native
 from segfmu.fmu.standard import osp, ssp
 from segfmu.fmu.standard.spec import Spec
 from segfmu.fmu.standard.system import System, archive

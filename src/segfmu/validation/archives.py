@@ -11,13 +11,13 @@ from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe
 from segfmu.fmu.choice import Choice, chosen, require_native
 from segfmu.fmu.feedforward.interface import MOST_WAYPOINTS
-from segfmu.fmu.pairs import GANTRY
+from segfmu.fmu.gantry_crane.pair import GANTRY
 from segfmu.fmu.standard.spec import Spec
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import as_index, shown
 from segfmu.validation.files import crane_parameters
+from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.crane_parameters import with_keys
-from segfmu.validation.files.hook_checks import require_gantry
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.output import about, folder, require_folder
 from segfmu.validation.planned import planned
@@ -157,7 +157,7 @@ def build(
 
 
 def _require_options(task: Mission, choice: Choice) -> None:
-    """Refuse what the FMUs of a crane with a hook do not have."""
+    """Refuse what the FMUs of further models do not have."""
     if choice.connected:
         require_gantry(task.build_crane(), "commands")
 

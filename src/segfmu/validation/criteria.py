@@ -11,9 +11,12 @@ from numpy.typing import NDArray
 from segfmu.crane.bounds import ActuatorBounds, BoundUse
 from segfmu.errors import InputError
 from segfmu.validation.drive_use import RUN_MARGIN, run_uses
+from segfmu.validation.files.crane_models import MODELS
 
 DRIVES = ("bridge", "trolley", "hoist")
 RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "rope.velocity"}
+# what has sway angles: the rope, and links of models below it
+PARTS = ("sway", *(link for model in MODELS for link in model.links))
 # numbers below these are noise of the computation
 NOISE = {"mm": 1e-6, "deg": 1e-6}
 
@@ -138,8 +141,8 @@ def judge(
 
 
 def angles(rows: NDArray[np.void]) -> list[str]:
-    """Names of the sway angles in rows, with a hook of the sling's as well."""
-    every = [f"{part}.{axis}.angle" for part in ("sway", "sling") for axis in "xy"]
+    """Names of the sway angles in rows: of the rope, and of the links of the model below it."""
+    every = [f"{part}.{axis}.angle" for part in PARTS for axis in "xy"]
     return [name for name in every if name in (rows.dtype.names or ())]
 
 

@@ -125,7 +125,7 @@ def sticking(task: Mission, trajectory: Trajectory) -> str:
         return ""
     inverse = FlatInverse(task.build_crane(), trajectory, friction)
     crane = task.crane
-    hanging = crane.payload_mass + (0.0 if crane.hook is None else crane.hook.mass)
+    hanging = crane.payload_mass + task.build_crane().tackle[0]
     moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, hanging)
     found = []
     for axis, rows in enumerate(inverse.contacts.rows):

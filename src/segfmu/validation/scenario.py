@@ -13,7 +13,8 @@ from segfmu.cosim import simulate
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.fmu.feedforward.interface import FAR, WAYPOINTS
-from segfmu.fmu.pairs import GANTRY, ModelPair
+from segfmu.fmu.gantry_crane.pair import GANTRY
+from segfmu.fmu.pair import ModelPair
 from segfmu.fmu.standard.spec import Spec, started
 from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import DriveBounds
@@ -21,6 +22,7 @@ from segfmu.planning import Trajectory
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import LOWER, Limits
 from segfmu.validation.files import crane_parameters
+from segfmu.validation.files.crane_models import model_of, table_of
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.objects import LIMITS
@@ -174,19 +176,18 @@ def crane_values(mission: Mission) -> dict[str, float | str]:
     rope is as planned, so on another sling the load hangs higher or lower. An initial sway leaves
     rope and sling in one line.
     """
-    values, hook = crane_parameters.parameters(mission.simulated), mission.crane.hook
+    values, model = crane_parameters.parameters(mission.simulated), model_of(mission.crane)
     if mission.true_crane is not None:
         values["feedback.payload_mass"] = mission.crane.payload_mass
-        if hook is not None:
-            values["feedback.sling"] = hook.sling
+        values |= model.designed(table_of(model, mission.crane))
     x, y, z = mission.waypoints[0].position
     sway = dict(zip("xy", map(radians, mission.simulation.initial_sway), strict=True))
     values |= {
         "bridge.position": x,
         "trolley.position": y,
-        "rope.length": -z if hook is None else -z - hook.sling,
+        "rope.length": -z - mission.build_crane().tackle[1],
     }
-    for name in ("sway",) if hook is None else ("sway", "sling"):
+    for name in ("sway", *model.links):
         values |= {f"{name}.{axis}.angle": angle for axis, angle in sway.items()}
     chosen = {
         "drive.mode": mission.simulation.drive,

@@ -9,11 +9,12 @@ import pytest
 
 from segfmu.fmu.modelica.drawing import HALF_CONNECTOR, HALF_WIDTH, half_height, places
 from segfmu.fmu.modelica.names import identifier
-from segfmu.fmu.modelica.package import COUPLED, package
+from segfmu.fmu.modelica.package import package
 from segfmu.fmu.models import named
+from segfmu.fmu.pairs import PAIRS
 from segfmu.fmu.standard.spec import Spec
 
-NAMES = [name for models in COUPLED for name in models.names]
+NAMES = [name for models in PAIRS for name in models.names]
 COMMITTED = Path(__file__).parents[3] / "models" / "modelica" / "Segfmu"
 NUMBER = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?")
 TOKEN = re.compile(r"\{[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\}")

@@ -10,7 +10,7 @@ import pytest
 
 from segfmu.codegen.native import TARGET
 from segfmu.crane import Plant, Rig, Sensors, Setpoints, SwayFeedback
-from segfmu.crane.hook_state import plant_state
+from segfmu.crane.flat_model import GANTRY
 from segfmu.kernels import backend
 from segfmu.kernels.control.records import Tracking
 from segfmu.kernels.crane.records import Plant as Parameters
@@ -80,7 +80,7 @@ def case(rig: Rig, kind: str, driven: bool) -> tuple[str, Plant]:
     plant = Plant(LAB, start, table[0][1], controller, driven=driven, rig=rig, start_time=0.3)
     seen, gains = observer(driven), feedback(driven)
     arrays = [
-        settings(rig, controller, driven), plant_state(start), [0.3], rig.wind.components,
+        settings(rig, controller, driven), GANTRY.kept(start), [0.3], rig.wind.components,
         rig.changes,
         seen.table, gains.table,
         *(np.append(duration, setpoints.vector) for duration, setpoints in table),

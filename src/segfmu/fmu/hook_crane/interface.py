@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
-from segfmu.crane.hook_feedback import HookWeights
+from segfmu.crane.hook.feedback import HookWeights
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.hook import hook_parameters
 from segfmu.fmu.standard.spec import (

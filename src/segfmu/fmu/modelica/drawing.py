@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import groupby
 
+from segfmu.fmu.gantry_crane.pair import GANTRY
 from segfmu.fmu.modelica.names import title
+from segfmu.fmu.pair import GREY
+from segfmu.fmu.pairs import PAIRS
 from segfmu.fmu.standard.spec import Spec, Variable
 
 # size of an icon, and distance between connectors
@@ -81,17 +84,13 @@ def icon(spec: Spec) -> str:
 
 
 def _hanging(spec: Spec) -> list[str]:
-    """Rope and load, with a hook between them."""
-    grey, orange = ("{60, 60, 60}", "{200, 90, 0}")
-    points, balls = "{{-20, 60}, {10, -10}}", [(20, -30, 22, orange)]
-    if "hook.mass" in spec.references:
-        points, balls = "{{-20, 60}, {-2, 10}, {6, -55}}", [
-            (-2, 10, 8, grey), (10, -75, 22, orange)
-        ]
+    """Rope, load, and what is between them."""
+    pair = next((pair for pair in PAIRS if spec.name in pair.names), GANTRY)
+    points = ", ".join(f"{{{x}, {y}}}" for x, y in pair.ropes)
     return [
-        f"Line(points = {points}, color = {grey})",
+        f"Line(points = {{{points}}}, color = {GREY})",
         *(f"Ellipse({extent(x, y, half)}, lineColor = {colour}, fillColor = {colour}, "
-          "fillPattern = FillPattern.Solid)" for x, y, half, colour in balls),
+          "fillPattern = FillPattern.Solid)" for x, y, half, colour in pair.hanging),
     ]
 
 

@@ -16,13 +16,11 @@ from segfmu.fmu.modelica.drawing import HALF_WIDTH, extent, half_height
 from segfmu.fmu.modelica.names import identifier, quoted, title
 from segfmu.fmu.modelica.wrapper import wrapper
 from segfmu.fmu.models import named
-from segfmu.fmu.pairs import GANTRY, HOOK
+from segfmu.fmu.pairs import PAIRS
 from segfmu.fmu.standard.spec import Spec
 
 LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
-# of both FMUs, connected, and the name of the crane in it
-COUPLED = {GANTRY: ("Coupled", "gantry"), HOOK: ("HookCoupled", "crane")}
-CLASSES = ("Examples", *(name for name, _ in COUPLED.values()), "PlainCrane", "Interfaces",
+CLASSES = ("Examples", *(pair.coupled[0] for pair in PAIRS), "PlainCrane", "Interfaces",
            "Types", "FMI")
 
 
@@ -52,7 +50,7 @@ def write_package(
     """
     target = folder / "Segfmu"
     given = {own.name: own for own in specs or ()}
-    usual = (own for models in COUPLED for own in (models.planner(WAYPOINTS), models.plant()))
+    usual = (own for models in PAIRS for own in (models.planner(WAYPOINTS), models.plant()))
     every = [given.get(own.name, own) for own in usual]
     try:
         for name, text in package([named(own.name).native_spec(own) for own in every]).items():
@@ -73,7 +71,10 @@ def package(specs: Sequence[Spec]) -> dict[str, bytes]:
         "Types.mo": _types(specs),
         "package.order": "\n".join((*named_specs, *CLASSES, "")),
     }
-    for models, (name, crane) in COUPLED.items():
+    described = " ".join(models.described for models in PAIRS)
+    texts["package.mo"] = found["package.mo"].decode().replace("{MODELS}", described)
+    for models in PAIRS:
+        name, crane = models.coupled
         feedforward, plant = (named_specs[own] for own in models.names)
         texts[f"{name}.mo"] = coupled(name, feedforward, crane, plant)
     for spec in specs:

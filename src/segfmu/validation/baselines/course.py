@@ -67,7 +67,7 @@ class Course(ABC):
 
 def hanging(crane: AnyCrane) -> float:
     """Mass of all that hangs on the rope [kg]."""
-    return crane.masses[2] + crane.hook[0]
+    return crane.masses[2] + crane.tackle[0]
 
 
 def carriages(crane: AnyCrane) -> FloatArray:

@@ -8,18 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import Crane, HookCrane
+from segfmu.crane import Crane
 from segfmu.crane.linear import moved_masses
 from segfmu.errors import InputError
 from segfmu.validation.baselines.course import Course
 from segfmu.validation.baselines.one_load import one_load
 from segfmu.validation.baselines.trapezoids import trapezoids
-from segfmu.validation.files.hook_checks import require_gantry
+from segfmu.validation.files.crane_models import FURTHER, require_gantry
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.files.mission import Mission
 
-# of two swings, or of a hook that is ignored
-WITH_HOOK = ("zv_both", "zvd_both", "one_load")
+# of two swings, or of what is ignored between rope and load
+OF_TACKLE = ("zv_both", "zvd_both", "one_load")
 # critically damped control of the carriages' positions: its frequency over the pendulum's; a
 # stiffer one asks for more than drives have
 RATIO = 1.0
@@ -38,10 +38,11 @@ def course(mission: Mission, method: str) -> Course:
     crane = mission.build_crane()
     if method == "pd":
         require_gantry(crane, "method pd")
-    if method in WITH_HOOK and not isinstance(crane, HookCrane):
+    if method in OF_TACKLE and crane.tackle[1] == 0.0:
+        keys = " or a ".join(model.key for model in FURTHER)
         raise InputError(
-            f'method: {method} is for a crane with a hook, which this one has not; "feedforward", '
-            '"zv" and "zvd" are for one load on a rope'
+            f'method: {method} is for a crane with a {keys}, which this one has not; '
+            '"feedforward", "zv" and "zvd" are for one load on a rope'
         )
     return one_load(mission) if method == "one_load" else trapezoids(mission, method)
 
@@ -54,7 +55,7 @@ def position_gains(mission: Mission, driven: bool, table: Mapping[str, Any]) -> 
     Raises
     ------
     InputError
-        For a crane with a hook.
+        For a crane of another model.
     """
     crane: Crane = require_gantry(mission.build_crane(), "method pd")
     masses = moved_masses(crane.masses) if not driven else np.ones(3)

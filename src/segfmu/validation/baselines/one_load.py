@@ -1,4 +1,4 @@
-"""The gantry crane's feedforward on a crane with a hook: hook and load are one load for it."""
+"""The gantry crane's feedforward on another crane: all on the rope is one load for it."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from segfmu.crane import FlatInverse
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
 from segfmu.validation.baselines.course import Course
+from segfmu.validation.files.crane_models import model_of
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.files.mission import Mission
 
-# of a crane without a hook
+# of a gantry crane
 PLAN = {name: Mission.model_fields[name].default for name in ("smoothness", "shape")}
 
 
 @dataclass(frozen=True, eq=False)
 class OneLoad(Course):
-    """A plan inverted for one load at the end of rope and sling.
+    """A plan inverted for one load on a rope that ends there.
 
     Attributes
     ----------
@@ -31,9 +32,9 @@ class OneLoad(Course):
     inverse: FlatInverse
 
     def _states(self, times: FloatArray) -> FloatArray:
-        """States of the crane with the hook, whose rope ends there."""
+        """States of the crane whose rope ends above the load."""
         state = self.inverse.state(np.clip(times, 0.0, self.duration))
-        state[:, 2] -= self.crane.hook[1]
+        state[:, 2] -= self.crane.tackle[1]
         return state
 
     def motion(self, times: FloatArray, derivative: int) -> FloatArray:
@@ -50,7 +51,7 @@ class OneLoad(Course):
 
 
 def one_load(mission: Mission) -> OneLoad:
-    """The course of a mission whose hook the planner ignores.
+    """The course of a mission whose planner ignores what is between rope and load.
 
     Raises
     ------
@@ -58,13 +59,14 @@ def one_load(mission: Mission) -> OneLoad:
         If there is no plan.
     """
     crane = mission.build_crane()
-    mass, sling = crane.hook
+    mass, length = crane.tackle
     rope = {
-        name: None if (own := getattr(mission.crane, name)) is None else own + sling
+        name: None if (own := getattr(mission.crane, name)) is None else own + length
         for name in ("rope_min", "rope_max")
     }
     plain = mission.crane.model_copy(update={
-        "hook": None, "payload_mass": mission.crane.payload_mass + mass, **rope,
+        model_of(mission.crane).key: None,
+        "payload_mass": mission.crane.payload_mass + mass, **rope,
     })
     ignoring = mission.model_copy(update={"crane": plain, "true_crane": None, **PLAN})
     trajectory = ignoring.plan()

@@ -1,4 +1,4 @@
-"""Small swings of what hangs on a rope: a chain of points on links, one load or hook and load."""
+"""Small swings of what hangs on a rope: points on links, the load and what is above it."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ class Swing:
     ----------
     frequency : float
         [rad/s]
-    hook, load : float
+    end, load : float
         Deviations of the rope's end and of the load from the carriage, over that of a pendulum of
         this frequency.
     """
 
     frequency: float
-    hook: float
+    end: float
     load: float
 
 
@@ -34,8 +34,8 @@ def swings(crane: AnyCrane, rope: float, carriage: float) -> tuple[Swing, ...]:
     carriage: mass that yields to the pull of the rope [kg]; infinite with velocity drives.
     """
     payload, gravity = crane.masses[2], crane.gravity
-    hook, sling = crane.hook
-    points = [(payload, rope)] if sling == 0.0 else [(hook, rope), (payload, sling)]
+    mass, length = crane.tackle
+    points = [(payload, rope)] if length == 0.0 else [(mass, rope), (payload, length)]
     masses, lengths = np.array(points).T
     # each link pulls with the weight of all points below it
     pulls = gravity * np.cumsum(masses[::-1])[::-1] / lengths

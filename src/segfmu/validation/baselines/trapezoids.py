@@ -61,8 +61,8 @@ class Trapezoids(Course):
         for axis, (motion, own) in enumerate(zip(self.motions[:2], self.swings, strict=True)):
             for swing in own:
                 deviation, rate = motion.swing(since, swing.frequency)
-                ends[:, axis] += swing.hook * deviation
-                rates[:, axis] += swing.hook * rate
+                ends[:, axis] += swing.end * deviation
+                rates[:, axis] += swing.end * rate
                 loads[:, axis] += swing.load * deviation
         for values in (ends, rates, loads):
             values[since >= self.duration] = 0.0
@@ -71,7 +71,7 @@ class Trapezoids(Course):
         # the sling is as long as it is
         across = np.linalg.norm(loads - ends, axis=1)
         below = place[:, 2] * np.cos(state[:, 3]) * np.cos(state[:, 4])
-        below += np.sqrt(np.clip(self.crane.hook[1] ** 2 - across**2, 0.0, None))
+        below += np.sqrt(np.clip(self.crane.tackle[1] ** 2 - across**2, 0.0, None))
         return state, np.column_stack([place[:, :2] + loads, -below])
 
 
@@ -101,9 +101,9 @@ def trapezoids(mission: Mission, method: str) -> Trapezoids:
         Where neither are known.
     """
     crane = mission.build_crane()
-    # of the rope, from trolley to hook
+    # of the rope
     points = np.array([w.position for w in mission.waypoints]) * [1.0, 1.0, -1.0]
-    points[:, 2] -= crane.hook[1]
+    points[:, 2] -= crane.tackle[1]
     limits = [_limits(mission, axis) for axis in range(3)]
     lengths = np.array([
         max(Trapezoid(float(d), *own).duration for d, own in zip(leg, limits, strict=True))

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StrictBool
 
+from segfmu.validation.files.crane_models import usual_source
 from segfmu.validation.files.keys import (
     NUMBER,
     Key,
@@ -92,7 +93,7 @@ class ControllerTable(Table):
     source: Annotated[
         Literal["state", "measured"] | None,
         Key("what it knows: the true state, or the measured signals", "", ("feedback.source",),
-            '`"state"`; with a hook `"measured"`'),
+            usual_source()),
     ] = None
     design: Annotated[
         Literal["lqr", "flatness"],

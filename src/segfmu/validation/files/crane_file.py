@@ -34,6 +34,7 @@ from segfmu.validation.files.keys import (
     printable,
 )
 from segfmu.validation.files.wind_tables import WindTable
+from segfmu.validation.hook.tables import HookTable
 
 
 class LoadChange(Table):
@@ -63,15 +64,6 @@ class LoadTable(Table):
     ] = []
 
 
-class HookTable(Table):
-    """A hook between rope and load, which makes a double pendulum."""
-
-    mass: Annotated[Quantity, Key("mass of the hook", "kg", ("hook.mass",))]
-    sling: Annotated[
-        Quantity, Key("length of the sling, from hook to load", "m", ("hook.sling",))
-    ]
-
-
 class CraneFile(Table):
     """A crane."""
 
@@ -95,7 +87,7 @@ class CraneFile(Table):
     ] = 9.81
     rope_min: Annotated[
         Quantity | None,
-        Key("shortest rope of a plan; with a hook it leads from trolley to hook", "m",
+        Key("shortest rope of a plan, from the trolley to what hangs on it", "m",
             ("crane.rope_min",), "no bound", none=(0.0,)),
     ] = None
     rope_max: Annotated[

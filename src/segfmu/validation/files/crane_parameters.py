@@ -12,23 +12,22 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.crane import ActuatorBounds, Crane, Friction, HookCrane, Rig
+from segfmu.crane import ActuatorBounds, Crane, Friction, Rig
 from segfmu.crane.bounds import DIRECTED
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.linear import usual_sample_time
 from segfmu.errors import InputError
-from segfmu.fmu.pairs import GANTRY, HOOK, ModelPair
+from segfmu.fmu.pair import ModelPair
 from segfmu.fmu.standard.spec import started
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.files.hook_checks import check_crane
+from segfmu.validation.files.crane_models import FURTHER, model_of, table_of
 from segfmu.validation.files.keys import DRIVES, Entry, entries
 
-# parameters of GantryCrane and HookCrane that no key sets, by the beginning of their names, and why
+# parameters of the cranes that no key sets, by the beginning of their names, and why
 WITHOUT_KEY = {
+    **{start: why for model in FURTHER for start, why in model.without_key.items()},
     "feedback.payload_mass": "the load's mass of the crane that the mission is planned for",
-    "feedback.sling": "the sling of the crane that the mission is planned for",
     "feedback.table": "gains of the native FMU, designed from crane and weights at the build",
-    "feedback.hook": "weights of HookCrane's feedback, dimensionless, so that one set suits all",
     "setpoint.lead": "a matter of the importer that couples the FMUs, not of the crane",
     "start.on_reference": "the crane of a mission starts at the first waypoint",
 }
@@ -40,7 +39,7 @@ def _entries() -> tuple[Entry, ...]:
 
 
 def parameters(crane: CraneFile) -> dict[str, float | str]:
-    """Parameters of GantryCrane, with a hook of HookCrane, that a crane file sets, by name."""
+    """Parameters of the crane's FMU that a crane file sets, by name."""
     found: dict[str, float | str] = {}
     for entry in _entries():
         if entry.feeds and "[" not in entry.feeds[0]:
@@ -58,13 +57,12 @@ def parameters(crane: CraneFile) -> dict[str, float | str]:
 
 def feedback_source(crane: CraneFile) -> str:
     """What the feedback knows."""
-    usual = "state" if crane.hook is None else "measured"
-    return crane.controller.source or usual
+    return crane.controller.source or model_of(crane).source
 
 
 def models(crane: CraneFile) -> ModelPair:
     """The models that plan for a crane and are it."""
-    return GANTRY if crane.hook is None else HOOK
+    return model_of(crane).pair
 
 
 def _at(table: Any, path: tuple[str, ...]) -> Any:
@@ -102,7 +100,7 @@ def with_keys(where: str | Path | None = None) -> Iterator[None]:
 
 
 def nominal(crane: CraneFile) -> AnyCrane:
-    """Masses, gravity, rope range and hook.
+    """Masses, gravity, rope range, and what its model has besides.
 
     Raises
     ------
@@ -111,7 +109,8 @@ def nominal(crane: CraneFile) -> AnyCrane:
     """
     names = ("bridge_mass", "trolley_mass", "payload_mass", "gravity", "rope_min", "rope_max")
     own = Crane(**{name: getattr(crane, name) for name in names})
-    return own if crane.hook is None else HookCrane(own, crane.hook.mass, crane.hook.sling)
+    model = model_of(crane)
+    return model.build(own, table_of(model, crane))
 
 
 def bounds(crane: CraneFile) -> ActuatorBounds:
@@ -159,7 +158,7 @@ def check(crane: CraneFile, where: str) -> None:
     """
     with with_keys(where):
         nominal(crane)
-        check_crane(crane)
+        model_of(crane).check_crane(crane)
         values = started(models(crane).plant(), parameters(crane))
         Rig.of({v.name: v.start for v in values.variables}.__getitem__)
     allowed = crane.load.mass_range

@@ -29,7 +29,13 @@ from segfmu.planning import (
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.clearance_tables import ObstacleEntry, WorkspaceTable
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.files.hook_checks import check_mission, require_gantry
+from segfmu.validation.files.crane_models import (
+    FURTHER,
+    check_models,
+    noted,
+    require_gantry,
+    usual,
+)
 from segfmu.validation.files.keys import AXES, Key, NotNegativeTriple, Place, Table, printable
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission_checks import check_waypoints
@@ -45,9 +51,6 @@ from segfmu.validation.files.reading import checked, merged, read
 
 # that the FMUs can have
 MOST_WAYPOINTS = 256
-# defaults of a crane with a hook: forces follow the sixth derivative of the load's position, which
-# is large in the short parts of a plateau's ramps
-WITH_HOOK = {"smoothness": 6, "shape": "smoothstep"}
 
 
 class Mission(Table):
@@ -56,7 +59,7 @@ class Mission(Table):
     Attributes
     ----------
     crane : CraneFile
-        What is known of the crane; `build_crane` makes a `Crane` of it, or a `HookCrane`.
+        What is known of the crane; `build_crane` makes a `Crane` of it, or one of another model.
     """
 
     _file: Path | None = PrivateAttr(default=None)
@@ -83,12 +86,12 @@ class Mission(Table):
     ]
     smoothness: Annotated[
         Annotated[int, Field(ge=4, le=6, strict=True)],
-        Key("the load's position is so many times continuously differentiable; with a hook 6, or 5 "
-            "for velocity drives without known bounds", default="`4`; with a hook `6`"),
+        Key(noted("the load's position is so many times continuously differentiable", "smoothness"),
+            default=usual(4, "smoothness")),
     ] = 4
     shape: Annotated[
         Literal["plateau", "smoothstep"],
-        Key("shape of the acceleration ramps", default='`"plateau"`; with a hook `"smoothstep"`'),
+        Key("shape of the acceleration ramps", default=usual("plateau", "shape")),
     ] = "plateau"
     synchronization: Annotated[
         Literal["waypoints", "total", "none"], Key("where the axes meet in time")
@@ -125,13 +128,14 @@ class Mission(Table):
     @model_validator(mode="before")
     @classmethod
     def _complete(cls, data: Any) -> Any:
-        """Take from the nominal crane what the true one does not state; defaults with a hook."""
+        """Take from the nominal crane what the true one does not state; defaults of its model."""
         if isinstance(data, dict):
             crane, true = data.get("crane"), data.get("true_crane")
             if isinstance(crane, dict):
-                usual = WITH_HOOK if crane.get("hook") is not None else {}
+                model = next((m for m in FURTHER if crane.get(m.key) is not None), None)
+                defaults = {} if model is None else model.defaults
                 own = {"true_crane": merged(crane, true)} if isinstance(true, dict) else {}
-                return {**usual, **data, **own}
+                return {**defaults, **data, **own}
         return data
 
     def __repr__(self) -> str:
@@ -232,7 +236,7 @@ class Mission(Table):
         Raises
         ------
         InputError
-            For a crane with a hook, and as `plan`.
+            For a crane of another model, and as `plan`.
         InfeasibleError
             As `plan`.
         """
@@ -327,7 +331,7 @@ def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
     try:
         for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
             crane_parameters.check(crane, name)
-        check_mission(mission)
+        check_models(mission)
         check_waypoints(mission)
         mission.build_clearance()
     except InputError as error:

@@ -61,7 +61,7 @@ def _check_limits(table: LimitsTable, i: int, entry: WaypointEntry) -> None:
 def _check_travel(mission: Mission, i: int, entry: WaypointEntry) -> None:
     """A load at rest hangs below its trolley, which the end stops of the crane have to admit."""
     x, y, z = entry.position
-    rope = -z if mission.crane.hook is None else -z - mission.crane.hook.sling
+    rope = -z - mission.build_crane().tackle[1]
     for axis, name, place in zip(AXES, ("bridge", "trolley", "rope"), (x, y, rope), strict=True):
         stops = getattr(mission.crane.travel, name)
         if stops is not None and not stops[0] <= place <= stops[1]:

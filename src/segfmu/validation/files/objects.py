@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from os import fspath
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from segfmu.crane import Crane, HookCrane
+from segfmu.crane import Crane
+from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InputError
 from segfmu.planning import Limits, Obstacle, Waypoint
 from segfmu.planning.limits import LOWER, NAMES, limited
+from segfmu.validation.files.crane_model import CraneModel
+from segfmu.validation.files.crane_models import FURTHER
 from segfmu.validation.files.keys import AXES, Table
 
 MASSES = ("bridge_mass", "trolley_mass", "payload_mass", "gravity")
@@ -47,8 +51,8 @@ def _crane(crane: Crane) -> dict[str, Any]:
     return {name: getattr(crane, name) for name in names if getattr(crane, name) is not None}
 
 
-def _hook_crane(hook: HookCrane) -> dict[str, Any]:
-    return {**_crane(hook.crane), "hook": {"mass": hook.hook_mass, "sling": hook.sling}}
+def _further(model: CraneModel, crane: AnyCrane) -> dict[str, Any]:
+    return {**_crane(crane.crane), model.key: model.table(crane)}
 
 
 def _limits(limits: Limits) -> dict[str, Any]:
@@ -87,6 +91,6 @@ def _obstacle(box: Obstacle) -> dict[str, Any]:
 
 
 MAKERS: tuple[tuple[type, Callable[[Any], dict[str, Any]]], ...] = (
-    (Crane, _crane), (HookCrane, _hook_crane), (Limits, _limits), (Waypoint, _waypoint),
-    (Obstacle, _obstacle),
+    (Crane, _crane), (Limits, _limits), (Waypoint, _waypoint), (Obstacle, _obstacle),
+    *((model.parameters, partial(_further, model)) for model in FURTHER),
 )

@@ -209,8 +209,8 @@ class ScenarioFile(Table):
         Literal["feedforward", "trapezoid", "pd", "zv", "zvd", "zv_both", "zvd_both", "one_load"],
         Key("where setpoints come from: the planner's FMU, or in its place trapezoidal velocities "
             "from waypoint to waypoint, plain, with control of the carriages' positions alone in "
-            "place of the feedback, or through an input shaper, with a hook for the slow swing or "
-            "for both; or the gantry crane's feedforward, for which hook and load are one load"),
+            "place of the feedback, or through an input shaper, of two swings for the slow one or "
+            "for both; or the gantry crane's feedforward, for which all on the rope is one load"),
     ] = "feedforward"
     step: Annotated[
         Annotated[Number, Field(ge=1e-6, le=0.1)] | None,

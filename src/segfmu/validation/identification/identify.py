@@ -13,6 +13,7 @@ import numpy as np
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray, finite_number
 from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.crane_models import model_of
 from segfmu.validation.files.crane_parameters import check
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.objects import plain
@@ -187,10 +188,10 @@ def _crane(source: str | Path | Mapping[str, Any]) -> tuple[CraneFile, Path | No
     require_kind("crane", data, where)
     file = checked(CraneFile, data, where)
     check(file, where)
-    if file.hook is not None:
+    if key := model_of(file).key:
         raise InputError(
-            f"{where}: hook: a log is told by the model of a load on its rope; measure without a "
-            "sling, and take [hook] out of the crane file meanwhile"
+            f"{where}: {key}: a log is told by the model of a load on its rope; measure with the "
+            f"load alone on it, and take [{key}] out of the crane file meanwhile"
         )
     return file, path
 

@@ -11,8 +11,8 @@ import numpy as np
 from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
+from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.crane_parameters import with_keys
-from segfmu.validation.files.hook_checks import require_gantry
 from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.live.system import interfaces, system

@@ -39,10 +39,10 @@ def plot_run(
         panels[VELOCITY].plot(time, factors[VELOCITY] * rows[f"velocity.{drive}"], **DOTTED)
     for signal in angles(rows):
         if signal not in SWAYS:
-            axis = signal.split(".")[1]
+            link, axis, _ = signal.split(".")
             panels[SWAY].plot(
                 time, factors[SWAY] * rows[signal], color=COLOURS["xy".index(axis)],
-                linestyle="--", label=f"ψ{axis}, sling",
+                linestyle="--", label=f"ψ{axis}, {link}",
             )
         panels[SWAY].plot(time, factors[SWAY] * rows[f"reference.{signal}"], **DOTTED)
     for panel, what in ((panels[VELOCITY], "setpoint"), (panels[SWAY], "planned")):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from segfmu.crane import ActuatorBounds
 from segfmu.planning import Trajectory
 from segfmu.validation.criteria import Criteria, Row
+from segfmu.validation.files.crane_models import model_of, table_of
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.report.motion import (
     drive_section,
@@ -112,11 +113,11 @@ def _task(mission: Mission, trajectory: Trajectory) -> Section:
     crane = mission.simulated
     parts = [("bridge", crane.bridge_mass), ("trolley", crane.trolley_mass)]
     parts += [("load", crane.payload_mass)]
-    if crane.hook is not None:
-        parts.append(("hook", crane.hook.mass))
+    model = model_of(crane)
     masses = [(name, crane_mass(mass)) for name, mass in parts]
-    if crane.hook is not None:
-        masses.append(("sling", f"{pretty(crane.hook.sling)} m"))
+    for name, key, unit in model.parts:
+        value = getattr(table_of(model, crane), key)
+        masses.append((name, crane_mass(value) if unit == "kg" else f"{pretty(value)} {unit}"))
     plan = [
         ("smoothness", str(mission.smoothness)), ("shape of the ramps", mission.shape),
         ("communication step", f"{mission.simulation.step:g} s"),

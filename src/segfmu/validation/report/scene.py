@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.planning.arrays import FloatArray
+from segfmu.validation.files.crane_models import model_of
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.report.curves import thinned
@@ -18,8 +19,6 @@ SIGNALS = (
     "bridge.position", "trolley.position", "load.position.x", "load.position.y",
     "load.position.z", "sway.x.angle", "sway.y.angle",
 )
-# of a crane with a hook besides
-HOOK = (*(f"hook.position.{axis}" for axis in AXES), "sling.x.angle", "sling.y.angle")
 
 
 def scene(
@@ -27,12 +26,13 @@ def scene(
 ) -> dict[str, Any]:
     """Positions [m] and angles [deg] over time and what stands around, for scene.js."""
     times = np.linspace(0.0, float(rows["time"][-1]), frames)
-    signals = SIGNALS if mission.simulated.hook is None else (*SIGNALS, *HOOK)
+    model = model_of(mission.simulated)
+    signals = (*SIGNALS, *model.shown)
     columns = [np.interp(times, rows["time"], rows[name].astype(float)) for name in signals]
     path = np.column_stack([rows[f"reference.load.position.{axis}"] for axis in AXES])
     places = decimals(path)
     return {
-        "name": name,
+        "name": name, "bodies": model.bodies, "links": model.links,
         **surroundings(mission, path),
         "times": _rounded(times, 3 + max(0, ceil(-log10(times[-1])))),
         "frames": [

@@ -27,14 +27,16 @@
   function draw() {
     const {i, values} = state();
     const [bridge, trolley, x, y, z, swayX, swayY, ...rest] = values, trail = [];
-    // of a crane with a hook: its place, and the angles of the sling
-    const hook = rest.length ? rest.slice(0, 3) : null, sling = rest.slice(3);
+    // places of the bodies between rope and load, then angles of the links below them
+    const bodies = scene.bodies.map((name, k) => ({name, place: rest.slice(3 * k, 3 * k + 3)}));
+    const angles = rest.slice(3 * bodies.length), links = scene.links.map(
+      (name, k) => `, ${name} ${angles[2 * k].toFixed(2)} and ${angles[2 * k + 1].toFixed(2)} deg`);
     for (let j = 0; j <= i; j += 1) trail.push([2, 3, 4].map((row) => scene.frames[row][j]));
     trail.push([x, y, z]);
-    view.draw({bridge, trolley, hook, load: [x, y, z], trail});
+    view.draw({bridge, trolley, bodies, load: [x, y, z], trail});
     const words = `${time.toFixed(2)} s: load at x ${x.toFixed(3)}, y ${y.toFixed(3)}, z ${z.toFixed(3)} m; `
       + `sway ${swayX.toFixed(2)} and ${swayY.toFixed(2)} deg`
-      + (hook ? `, sling ${sling[0].toFixed(2)} and ${sling[1].toFixed(2)} deg` : "");
+      + links.join("");
     find("state").textContent = words;
     slider.setAttribute("aria-valuetext", `${time.toFixed(1)} seconds`);
     document.dispatchEvent(new CustomEvent("scenetime", {detail: {time, scene: number}}));

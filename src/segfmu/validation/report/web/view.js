@@ -125,8 +125,8 @@ class CraneView {
     for (const face of faces) this.make("polygon", {points: this.trace(face), class: name});
   }
 
-  // bridge and trolley, load and its trail [m]; hook and target: where it shall go, if there are any
-  draw({bridge, trolley, load, trail, hook = null, target = null}) {
+  // bridge and trolley, load and its trail [m]; bodies between them, from above; target: where it shall go, if any
+  draw({bridge, trolley, load, trail, bodies = [], target = null}) {
     if (!this.still) this.surroundings();
     this.layer = this.front;
     this.front.replaceChildren();
@@ -134,13 +134,14 @@ class CraneView {
     if (target) this.mark(target);
     const {travel} = this.scene;
     this.line([bridge, travel[1][0], 0], [bridge, travel[1][1], 0], "girder");
-    this.line([bridge, trolley, 0], hook ?? load, "rope");
-    if (hook) this.line(hook, load, "sling");
+    const places = [...bodies.map(({place}) => place), load];
+    this.line([bridge, trolley, 0], places[0], "rope");
+    for (let k = 1; k < places.length; k += 1) this.line(places[k - 1], places[k], "link");
     const [u, v] = this.place([bridge, trolley, 0]);
     this.make("rect", {x: u - 8, y: v - 6, width: 16, height: 12, rx: 2, class: "trolley"});
-    if (hook) {
-      const [x, y] = this.place(hook);
-      this.make("rect", {x: x - 4, y: y - 5, width: 8, height: 10, rx: 3, class: "hook", id: "hook"});
+    for (const {name, place} of bodies) {
+      const [x, y] = this.place(place);
+      this.make("rect", {x: x - 4, y: y - 5, width: 8, height: 10, rx: 3, class: "body", id: name});
     }
     this.hang(load);
   }

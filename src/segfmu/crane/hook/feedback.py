@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.crane.checks import require_positive, require_weights
-from segfmu.crane.hook import HookCrane
+from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.linear import lags_of, scheduled_lengths
 from segfmu.errors import InputError
 from segfmu.kernels import backend

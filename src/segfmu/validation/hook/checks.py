@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from segfmu.crane import Crane, HookCrane
-from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InputError
-from segfmu.validation.files.controller_tables import ControllerTable
 
 if TYPE_CHECKING:
     from segfmu.validation.files.crane_file import CraneFile
@@ -20,15 +17,14 @@ TAKEN = ("enabled", "source", "sample_time", "fade")
 
 
 def check_crane(crane: CraneFile) -> None:
-    """Refuse what the crane of a hook cannot do; nothing is wrong without a hook.
+    """Refuse what a crane with a hook cannot do.
 
     Raises
     ------
     InputError
         For the first key that does not fit.
     """
-    if crane.hook is None:
-        return
+    assert crane.hook is not None
     least = LIGHTEST * crane.payload_mass
     if crane.hook.mass < least:
         raise InputError(
@@ -41,7 +37,7 @@ def check_crane(crane: CraneFile) -> None:
             'controller.source: with a hook it is "measured", as no gains are by the true state; '
             "leave it out"
         )
-    for name, field in ControllerTable.model_fields.items():
+    for name, field in type(own).model_fields.items():
         if name not in TAKEN and getattr(own, name) != field.default:
             raise InputError(
                 f"controller.{name}: the feedback with a hook is a design of its own, which takes "
@@ -62,13 +58,7 @@ def check_mission(mission: Mission) -> None:
     InputError
         For the first key that does not fit.
     """
-    if mission.crane.hook is None:
-        if mission.true_crane is not None and mission.true_crane.hook is not None:
-            raise InputError(
-                "true_crane.hook: the crane that is planned for has no hook; add [crane.hook], or "
-                "[hook] to the crane file"
-            )
-        return
+    assert mission.crane.hook is not None
     _check_smoothness(mission)
     if mission.simulation.feedback_source == "state":
         raise InputError(
@@ -106,19 +96,3 @@ def _check_smoothness(mission: Mission) -> None:
             f"smoothness: 5 is too low, as {why} forces, which with a hook need the sixth "
             f"derivative of the load's position; {way}"
         )
-
-
-def require_gantry(crane: AnyCrane, what: str) -> Crane:
-    """The crane, if it has no hook.
-
-    Raises
-    ------
-    InputError
-        Telling `what` there is not with a hook.
-    """
-    if isinstance(crane, HookCrane):
-        raise InputError(
-            f"hook: a crane with a hook has no {what}; take [hook] out of the crane file, or "
-            "[crane.hook] out of the mission"
-        )
-    return crane

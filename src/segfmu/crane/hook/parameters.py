@@ -62,8 +62,8 @@ class HookCrane:
         return *self.crane.masses, self.hook_mass, self.sling
 
     @property
-    def hook(self) -> tuple[float, float]:
-        """Mass of the hook [kg] and length of its sling [m]."""
+    def tackle(self) -> tuple[float, float]:
+        """Mass of the hook [kg] and length of its sling [m], between rope and load."""
         return self.hook_mass, self.sling
 
     @property

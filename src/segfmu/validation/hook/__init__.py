@@ -1,0 +1,1 @@
+"""The crane with a hook in files, views and refusals."""
