@@ -23,7 +23,7 @@ from segfmu.crane import (
 from segfmu.crane.hook.model import HOOK
 from segfmu.crane.inverse import FlatInverse
 from segfmu.errors import InputError, SimulationError
-from segfmu.kernels.crane.bounds import resisting_mass
+from segfmu.kernels.crane.suspension import suspended_mass
 from segfmu.kernels.hook._hook import hook_driven, hook_load, hook_rhs
 from segfmu.kernels.hook.records import HookState
 from tests.crane.hook_newton import driven, forced
@@ -106,7 +106,7 @@ def test_mass_along_the_rope_is_that_of_newtons_forces() -> None:
             ])
             before = driven(state, np.zeros(3), np.zeros(3), crane.masses).force
             after = driven(state, np.array([0.0, 0.0, 1.0]), np.zeros(3), crane.masses).force
-            mass = resisting_mass(parameters, HOOK.kept(state))
+            mass = suspended_mass(parameters, HOOK.kept(state))
             assert after[2] - before[2] == pytest.approx(mass, rel=1e-9)
             along = np.sin(state[3])
             moved = driven(state, np.array([1.0, 0.0, 0.0]), np.zeros(3), crane.masses).force
@@ -141,7 +141,7 @@ def test_a_sling_that_would_push_is_told() -> None:
 
 
 def test_a_rope_with_a_hook_does_not_slacken() -> None:
-    with pytest.raises(InputError, match=r"with a hook rope\.slack must be error"):
+    with pytest.raises(InputError, match=r"with a sling rope\.slack must be error"):
         Plant(LAB, SWAYING, setpoints(), Idle(), rig=Rig(travel=TravelLimits(slack="free_fall")))
 
 

@@ -64,7 +64,6 @@ from segfmu.kernels.crane.records import (
     RopeBounds,
     RopeFault,
     RopeWork,
-    SlingSeries,
     State,
     Work,
 )
@@ -78,6 +77,7 @@ from segfmu.kernels.hook.records import (
     HookOutputs,
     HookPath,
     HookState,
+    SlingSeries,
 )
 from segfmu.kernels.limits.records import (
     AxisTask,

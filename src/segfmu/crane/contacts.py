@@ -36,7 +36,7 @@ def resistance(crane: AnyCrane, friction: Friction) -> FloatArray:
     if not isinstance(friction, Friction):
         raise InputError(f"friction must be a segfmu.crane.Friction, got {type(friction).__name__}")
     found = filled(Resistance, (crane.values() | values(friction, FRICTION)).__getitem__)
-    found[Resistance.HOOK_MASS :] = crane.tackle
+    found[Resistance.SUSPENSION : Resistance.SLING + 1] = crane.suspension, *crane.tackle
     return found
 
 

@@ -19,6 +19,10 @@ class AnyCrane(Protocol):
         """The kernels' masses: bridge, trolley, load, gravity, then those of the model."""
 
     @property
+    def suspension(self) -> int:
+        """Code of the model in `kernels/crane/suspension.py`."""
+
+    @property
     def tackle(self) -> tuple[float, float]:
         """Mass [kg] and length [m] of what is between rope and load."""
 

@@ -76,6 +76,11 @@ class Crane:
         return self
 
     @property
+    def suspension(self) -> int:
+        """The kernels' code of what is between rope and load: nothing."""
+        return 0
+
+    @property
     def tackle(self) -> tuple[float, float]:
         """Mass [kg] and length [m] of what is between rope and load: nothing."""
         return 0.0, 0.0

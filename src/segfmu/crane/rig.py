@@ -58,7 +58,7 @@ class Rig:
         # the item of the enumeration
         found["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
         packed = filled(Plant, found.__getitem__)
-        packed[Plant.HOOK_MASS], packed[Plant.SLING] = crane.tackle
+        packed[Plant.SUSPENSION : Plant.SLING + 1] = crane.suspension, *crane.tackle
         return packed
 
     @classmethod

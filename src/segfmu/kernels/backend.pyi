@@ -174,6 +174,73 @@ def space_contact(
     /,
 ) -> int: ...
 
+def crane_rhs(
+    state: Floats,
+    generalized_force: Floats,
+    load_force: Floats,
+    masses: Floats,
+    derivative: Floats,
+    /,
+) -> None: ...
+
+def crane_driven(
+    state: Floats,
+    carriage: Floats,
+    generalized_force: Floats,
+    load_force: Floats,
+    masses: Floats,
+    derivative: Floats,
+    force: Floats,
+    /,
+) -> None: ...
+
+def crane_flat_inverse(
+    flat: Floats,
+    masses: Floats,
+    force: Floats,
+    state: Floats,
+    acceleration: Floats,
+    /,
+) -> None: ...
+
+def crane_load(
+    state: Floats,
+    load: Floats,
+    /,
+) -> None: ...
+
+def crane_energy(
+    state: Floats,
+    masses: Floats,
+    energy: Floats,
+    /,
+) -> None: ...
+
+def flat_derivatives(
+    flat: Floats,
+    order: int,
+    masses: Floats,
+    work: Floats,
+    found: Floats,
+    /,
+) -> None: ...
+
+def hook_derivatives(
+    flat: Floats,
+    order: int,
+    masses: Floats,
+    hook_mass: float,
+    sling: float,
+    work: Floats,
+    found: Floats,
+    /,
+) -> None: ...
+
+def flat_orders(
+    resistance: Floats,
+    /,
+) -> int: ...
+
 def feedback_correction(
     state: Floats,
     reference: Floats,
@@ -342,48 +409,6 @@ def track_setpoint(
     /,
 ) -> None: ...
 
-def crane_rhs(
-    state: Floats,
-    generalized_force: Floats,
-    load_force: Floats,
-    masses: Floats,
-    derivative: Floats,
-    /,
-) -> None: ...
-
-def crane_driven(
-    state: Floats,
-    carriage: Floats,
-    generalized_force: Floats,
-    load_force: Floats,
-    masses: Floats,
-    derivative: Floats,
-    force: Floats,
-    /,
-) -> None: ...
-
-def crane_flat_inverse(
-    flat: Floats,
-    masses: Floats,
-    force: Floats,
-    state: Floats,
-    acceleration: Floats,
-    /,
-) -> None: ...
-
-def crane_load(
-    state: Floats,
-    load: Floats,
-    /,
-) -> None: ...
-
-def crane_energy(
-    state: Floats,
-    masses: Floats,
-    energy: Floats,
-    /,
-) -> None: ...
-
 def crane_load_partials(
     state: Floats,
     partials: Floats,
@@ -396,31 +421,6 @@ def crane_energy_partials(
     partials: Floats,
     /,
 ) -> None: ...
-
-def flat_derivatives(
-    flat: Floats,
-    order: int,
-    masses: Floats,
-    work: Floats,
-    found: Floats,
-    /,
-) -> None: ...
-
-def hook_derivatives(
-    flat: Floats,
-    order: int,
-    masses: Floats,
-    hook_mass: float,
-    sling: float,
-    work: Floats,
-    found: Floats,
-    /,
-) -> None: ...
-
-def flat_orders(
-    resistance: Floats,
-    /,
-) -> int: ...
 
 def same_break(
     time: float,

@@ -70,7 +70,6 @@ from segfmu.kernels.crane.records import (
     RopeBounds,
     RopeFault,
     RopeWork,
-    SlingSeries,
     State,
     Vector,
     Work,
@@ -90,6 +89,7 @@ from segfmu.kernels.hook.records import (
     HookTable,
     HookTension,
     HookWeighing,
+    SlingSeries,
 )
 from segfmu.kernels.limits.records import (
     AxisTask,
@@ -490,7 +490,7 @@ ENTRY_POINTS = (
         "crane._crane", "crane_flat_inverse", flat=(5, Vector.SIZE), masses=Masses.SIZE,
         force=Axes.SIZE, state=State.SIZE, acceleration=Coordinates.SIZE,
     ),
-    entry("crane.inverse", "flat_orders", resistance=Resistance.SIZE),
+    entry("crane.suspension", "flat_orders", resistance=Resistance.SIZE),
     entry(
         "crane.demand", "drive_demands",
         flat=("motions", "flat_orders(resistance)", Vector.SIZE), times=("motions",),

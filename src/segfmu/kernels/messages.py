@@ -141,8 +141,8 @@ ROPE_LIMITS = {
     RopeDemand.TAUT: "gravity, where the rope goes slack",
     RopeDemand.NOT_TOO_LONG: "rope_max",
     RopeDemand.NOT_TOO_SHORT: "rope_min",
-    RopeDemand.HOOK_TAUT: "gravity, where the rope goes slack",
-    RopeDemand.HOOK_BELOW_TROLLEY: "the trolley's height",
+    RopeDemand.ALL_TAUT: "gravity, where the rope goes slack",
+    RopeDemand.END_BELOW_TROLLEY: "the trolley's height",
 }
 ROPE = Messages(
     "rope", RopeFault,
@@ -154,9 +154,10 @@ ROPE = Messages(
              "lower limits.z.acceleration"),
             (RopeDemand.NOT_TOO_LONG, "rope length", "m", "raise the waypoints or rope_max"),
             (RopeDemand.NOT_TOO_SHORT, "rope length", "m", "lower the waypoints or rope_min"),
-            (RopeDemand.HOOK_TAUT, "downward acceleration of hook and load", "m/s2",
+            (RopeDemand.ALL_TAUT, "downward acceleration of all on the rope", "m/s2",
              "lower limits.z.acceleration"),
-            (RopeDemand.HOOK_BELOW_TROLLEY, "hook height z", "m", "lower the waypoints"),
+            (RopeDemand.END_BELOW_TROLLEY, "height z of the rope's end", "m",
+             "lower the waypoints"),
         )
     },
 )
@@ -228,7 +229,7 @@ SPACE = Messages(
         SpaceStatus.WORKSPACE: "workspace.{AXIS}: the load leaves its end at {BOUND:.9g} m from "
         "{BEGIN:.3f} s to {END:.3f} s; move the waypoints or give them lower velocities",
         SpaceStatus.EMPTY_WORKSPACE: f"workspace.{{AXIS}}: minimum {_EMPTY}",
-        SpaceStatus.HOOK: "obstacle[{BOX+1}]: the rope above a hook, and the sling below it, are "
+        SpaceStatus.SLING: "obstacle[{BOX+1}]: the rope above a sling, and the sling itself, are "
         "not judged; set obstacle[{BOX+1}].rope to false, and let the margin keep them off",
         SpaceStatus.EMPTY_OBSTACLE: f"obstacle[{{BOX+1}}]: minimum.{{AXIS}} {_EMPTY}",
     },
@@ -300,8 +301,8 @@ SETUP = Messages(
         "spectrum: set wind.speed",
         SetupStatus.SLACK_EXCHANGE: "in model exchange rope.slack must be error, got free_fall "
         "(the slack rope has no state there); use co-simulation",
-        SetupStatus.SLACK_HOOK: "with a hook rope.slack must be error, got free_fall (hook and "
-        "sling have no slack rope); drop slack",
+        SetupStatus.SLACK_SLING: "with a sling rope.slack must be error, got free_fall (what is "
+        "below the rope has no slack rope); drop slack",
         SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
         f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
         SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "

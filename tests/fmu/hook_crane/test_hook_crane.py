@@ -200,7 +200,7 @@ def test_it_hangs_at_rest_without_connections(archives) -> None:
 
 @pytest.mark.parametrize(
     ("values", "text"),
-    [({"rope.slack": 2}, r"with a hook rope\.slack must be error"),
+    [({"rope.slack": 2}, r"with a sling rope\.slack must be error"),
      ({"sling.x.angle": 1.6}, r"sling\.x\.angle must start within 90 degrees"),
      ({"wind.z": 10.3, "drive.mode": 2}, "the sling went slack")],
 )

@@ -141,10 +141,10 @@ def by_array(given: dict[str, float], fmi: int) -> dict[str, object]:
 
 
 @pytest.mark.parametrize(("changed", "text"), [
-    ({"waypoint[2].position.z": -0.3}, "hook height z passes the trolley's height"),
+    ({"waypoint[2].position.z": -0.3}, "height z of the rope's end passes the trolley's height"),
     ({"crane.rope_max": 0.55}, r"rope length passes rope_max, 0\.55 m"),
     ({"drive.bridge.force_max": 0.5}, r"drive\.bridge\.force_max is 0\.5 N"),
-    ({"obstacle.count": 1}, r"obstacle\[1\]: the rope above a hook"),
+    ({"obstacle.count": 1}, r"obstacle\[1\]: the rope above a sling"),
     ({"planner.smoothness": 4}, r"planner\.smoothness"),
 ])
 def test_what_cannot_be_is_told(archives, changed: dict[str, float], text: str) -> None:

@@ -13,13 +13,20 @@ from segfmu.kernels.crane.records import (
     Demand,
     DemandWork,
     FlatInverse,
+    FlatOrders,
     FlatSeries,
     Masses,
+    MostSeries,
     Resistance,
-    SlingSeries,
     State,
 )
-from segfmu.kernels.hook.records import HookCoordinates, HookInverse, HookState
+from segfmu.kernels.hook.records import (
+    HookCoordinates,
+    HookInverse,
+    HookModel,
+    HookState,
+    SlingSeries,
+)
 from tests.crane.hook_digits import HookDigits, path_derivatives
 
 # bridge, trolley, load, gravity, hook, sling; the second one with a path ten times as large
@@ -29,6 +36,11 @@ CRANES = {
     "heavy hook": (("2.2", "1.155", "0.01", "9.81", "2.0", "0.7"), 1),
 }
 TIMES = [sp.Rational(0), sp.Rational(7, 10), sp.Rational(19, 10)]
+
+
+def test_the_work_space_of_all_models_has_room() -> None:
+    assert SlingSeries.SIZE <= MostSeries.SIZE
+    assert HookModel.ORDERS <= FlatOrders.MOST
 
 
 def inverse(flat: np.ndarray, crane: np.ndarray, order: int = 0) -> np.ndarray:
@@ -94,7 +106,7 @@ def test_demands_of_a_hook_need_all_orders() -> None:
     """With a sling the kernel reads two derivatives more, and refuses arrays without them."""
     known = np.zeros(Resistance.SIZE)
     known[: Masses.SIZE] = numbers("lab")[: Masses.SIZE]
-    known[Resistance.HOOK_MASS :] = numbers("lab")[-2:]
+    known[Resistance.SUSPENSION : Resistance.SLING + 1] = HookModel.CODE, *numbers("lab")[-2:]
     flat = np.array([path_derivatives(TIMES[1], 7)])
     arrays = np.zeros(1), known, np.zeros((Axes.SIZE, 1, Contact.SIZE))
     work, found = np.zeros((DemandWork.SIZE, DemandWork.COLUMNS)), np.zeros((1, Demand.SIZE))

@@ -121,7 +121,7 @@ def design_hook(
     require_positive("sample_time", sample_time)
     lengths = scheduled_lengths(shortest, longest, rows)
     plant = crane.crane.plant(driven, lags_of("feedback lag", lag))
-    plant[Plant.HOOK_MASS], plant[Plant.SLING] = crane.hook_mass, crane.sling
+    plant[Plant.SUSPENSION : Plant.SLING + 1] = crane.suspension, *crane.tackle
     chosen = np.array(astuple(weights or HookWeights()))
     work = np.zeros((HookDesign.SIZE, 2 * HookAxis.CORRECTION))
     table = np.zeros((lengths.size, HookTable.SIZE, HookTable.COLUMNS))

@@ -14,10 +14,9 @@ from segfmu.kernels.crane.records import (
     Masses,
     PlantState,
     RopeFault,
-    SlingSeries,
     State,
 )
-from segfmu.kernels.hook.records import HookInverse, HookPath, HookState
+from segfmu.kernels.hook.records import HookInverse, HookModel, HookPath, HookState, SlingSeries
 from segfmu.planning.arrays import FloatArray
 
 
@@ -48,7 +47,7 @@ def _require_taut(hook: HookCrane, trajectory: LoadTrajectory) -> None:
 
 
 HOOK = FlatModel(
-    HookCrane, FlatOrders.HOOK, 5, HookInverse, HookState,
+    HookCrane, HookModel.ORDERS, 5, HookInverse, HookState,
     np.concatenate([
         np.arange(Coordinates.SIZE),
         PlantState.SLING_ANGLE + np.arange(2),

@@ -16,6 +16,7 @@ from segfmu.kernels.hook.records import (
     HookFrequencies,
     HookLinks,
     HookMasses,
+    HookModel,
     HookMotion,
     HookState,
     HookTension,
@@ -60,6 +61,11 @@ class HookCrane:
     def masses(self) -> tuple[float, ...]:
         """The kernels' `HookMasses`: masses [kg], gravity [m/s2], the sling's length [m]."""
         return *self.crane.masses, self.hook_mass, self.sling
+
+    @property
+    def suspension(self) -> int:
+        """The kernels' code of a hook between rope and load."""
+        return HookModel.CODE
 
     @property
     def tackle(self) -> tuple[float, float]:

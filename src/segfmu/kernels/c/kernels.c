@@ -74,6 +74,39 @@ static void note_first(int64_t part, array_double_2d boxes, array_double_3d stac
 static void write_faces(array_double_1d space, array_double_2d boxes);
 static int64_t obstacle_count(array_double_1d space, array_double_2d obstacles);
 static int64_t check_space(array_double_1d space, array_double_2d obstacles, array_double_1d fault);
+static double series_factorial(int64_t order);
+static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found);
+static double series_derivative(array_double_1d a, int64_t order);
+static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_negative(array_double_1d a, int64_t count, array_double_1d found);
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
+static void series_root(array_double_1d a, int64_t count, array_double_1d found);
+static void series_exponential(array_double_1d a, int64_t count, array_double_1d found);
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
+static void suspension_derivatives(int64_t order, array_double_1d masses, array_double_2d work, array_double_1d force, array_double_1d state, array_double_1d acceleration);
+static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work);
+static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work);
+static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work);
+static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension);
+static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension);
+static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load);
+static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy);
+static void gather_hook(array_double_1d plant, array_double_1d state, array_double_2d work);
+static void scatter_hook(array_double_2d work, array_double_1d derivative);
+static void hooked_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void hooked_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void hooked_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load);
+static void hooked_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy);
+static double hooked_mass(array_double_1d plant, array_double_1d state);
+static bool has_tackle(array_double_1d resistance);
+static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load);
+static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy);
+static double suspended_mass(array_double_1d plant, array_double_1d state);
+static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 static double side_bound(double sign, double greatest, double least);
 static bool exceeds(double value, double bound);
 static double limited(double value, double bound);
@@ -81,7 +114,6 @@ static double velocity_bound(array_double_1d plant, int64_t axis, double sign);
 static double acceleration_bound(array_double_1d plant, int64_t axis, double sign);
 static double static_bound(array_double_1d plant, int64_t axis, double sign);
 static double force_bound(array_double_1d plant, int64_t axis, double sign, double velocity);
-static double resisting_mass(array_double_1d plant, array_double_1d state);
 static void rope_direction(array_double_1d plant, array_double_1d state, array_double_1d limit);
 static double carriage_mass(array_double_1d masses, int64_t axis);
 static double available_force(int64_t axis, double side, array_double_1d limit);
@@ -169,18 +201,6 @@ static void track_law(array_double_1d parameters, array_double_3d gains, array_d
 static void track_hoist(array_double_1d parameters, array_double_2d memory);
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
 static void crane_driven_partials(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials);
-static double series_factorial(int64_t order);
-static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found);
-static double series_derivative(array_double_1d a, int64_t order);
-static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_negative(array_double_1d a, int64_t count, array_double_1d found);
-static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found);
-static void series_root(array_double_1d a, int64_t count, array_double_1d found);
-static void series_exponential(array_double_1d a, int64_t count, array_double_1d found);
-static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found);
-static void suspension_derivatives(int64_t order, array_double_1d masses, array_double_2d work, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 static double compression(array_double_1d plant, int64_t axis, double position);
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity);
 static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array_double_1d plant, int64_t axis, double position, double velocity);
@@ -195,10 +215,6 @@ static double friction_force(array_double_1d resistance, int64_t axis, double ve
 static int64_t friction_slopes(double* result_0, double* result_1_0001, array_double_1d resistance, int64_t axis, double velocity, double deflection);
 static double deflection_rate(array_double_1d resistance, int64_t axis, double velocity, double deflection);
 static double first_deflection(array_double_1d resistance, int64_t axis, double velocity);
-static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work);
-static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work);
-static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work);
-static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration);
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends);
 static double release_time(array_double_1d resistance, int64_t axis);
 static int64_t axis_motion(double* result_0, double* result_1, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work);
@@ -223,17 +239,6 @@ static double axis_position(array_double_1d state, int64_t axis);
 static double axis_velocity(array_double_1d state, int64_t axis);
 static bool bears_wrongly(array_double_1d plant, array_double_1d state, double rope_force);
 static void change_rope(array_double_1d plant, array_double_1d state);
-static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension);
-static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension);
-static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load);
-static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy);
-static bool has_hook(array_double_1d plant);
-static void gather_hook(array_double_1d plant, array_double_1d state, array_double_2d work);
-static void scatter_hook(array_double_2d work, array_double_1d derivative);
-static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load);
-static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy);
 static void run_on(array_double_1d plant, array_double_2d work);
 static void forced_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
@@ -3273,6 +3278,1621 @@ int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficient
     }
     return INT64_C(3);
 }
+void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = INT64_C(1) / l;
+    c4 = c3 * f_phi_x;
+    c5 = c1 * f_l + c2 * c4;
+    c6 = c5 - f_x_t;
+    c7 = sin(phi_y);
+    c8 = c2 * c7;
+    c9 = cos(phi_y);
+    c10 = c3 / c2;
+    c11 = c10 * f_phi_y;
+    c12 = c1 * c7;
+    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
+    c14 = (c13 + f_y_t) / trolley_mass;
+    c15 = c2 * l_rate;
+    c16 = c1 * phi_x_rate;
+    c17 = c16 * l;
+    c18 = INT64_C(1) / payload_mass;
+    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
+    c20 = c8 * phi_y_rate;
+    c21 = c1 * l_rate;
+    c22 = c2 * c9;
+    c23 = l * phi_x_rate;
+    c24 = l * phi_y_rate;
+    c25 = c22 * phi_y_rate;
+    c26 = c1 * c9;
+    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
+    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
+    (*cspan_at(&derivative, INT64_C(6))) = c14;
+    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
+    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
+}
+void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (l * l);
+    c1 = INT64_C(1) / payload_mass;
+    c2 = cos(phi_x);
+    c3 = sin(phi_x);
+    c4 = c3 * phi_x_rate;
+    c5 = c4 * l;
+    c6 = (-c2) * l_rate + c5;
+    c7 = c2 * l_rate;
+    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
+    c9 = (-c1) * w_x + c8;
+    c10 = c2 * l;
+    c11 = sin(phi_y);
+    c12 = cos(phi_y);
+    c13 = c2 * phi_y_rate;
+    c14 = c3 * l_rate;
+    c15 = c10 * c11;
+    c16 = c3 * l;
+    c17 = c12 * phi_y_rate;
+    c18 = a_l * c2;
+    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
+    c20 = (-c1) * w_y + c19;
+    c21 = c11 * c16;
+    c22 = c10 * c12;
+    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
+    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
+    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
+    c26 = (-c6) * phi_x_rate;
+    c27 = INT64_C(1) / l;
+    c28 = c2 * c27;
+    c29 = c12 * c27;
+    c30 = c25 / c2;
+    c31 = (-c29) * c30;
+    c32 = c11 * c27;
+    c33 = c3 * c32;
+    c34 = -c24;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = a_x;
+    (*cspan_at(&derivative, INT64_C(6))) = a_y;
+    (*cspan_at(&derivative, INT64_C(7))) = a_l;
+    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
+    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
+    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
+    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
+    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
+}
+void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    double p0x;
+    double p0y;
+    double p0z;
+    double p1x;
+    double p1y;
+    double p1z;
+    double p2x;
+    double p2y;
+    double p2z;
+    double p3x;
+    double p3y;
+    double p3z;
+    double p4x;
+    double p4y;
+    double p4z;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
+    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
+    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
+    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
+    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
+    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
+    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
+    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
+    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
+    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
+    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
+    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
+    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
+    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
+    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    c0 = gravity + p2z;
+    c1 = INT64_C(1) / c0;
+    c2 = c1 * p0z;
+    c3 = c1 * p2z;
+    c4 = p0z * p4z;
+    c5 = c0 * c0;
+    c6 = INT64_C(1) / c5;
+    c7 = c6 * p2x;
+    c8 = c1 * p3z;
+    c9 = c8 * p2x;
+    c10 = c1 * p1z;
+    c11 = c1 * (c8 * p0z - p1z);
+    c12 = p0z * p3x;
+    c13 = p1z * p2x;
+    c14 = c6 * p3z;
+    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
+    c16 = p2y * p4z;
+    c17 = c6 * p0z;
+    c18 = p2y * p3z;
+    c19 = p0z * p3y;
+    c20 = p1z * p2y;
+    c21 = INT64_C(2) * c18;
+    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
+    c23 = p2x * p2x;
+    c24 = p2y * p2y;
+    c25 = c24 + c5;
+    c26 = c23 + c25;
+    c27 = sqrt(c26);
+    c28 = sqrt(c25);
+    c29 = p0z * p2x;
+    c30 = c1 * c12;
+    c31 = (-c1) * c13 - c30;
+    c32 = c1 * c19;
+    c33 = (-c1) * c20 - c32;
+    c34 = INT64_C(1) / c27;
+    c35 = c1 * c34;
+    c36 = c12 * p2x;
+    c37 = c19 * p2y;
+    c38 = c27 * c6;
+    c39 = c34 - c38;
+    c40 = p0z * p3z;
+    c41 = INT64_C(1) / c26;
+    c42 = c28 * p3x;
+    c43 = INT64_C(1) / c28;
+    c44 = c43 * p2y;
+    c45 = c44 * p3y;
+    c46 = c0 * c43;
+    c47 = c46 * p3z;
+    c48 = INT64_C(1) / c25;
+    c49 = c35 * p2y;
+    c50 = c41 + c6;
+    c51 = c30 * c41;
+    c52 = c32 * c41;
+    c53 = p2x * p2y;
+    c54 = INT64_C(1) / (c26 * sqrt(c26));
+    c55 = c44 * p2x;
+    c56 = c46 * p2x;
+    c57 = INT64_C(2) * c41;
+    c58 = c42 * c57;
+    c59 = c23 * c57;
+    c60 = c43 * p2x;
+    c61 = c60 * p3y;
+    c62 = p2x / (c25 * sqrt(c25));
+    c63 = c0 * c18;
+    c64 = c60 * p3z;
+    c65 = c0 * p3y;
+    c66 = c65 * p2y;
+    c67 = INT64_C(2) * c48;
+    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
+    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
+    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
+    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
+    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
+    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
+    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
+    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
+    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
+    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
+    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
+    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
+    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
+    (*cspan_at(&acceleration, INT64_C(0))) = c15;
+    (*cspan_at(&acceleration, INT64_C(1))) = c22;
+    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
+    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
+    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
+}
+void segfmu_crane_load(array_double_1d state, array_double_2d load)
+{
+    double x_t;
+    double y_t;
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    x_t = (*cspan_at(&state, INT64_C(0)));
+    y_t = (*cspan_at(&state, INT64_C(1)));
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    c0 = sin(phi_x);
+    c1 = c0 * l;
+    c2 = sin(phi_y);
+    c3 = cos(phi_x);
+    c4 = c3 * l;
+    c5 = c2 * c4;
+    c6 = cos(phi_y);
+    c7 = c4 * c6;
+    c8 = c3 * l_rate;
+    c9 = c1 * phi_x_rate;
+    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
+    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
+}
+void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    x_t_rate = (*cspan_at(&state, INT64_C(5)));
+    y_t_rate = (*cspan_at(&state, INT64_C(6)));
+    l_rate = (*cspan_at(&state, INT64_C(7)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    c0 = x_t_rate * x_t_rate;
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = l * phi_x_rate;
+    c4 = cos(phi_y);
+    c5 = c2 * l_rate;
+    c6 = c1 * c3;
+    c7 = sin(phi_y);
+    c8 = c2 * l;
+    c9 = c8 * phi_y_rate;
+    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
+    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
+    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
+    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
+    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
+}
+static double series_factorial(int64_t order)
+{
+    int64_t i;
+    double product;
+    product = 1.0;
+    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
+    {
+        product = product * i;
+    }
+    return product;
+}
+static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found)
+{
+    double scale;
+    int64_t i;
+    scale = 1.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        if (i > INT64_C(1))
+        {
+            scale = scale * i;
+        }
+        (*cspan_at(&found, i)) = (*cspan_at(&values, first + i, column)) / scale;
+    }
+}
+static double series_derivative(array_double_1d a, int64_t order)
+{
+    double result;
+    result = series_factorial(order) * (*cspan_at(&a, order));
+    return result;
+}
+static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = (*cspan_at(&a, i)) + (*cspan_at(&b, i));
+    }
+}
+static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = (*cspan_at(&a, i)) - (*cspan_at(&b, i));
+    }
+}
+static void series_negative(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&found, i)) = -(*cspan_at(&a, i));
+    }
+}
+static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total;
+    }
+}
+static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
+    }
+}
+static void series_root(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
+    for (k = INT64_C(1); k < count; k += INT64_C(1))
+    {
+        total = (*cspan_at(&a, k));
+        for (i = INT64_C(1); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
+        }
+        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
+    }
+}
+static void series_exponential(array_double_1d a, int64_t count, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = exp((*cspan_at(&a, INT64_C(0))));
+    for (k = INT64_C(1); k < count; k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(1); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + i * (*cspan_at(&a, i)) * (*cspan_at(&found, k - i));
+        }
+        (*cspan_at(&found, k)) = total / k;
+    }
+}
+static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
+{
+    int64_t k;
+    double total;
+    int64_t i;
+    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
+    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
+    {
+        total = 0.0;
+        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
+        {
+            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
+        }
+        for (i = INT64_C(0); i < k; i += INT64_C(1))
+        {
+            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
+        }
+        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
+        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
+    }
+}
+static void suspension_derivatives(int64_t order, array_double_1d masses, array_double_2d work, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    array_double_1d x;
+    array_double_1d y;
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d s0;
+    array_double_1d s1;
+    array_double_1d s2;
+    array_double_1d s3;
+    array_double_1d s4;
+    array_double_1d s5;
+    array_double_1d s6;
+    array_double_1d x_t;
+    array_double_1d y_t;
+    array_double_1d l;
+    array_double_1d phi_x;
+    array_double_1d phi_y;
+    int64_t count;
+    int64_t i;
+    double scale;
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    x = span_row(&work, INT64_C(0));
+    y = span_row(&work, INT64_C(0) + INT64_C(1));
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    s0 = span_row(&work, INT64_C(6));
+    s1 = span_row(&work, INT64_C(6) + INT64_C(1));
+    s2 = span_row(&work, INT64_C(6) + INT64_C(2));
+    s3 = span_row(&work, INT64_C(6) + INT64_C(3));
+    s4 = span_row(&work, INT64_C(6) + INT64_C(4));
+    s5 = span_row(&work, INT64_C(6) + INT64_C(5));
+    s6 = span_row(&work, INT64_C(6) + INT64_C(6));
+    x_t = span_row(&work, INT64_C(13));
+    y_t = span_row(&work, INT64_C(13) + INT64_C(1));
+    l = span_row(&work, INT64_C(13) + INT64_C(2));
+    phi_x = span_row(&work, INT64_C(13) + INT64_C(3));
+    phi_y = span_row(&work, INT64_C(13) + INT64_C(4));
+    count = order + INT64_C(3);
+    series_quotient(z, w_z, count, s0);
+    series_product(w_y, w_y, count, s2);
+    series_product(w_z, w_z, count, s3);
+    series_sum(s2, s3, count, s1);
+    series_product(w_x, w_x, count, s3);
+    series_sum(s1, s3, count, s2);
+    series_root(s2, count, s3);
+    series_product(s0, w_x, count, s4);
+    series_difference(x, s4, count, x_t);
+    series_product(s0, w_y, count, s4);
+    series_difference(y, s4, count, y_t);
+    series_product(s0, s3, count, l);
+    series_negative(l, count, l);
+    series_negative(w_x, count, s4);
+    series_root(s1, count, s5);
+    series_angle(s4, s5, s2, count, s6, phi_x);
+    series_angle(w_y, w_z, s1, count, s4, phi_y);
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&state, INT64_C(0) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order);
+        (*cspan_at(&state, INT64_C(5) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(1));
+        (*cspan_at(&acceleration, i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(2));
+    }
+    scale = series_factorial(order);
+    (*cspan_at(&force, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&acceleration, INT64_C(0))) + payload_mass * scale * (*cspan_at(&w_x, order));
+    (*cspan_at(&force, INT64_C(0) + INT64_C(1))) = trolley_mass * (*cspan_at(&acceleration, INT64_C(0) + INT64_C(1))) + payload_mass * scale * (*cspan_at(&w_y, order));
+    (*cspan_at(&force, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
+}
+void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found)
+{
+    double gravity;
+    array_double_1d x;
+    array_double_1d y;
+    array_double_1d z;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    int64_t count;
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    x = span_row(&work, INT64_C(0));
+    y = span_row(&work, INT64_C(0) + INT64_C(1));
+    z = span_row(&work, INT64_C(0) + INT64_C(2));
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    count = order + INT64_C(3);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(0), count, x);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(1), count, y);
+    series_of_derivatives(flat, INT64_C(0), INT64_C(2), count, z);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(0), count, w_x);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(1), count, w_y);
+    series_of_derivatives(flat, INT64_C(2), INT64_C(2), count, w_z);
+    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
+    suspension_derivatives(order, masses, work, span_piece(&found, INT64_C(0), INT64_C(3)), span_piece(&found, INT64_C(3), INT64_C(13)), span_piece(&found, INT64_C(13), INT64_C(18)));
+}
+static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work)
+{
+    int64_t i;
+    array_double_1d w_x;
+    array_double_1d w_y;
+    array_double_1d w_z;
+    array_double_1d across;
+    array_double_1d size;
+    array_double_1d square;
+    array_double_1d part;
+    array_double_1d scratch;
+    int64_t k;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        series_of_derivatives(flat, INT64_C(0), i, count, span_row(&work, INT64_C(0) + i));
+        series_of_derivatives(flat, INT64_C(2), i, count, span_row(&work, INT64_C(3) + i));
+    }
+    w_x = span_row(&work, INT64_C(3));
+    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
+    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
+    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
+    across = span_row(&work, INT64_C(6));
+    size = span_row(&work, INT64_C(6) + INT64_C(1));
+    square = span_row(&work, INT64_C(6) + INT64_C(2));
+    part = span_row(&work, INT64_C(13));
+    scratch = span_row(&work, INT64_C(13) + INT64_C(1));
+    series_product(w_y, w_y, count, part);
+    series_product(w_z, w_z, count, scratch);
+    series_sum(part, scratch, count, across);
+    series_product(w_x, w_x, count, part);
+    series_sum(across, part, count, square);
+    series_angle(w_y, w_z, across, count, scratch, span_row(&work, INT64_C(21) + INT64_C(1)));
+    series_root(across, count, part);
+    for (k = INT64_C(0); k < count; k += INT64_C(1))
+    {
+        (*cspan_at(&size, k)) = -(*cspan_at(&w_x, k));
+    }
+    series_angle(size, part, square, count, scratch, span_row(&work, INT64_C(21)));
+    series_root(square, count, size);
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        series_quotient(span_row(&work, INT64_C(3) + i), size, count, span_row(&work, INT64_C(18) + i));
+    }
+}
+static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work)
+{
+    int64_t i;
+    array_double_1d path;
+    array_double_1d direction;
+    array_double_1d pull;
+    int64_t k;
+    array_double_1d upwards;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        path = span_row(&work, INT64_C(0) + i);
+        direction = span_row(&work, INT64_C(18) + i);
+        pull = span_row(&work, INT64_C(3) + i);
+        for (k = INT64_C(0); k < count; k += INT64_C(1))
+        {
+            (*cspan_at(&path, k)) = (*cspan_at(&path, k)) + sling * (*cspan_at(&direction, k));
+        }
+        for (k = INT64_C(0); k < count - INT64_C(2); k += INT64_C(1))
+        {
+            (*cspan_at(&pull, k)) = (*cspan_at(&pull, k)) + share * (k + 1.0) * (k + 2.0) * (*cspan_at(&path, k + INT64_C(2)));
+        }
+    }
+    upwards = span_row(&work, INT64_C(3) + INT64_C(2));
+    (*cspan_at(&upwards, INT64_C(0))) = (*cspan_at(&upwards, INT64_C(0))) + share * gravity;
+}
+static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work)
+{
+    double gravity;
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    write_links(flat, count, gravity, work);
+    climb_sling(count, hook_mass / (*cspan_at(&masses, INT64_C(2))), sling, gravity, work);
+}
+void segfmu_hook_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, double hook_mass, double sling, array_double_2d work, array_double_1d found)
+{
+    int64_t i;
+    int64_t k;
+    array_double_1d angle;
+    write_sling(flat, order + INT64_C(5), masses, hook_mass, sling, work);
+    suspension_derivatives(order, masses, work, span_piece(&found, INT64_C(0), INT64_C(3)), span_piece(&found, INT64_C(3), INT64_C(13)), span_piece(&found, INT64_C(13), INT64_C(18)));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        k = INT64_C(5) - INT64_C(1) - i;
+        (*cspan_at(&found, INT64_C(17) + k)) = (*cspan_at(&found, INT64_C(13) + k));
+    }
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        k = INT64_C(5) - INT64_C(1) - i;
+        (*cspan_at(&found, INT64_C(3) + INT64_C(7) + k)) = (*cspan_at(&found, INT64_C(3) + INT64_C(5) + k));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        angle = span_row(&work, INT64_C(21) + i);
+        (*cspan_at(&found, INT64_C(3) + INT64_C(5) + i)) = series_derivative(angle, order);
+        (*cspan_at(&found, INT64_C(3) + INT64_C(12) + i)) = series_derivative(angle, order + INT64_C(1));
+        (*cspan_at(&found, INT64_C(17) + INT64_C(5) + i)) = series_derivative(angle, order + INT64_C(2));
+    }
+}
+static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double hook_mass;
+    double sling;
+    double f_x_t;
+    double f_y_t;
+    double f_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    hook_mass = (*cspan_at(&masses, INT64_C(4)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
+    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
+    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = INT64_C(1) / l;
+    c4 = c3 * f_phi_x;
+    c5 = c1 * f_l + c2 * c4;
+    c6 = c5 - f_x_t;
+    c7 = sin(phi_y);
+    c8 = c2 * f_l;
+    c9 = c1 * c4;
+    c10 = cos(phi_y);
+    c11 = INT64_C(1) / c2;
+    c12 = c11 * c3;
+    c13 = c12 * f_phi_y;
+    c14 = c10 * c13 + c7 * c8 - c7 * c9;
+    c15 = (c14 + f_y_t) / trolley_mass;
+    c16 = c2 * l_rate;
+    c17 = c1 * phi_x_rate;
+    c18 = c17 * l;
+    c19 = INT64_C(1) / hook_mass;
+    c20 = sin(psi_x);
+    c21 = INT64_C(1) / payload_mass;
+    c22 = c20 * (psi_x_rate * psi_x_rate) * sling;
+    c23 = (-c19) * c5 + c21 * w_x + c22;
+    c24 = cos(psi_x);
+    c25 = sin(psi_y);
+    c26 = c24 * c25;
+    c27 = cos(psi_y);
+    c28 = c20 * c27;
+    c29 = psi_x_rate * sling;
+    c30 = psi_y_rate * sling;
+    c31 = c29 * (c26 * psi_x_rate + c28 * psi_y_rate) + c30 * (c26 * psi_y_rate + c28 * psi_x_rate);
+    c32 = (-c14) * c19 - c21 * w_y + c31;
+    c33 = c10 * c8;
+    c34 = c24 * c27;
+    c35 = c20 * c25;
+    c36 = c29 * (c34 * psi_x_rate - c35 * psi_y_rate) + c30 * (c24 * c27 * psi_y_rate - c35 * psi_x_rate);
+    c37 = c19 * (c10 * c9 + c13 * c7 - c33) - c21 * w_z + c36;
+    c38 = (-c20) * c23 - c26 * c32 - c34 * c37;
+    c39 = -c38;
+    c40 = INT64_C(1) / (c19 + c21);
+    c41 = c20 * c40;
+    c42 = (-c0) * c6 + c16 * phi_x_rate - c19 * (c39 * c41 + c5) + phi_x_rate * ((-c18) + c2 * l_rate);
+    c43 = c2 * phi_y_rate;
+    c44 = c43 * c7;
+    c45 = c1 * l_rate;
+    c46 = c10 * l;
+    c47 = c2 * phi_x_rate;
+    c48 = c7 * l;
+    c49 = c1 * phi_y_rate;
+    c50 = c10 * c43;
+    c51 = c39 * c40;
+    c52 = c34 * c51;
+    c53 = c19 * (c1 * c10 * c3 * f_phi_x + c11 * c3 * c7 * f_phi_y - c33 - c52);
+    c54 = (-c53) + gravity + l_rate * (c10 * c17 + c44) + phi_x_rate * (c10 * c45 + c46 * c47 - c48 * c49) + phi_y_rate * (c16 * c7 - c18 * c7 + c50 * l);
+    c55 = c10 * c54;
+    c56 = c26 * c51;
+    c57 = c19 * ((-c14) - c56);
+    c58 = c15 - c57 + l_rate * (c17 * c7 - c50) + phi_x_rate * (c45 * c7 + c46 * c49 + c47 * c48) + phi_y_rate * ((-c10) * c16 + c10 * c18 + c44 * l);
+    c59 = c58 * c7;
+    c60 = INT64_C(1) / sling;
+    c61 = c38 * c41;
+    c62 = (-c21) * (c56 + w_y) + c31 + c57;
+    c63 = (-c21) * (c52 + w_z) + c36 + c53;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
+    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
+    (*cspan_at(&derivative, INT64_C(7))) = (-c0) * c6;
+    (*cspan_at(&derivative, INT64_C(8))) = c15;
+    (*cspan_at(&derivative, INT64_C(9))) = (-c1) * c42 + c2 * c55 + c2 * c59;
+    (*cspan_at(&derivative, INT64_C(10))) = (-c3) * (c1 * c55 + c1 * c59 + c2 * c42);
+    (*cspan_at(&derivative, INT64_C(11))) = (-c12) * ((-c10) * c58 + c54 * c7);
+    (*cspan_at(&derivative, INT64_C(12))) = (-c60) * ((-c24) * ((-c19) * (c5 - c61) + c21 * (c61 + w_x) + c22) + c28 * c63 + c35 * c62);
+    (*cspan_at(&derivative, INT64_C(13))) = (-c60) * (c25 * c63 - c27 * c62) / c24;
+    (*cspan_at(&tension, INT64_C(0))) = c40 * (c20 * c23 + c26 * c32 + c34 * c37);
+}
+static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double hook_mass;
+    double sling;
+    double a_x;
+    double a_y;
+    double a_l;
+    double f_phi_x;
+    double f_phi_y;
+    double w_x;
+    double w_y;
+    double w_z;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    double c20;
+    double c21;
+    double c22;
+    double c23;
+    double c24;
+    double c25;
+    double c26;
+    double c27;
+    double c28;
+    double c29;
+    double c30;
+    double c31;
+    double c32;
+    double c33;
+    double c34;
+    double c35;
+    double c36;
+    double c37;
+    double c38;
+    double c39;
+    double c40;
+    double c41;
+    double c42;
+    double c43;
+    double c44;
+    double c45;
+    double c46;
+    double c47;
+    double c48;
+    double c49;
+    double c50;
+    double c51;
+    double c52;
+    double c53;
+    double c54;
+    double c55;
+    double c56;
+    double c57;
+    double c58;
+    double c59;
+    double c60;
+    double c61;
+    double c62;
+    double c63;
+    double c64;
+    double c65;
+    double c66;
+    double c67;
+    double c68;
+    double c69;
+    double c70;
+    double c71;
+    double c72;
+    double c73;
+    double c74;
+    double c75;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    hook_mass = (*cspan_at(&masses, INT64_C(4)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    a_x = (*cspan_at(&carriage, INT64_C(0)));
+    a_y = (*cspan_at(&carriage, INT64_C(1)));
+    a_l = (*cspan_at(&carriage, INT64_C(2)));
+    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
+    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
+    w_x = (*cspan_at(&load_force, INT64_C(0)));
+    w_y = (*cspan_at(&load_force, INT64_C(1)));
+    w_z = (*cspan_at(&load_force, INT64_C(2)));
+    c0 = INT64_C(1) / l;
+    c1 = cos(phi_x);
+    c2 = sin(phi_x);
+    c3 = c2 * phi_x_rate;
+    c4 = c3 * l;
+    c5 = (-c1) * l_rate + c4;
+    c6 = c1 * l_rate;
+    c7 = a_l * c2 + a_x + c6 * phi_x_rate;
+    c8 = (-c5) * phi_x_rate + c7;
+    c9 = c1 * l;
+    c10 = INT64_C(1) / hook_mass;
+    c11 = sin(phi_y);
+    c12 = a_l * c1;
+    c13 = c11 * c12;
+    c14 = cos(phi_y);
+    c15 = c1 * phi_y_rate;
+    c16 = l_rate * (c11 * c3 - c14 * c15);
+    c17 = c2 * l_rate;
+    c18 = c11 * c9;
+    c19 = c14 * c2;
+    c20 = l * phi_y_rate;
+    c21 = phi_x_rate * (c11 * c17 + c18 * phi_x_rate + c19 * c20);
+    c22 = phi_y_rate * (c14 * c4 - c14 * c6 + c18 * phi_y_rate);
+    c23 = a_y - c13 + c16 + c21 + c22;
+    c24 = c11 * c2;
+    c25 = c14 * c9;
+    c26 = (-c12) * c14 + gravity + l_rate * (c11 * c15 + c14 * c3) + phi_x_rate * (c14 * c17 - c20 * c24 + c25 * phi_x_rate) + phi_y_rate * ((-c11) * c4 + c11 * c6 + c25 * phi_y_rate);
+    c27 = (-c10) * f_phi_x + c19 * c26 * l + c23 * c24 * l;
+    c28 = c27 + c8 * c9;
+    c29 = c0 * c28;
+    c30 = sin(psi_x);
+    c31 = sin(psi_y);
+    c32 = cos(psi_x);
+    c33 = c31 * c32;
+    c34 = cos(psi_y);
+    c35 = c32 * c34;
+    c36 = (-c1) * c30 + c19 * c35 + c24 * c33;
+    c37 = INT64_C(1) / payload_mass;
+    c38 = -c36;
+    c39 = c11 * c34 - c14 * c31;
+    c40 = (-c32) * c39;
+    c41 = c11 * c40 + c14 * c2 * c38;
+    c42 = (-c11) * c2 * c38 + c14 * c40;
+    c43 = -c42;
+    c44 = c1 * c10 * c30 * c38 - c10 * c31 * c32 * c43 - c10 * c32 * c34 * c41 + c37;
+    c45 = -c28;
+    c46 = c0 * c1;
+    c47 = (-c30) * (psi_x_rate * psi_x_rate) * sling + c45 * c46 + c8;
+    c48 = (-c37) * w_x + c47;
+    c49 = c30 * c34;
+    c50 = psi_x_rate * sling;
+    c51 = psi_y_rate * sling;
+    c52 = c0 * c45;
+    c53 = c0 / c1;
+    c54 = c53 * (c10 * f_phi_y - c18 * c26 + c23 * c25);
+    c55 = c14 * c54;
+    c56 = c23 + c24 * c52 + c50 * (c33 * psi_x_rate + c49 * psi_y_rate) + c51 * (c33 * psi_y_rate + c49 * psi_x_rate) - c55;
+    c57 = (-c37) * w_y + c56;
+    c58 = c30 * c31;
+    c59 = c11 * c54 + c26;
+    c60 = c19 * c52 + c50 * (c35 * psi_x_rate - c58 * psi_y_rate) + c51 * (c32 * c34 * psi_y_rate - c58 * psi_x_rate) + c59;
+    c61 = (-c37) * w_z + c60;
+    c62 = c30 * c48 - c33 * c57 - c35 * c61;
+    c63 = (-c62) / c44;
+    c64 = c10 * c63;
+    c65 = c36 * c64;
+    c66 = c32 * c39;
+    c67 = INT64_C(1) / sling;
+    c68 = (-c62) / c44;
+    c69 = c1 * c10;
+    c70 = c10 * c43 * c68 - c37 * (c33 * c68 + w_y) + c56;
+    c71 = c10 * c41 * c68 - c37 * (c35 * c68 + w_z) + c60;
+    c72 = c11 * c66 + c19 * c36;
+    c73 = (c30 * c48 - c33 * c57 - c35 * c61) / (c1 * c10 * c30 * c36 - c10 * c33 * c42 - c10 * c35 * c72 - c37);
+    c74 = (-c5) * phi_x_rate + c7;
+    c75 = (-a_y) + c13 - c16 - c21 - c22 + c24 * c29 + c42 * c64 + c55;
+    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
+    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
+    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
+    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
+    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
+    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
+    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
+    (*cspan_at(&derivative, INT64_C(7))) = a_x;
+    (*cspan_at(&derivative, INT64_C(8))) = a_y;
+    (*cspan_at(&derivative, INT64_C(9))) = a_l;
+    (*cspan_at(&derivative, INT64_C(10))) = (-c0) * (c29 + c65);
+    (*cspan_at(&derivative, INT64_C(11))) = c53 * (c54 - c64 * c66);
+    (*cspan_at(&derivative, INT64_C(12))) = (-c67) * (c32 * ((-c37) * ((-c30) * c68 + w_x) + c38 * c68 * c69 + c47) + c49 * c71 + c58 * c70);
+    (*cspan_at(&derivative, INT64_C(13))) = (-c67) * (c31 * c71 - c34 * c70) / c32;
+    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) - c30 * c73 + hook_mass * ((-c36) * c69 * c73 - c46 * (c27 + c74 * c9) + c74);
+    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + c33 * c73 - c75 * hook_mass;
+    (*cspan_at(&force, INT64_C(2))) = (-c1) * c11 * (c33 * c63 - c75 * hook_mass) - c1 * c14 * (c35 * c63 + hook_mass * ((-c19) * c29 + c59 - c64 * c72)) + c2 * ((-c30) * c63 + hook_mass * ((-c1) * c29 - c1 * c65 + c74));
+    (*cspan_at(&tension, INT64_C(0))) = c73;
+}
+static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load)
+{
+    double x_t;
+    double y_t;
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double sling;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    x_t = (*cspan_at(&state, INT64_C(0)));
+    y_t = (*cspan_at(&state, INT64_C(1)));
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    c0 = sin(phi_x);
+    c1 = c0 * l;
+    c2 = sling * sin(psi_x);
+    c3 = sin(phi_y);
+    c4 = cos(phi_x);
+    c5 = c4 * l;
+    c6 = c3 * c5;
+    c7 = sin(psi_y);
+    c8 = sling * cos(psi_x);
+    c9 = c7 * c8;
+    c10 = cos(phi_y);
+    c11 = c10 * c5;
+    c12 = cos(psi_y);
+    c13 = c12 * c8;
+    c14 = c4 * l_rate;
+    c15 = c1 * phi_x_rate;
+    c16 = c2 * psi_x_rate;
+    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + c2 + x_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c6) - c9 + y_t;
+    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = (-c11) - c13;
+    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c5 * phi_x_rate + c8 * psi_x_rate + x_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c11) * phi_y_rate - c13 * psi_y_rate - c14 * c3 + c15 * c3 + c16 * c7 + y_t_rate;
+    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = (-c10) * c14 + c10 * c15 + c12 * c16 + c6 * phi_y_rate + c9 * psi_y_rate;
+}
+static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
+{
+    double l;
+    double phi_x;
+    double phi_y;
+    double psi_x;
+    double psi_y;
+    double x_t_rate;
+    double y_t_rate;
+    double l_rate;
+    double phi_x_rate;
+    double phi_y_rate;
+    double psi_x_rate;
+    double psi_y_rate;
+    double bridge_mass;
+    double trolley_mass;
+    double payload_mass;
+    double gravity;
+    double hook_mass;
+    double sling;
+    double c0;
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    double c6;
+    double c7;
+    double c8;
+    double c9;
+    double c10;
+    double c11;
+    double c12;
+    double c13;
+    double c14;
+    double c15;
+    double c16;
+    double c17;
+    double c18;
+    double c19;
+    l = (*cspan_at(&state, INT64_C(2)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    phi_y = (*cspan_at(&state, INT64_C(4)));
+    psi_x = (*cspan_at(&state, INT64_C(5)));
+    psi_y = (*cspan_at(&state, INT64_C(6)));
+    x_t_rate = (*cspan_at(&state, INT64_C(7)));
+    y_t_rate = (*cspan_at(&state, INT64_C(8)));
+    l_rate = (*cspan_at(&state, INT64_C(9)));
+    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
+    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
+    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
+    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
+    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
+    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
+    payload_mass = (*cspan_at(&masses, INT64_C(2)));
+    gravity = (*cspan_at(&masses, INT64_C(3)));
+    hook_mass = (*cspan_at(&masses, INT64_C(4)));
+    sling = (*cspan_at(&masses, INT64_C(5)));
+    c0 = x_t_rate * x_t_rate;
+    c1 = sin(phi_x);
+    c2 = cos(phi_x);
+    c3 = c2 * l;
+    c4 = c1 * l_rate + c3 * phi_x_rate + x_t_rate;
+    c5 = cos(phi_y);
+    c6 = c2 * l_rate;
+    c7 = c1 * l * phi_x_rate;
+    c8 = sin(phi_y);
+    c9 = c3 * c8 * phi_y_rate - c5 * c6 + c5 * c7;
+    c10 = c3 * c5;
+    c11 = (-c10) * phi_y_rate - c6 * c8 + c7 * c8 + y_t_rate;
+    c12 = sling * cos(psi_x);
+    c13 = cos(psi_y);
+    c14 = psi_x_rate * sling * sin(psi_x);
+    c15 = sin(psi_y);
+    c16 = c12 * c13;
+    c17 = c12 * psi_x_rate + c4;
+    c18 = c11 + c14 * c15 - c16 * psi_y_rate;
+    c19 = c12 * c15 * psi_y_rate + c13 * c14 + c9;
+    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * hook_mass * (c11 * c11 + c4 * c4 + c9 * c9) + 1.0 / 2.0 * payload_mass * (c17 * c17 + c18 * c18 + c19 * c19) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
+    (*cspan_at(&energy, INT64_C(1))) = (-gravity) * (c10 * hook_mass + payload_mass * (c10 + c16));
+}
+static void gather_hook(array_double_1d plant, array_double_1d state, array_double_2d work)
+{
+    array_double_1d own;
+    array_double_1d masses;
+    int64_t i;
+    own = span_row(&work, INT64_C(22));
+    masses = span_row(&work, INT64_C(24));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&own, i)) = (*cspan_at(&state, i));
+        (*cspan_at(&own, INT64_C(7) + i)) = (*cspan_at(&state, INT64_C(5) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&own, INT64_C(5) + i)) = (*cspan_at(&state, INT64_C(16) + i));
+        (*cspan_at(&own, INT64_C(12) + i)) = (*cspan_at(&state, INT64_C(18) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        (*cspan_at(&masses, i)) = (*cspan_at(&plant, i));
+    }
+    (*cspan_at(&masses, INT64_C(4))) = (*cspan_at(&plant, INT64_C(19)));
+    (*cspan_at(&masses, INT64_C(5))) = (*cspan_at(&plant, INT64_C(20)));
+}
+static void scatter_hook(array_double_2d work, array_double_1d derivative)
+{
+    array_double_1d rate;
+    int64_t i;
+    rate = span_row(&work, INT64_C(23));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&derivative, i)) = (*cspan_at(&rate, i));
+        (*cspan_at(&derivative, INT64_C(5) + i)) = (*cspan_at(&rate, INT64_C(7) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&derivative, INT64_C(16) + i)) = (*cspan_at(&rate, INT64_C(5) + i));
+        (*cspan_at(&derivative, INT64_C(18) + i)) = (*cspan_at(&rate, INT64_C(12) + i));
+    }
+    (*cspan_at(&work, INT64_C(14), INT64_C(7))) = (*cspan_at(&work, INT64_C(25), INT64_C(0)));
+}
+static void hooked_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    gather_hook(plant, state, work);
+    hook_rhs(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), span_row(&work, INT64_C(24)), span_row(&work, INT64_C(23)), span_row(&work, INT64_C(25)));
+    scatter_hook(work, derivative);
+}
+static void hooked_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    gather_hook(plant, state, work);
+    hook_driven(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), span_row(&work, INT64_C(24)), span_row(&work, INT64_C(23)), span_row(&work, INT64_C(14)), span_row(&work, INT64_C(25)));
+    scatter_hook(work, derivative);
+}
+static void hooked_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load)
+{
+    gather_hook(plant, state, work);
+    hook_load(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(24)), load);
+}
+static void hooked_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy)
+{
+    gather_hook(plant, state, work);
+    hook_energy(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(24)), energy);
+}
+static double hooked_mass(array_double_1d plant, array_double_1d state)
+{
+    double payload;
+    double hook;
+    double phi_x;
+    double psi_x;
+    double turned;
+    double cosine;
+    payload = (*cspan_at(&plant, INT64_C(2)));
+    hook = (*cspan_at(&plant, INT64_C(19)));
+    phi_x = (*cspan_at(&state, INT64_C(3)));
+    psi_x = (*cspan_at(&state, INT64_C(16)));
+    turned = cos((*cspan_at(&state, INT64_C(3) + INT64_C(1))) - (*cspan_at(&state, INT64_C(16) + INT64_C(1))));
+    cosine = sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(psi_x) * turned;
+    return hook * (hook + payload) / (hook + payload * (1.0 - cosine * cosine));
+}
+static bool has_tackle(array_double_1d resistance)
+{
+    bool result;
+    result = (*cspan_at(&resistance, INT64_C(18))) > 0.0;
+    return result;
+}
+static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    {
+        hooked_rhs(plant, state, work, derivative);
+    }
+    else
+    {
+        segfmu_crane_rhs(state, span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative);
+    }
+}
+static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
+{
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    {
+        hooked_driven(plant, state, work, derivative);
+    }
+    else
+    {
+        segfmu_crane_driven(state, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative, span_row(&work, INT64_C(14)));
+    }
+}
+static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load)
+{
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    {
+        hooked_load(plant, state, work, load);
+    }
+    else
+    {
+        segfmu_crane_load(state, load);
+    }
+}
+static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy)
+{
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    {
+        hooked_energy(plant, state, work, energy);
+    }
+    else
+    {
+        segfmu_crane_energy(state, plant, energy);
+    }
+}
+static double suspended_mass(array_double_1d plant, array_double_1d state)
+{
+    double result;
+    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    {
+        result = hooked_mass(plant, state);
+        return result;
+    }
+    result = (*cspan_at(&plant, INT64_C(2)));
+    return result;
+}
+int64_t segfmu_flat_orders(array_double_1d resistance)
+{
+    if ((int64_t)((*cspan_at(&resistance, INT64_C(18)))) == INT64_C(1))
+    {
+        return INT64_C(7);
+    }
+    return INT64_C(5);
+}
+static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration)
+{
+    if ((int64_t)((*cspan_at(&resistance, INT64_C(18)))) == INT64_C(1))
+    {
+        write_sling(flat, INT64_C(5), resistance, (*cspan_at(&resistance, INT64_C(19))), (*cspan_at(&resistance, INT64_C(20))), series);
+        suspension_derivatives(INT64_C(0), resistance, series, force, state, acceleration);
+    }
+    else
+    {
+        segfmu_crane_flat_inverse(flat, resistance, force, state, acceleration);
+    }
+}
 static double side_bound(double sign, double greatest, double least)
 {
     if ((sign < 0.0) && (least < 0.0))
@@ -3292,19 +4912,19 @@ static double limited(double value, double bound)
 static double velocity_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double result;
-    result = side_bound(sign, (*cspan_at(&plant, INT64_C(36) + axis)), (*cspan_at(&plant, INT64_C(39) + axis)));
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(37) + axis)), (*cspan_at(&plant, INT64_C(40) + axis)));
     return result;
 }
 static double acceleration_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double result;
-    result = side_bound(sign, (*cspan_at(&plant, INT64_C(30) + axis)), (*cspan_at(&plant, INT64_C(33) + axis)));
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(31) + axis)), (*cspan_at(&plant, INT64_C(34) + axis)));
     return result;
 }
 static double static_bound(array_double_1d plant, int64_t axis, double sign)
 {
     double result;
-    result = side_bound(sign, (*cspan_at(&plant, INT64_C(24) + axis)), (*cspan_at(&plant, INT64_C(27) + axis)));
+    result = side_bound(sign, (*cspan_at(&plant, INT64_C(25) + axis)), (*cspan_at(&plant, INT64_C(28) + axis)));
     return result;
 }
 static double force_bound(array_double_1d plant, int64_t axis, double sign, double velocity)
@@ -3313,10 +4933,10 @@ static double force_bound(array_double_1d plant, int64_t axis, double sign, doub
     double by_power;
     double bound;
     bound = static_bound(plant, axis, sign);
-    if ((*cspan_at(&plant, INT64_C(42) + axis)) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(43) + axis)) > 0.0)
     {
         speed = span_max(fabs(velocity), 1e-99);
-        by_power = (*cspan_at(&plant, INT64_C(42) + axis)) / speed;
+        by_power = (*cspan_at(&plant, INT64_C(43) + axis)) / speed;
         if ((bound == 0.0) || (by_power < bound))
         {
             bound = by_power;
@@ -3324,31 +4944,11 @@ static double force_bound(array_double_1d plant, int64_t axis, double sign, doub
     }
     return bound;
 }
-static double resisting_mass(array_double_1d plant, array_double_1d state)
-{
-    double hook;
-    double phi_x;
-    double psi_x;
-    double turned;
-    double cosine;
-    double payload;
-    payload = (*cspan_at(&plant, INT64_C(2)));
-    if ((*cspan_at(&plant, INT64_C(19))) <= 0.0)
-    {
-        return payload;
-    }
-    hook = (*cspan_at(&plant, INT64_C(18)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    psi_x = (*cspan_at(&state, INT64_C(16)));
-    turned = cos((*cspan_at(&state, INT64_C(3) + INT64_C(1))) - (*cspan_at(&state, INT64_C(16) + INT64_C(1))));
-    cosine = sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(psi_x) * turned;
-    return hook * (hook + payload) / (hook + payload * (1.0 - cosine * cosine));
-}
 static void rope_direction(array_double_1d plant, array_double_1d state, array_double_1d limit)
 {
     double phi_x;
     double phi_y;
-    (*cspan_at(&limit, INT64_C(18))) = resisting_mass(plant, state);
+    (*cspan_at(&limit, INT64_C(18))) = suspended_mass(plant, state);
     phi_x = (*cspan_at(&state, INT64_C(3)));
     phi_y = (*cspan_at(&state, INT64_C(3) + INT64_C(1)));
     (*cspan_at(&limit, INT64_C(6))) = sin(phi_x);
@@ -3525,7 +5125,7 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
 static double hanging_mass(array_double_1d resistance)
 {
     double result;
-    result = (*cspan_at(&resistance, INT64_C(2))) + (*cspan_at(&resistance, INT64_C(18)));
+    result = (*cspan_at(&resistance, INT64_C(2))) + (*cspan_at(&resistance, INT64_C(19)));
     return result;
 }
 static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state)
@@ -3755,7 +5355,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     double angle;
     double weight;
     array_double_1d hoist;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
     gravity = (*cspan_at(&plant, INT64_C(3)));
     slope = 2.0 * damping * bandwidth;
     square = bandwidth * bandwidth;
@@ -3801,7 +5401,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            lead_gains(i, (*cspan_at(&plant, INT64_C(21) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
+            lead_gains(i, (*cspan_at(&plant, INT64_C(22) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
         }
     }
 }
@@ -4452,8 +6052,8 @@ static void kalman_model(int64_t axis, array_double_1d plant, double length, arr
     int64_t j;
     mass = carriage_mass(plant, axis);
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    lag = (*cspan_at(&plant, INT64_C(21) + axis));
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
+    lag = (*cspan_at(&plant, INT64_C(22) + axis));
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
     matrix_set(INT64_C(8), 0.0, model);
     (*cspan_at(&model, INT64_C(6), INT64_C(7))) = 1.0;
     (*cspan_at(&model, INT64_C(0), INT64_C(2))) = 1.0;
@@ -4728,10 +6328,10 @@ static double acts_late(array_double_1d plant, array_double_1d design)
     lag = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        dead = span_max(dead, (*cspan_at(&plant, INT64_C(45) + axis)));
-        lag = span_max(lag, (*cspan_at(&plant, INT64_C(21) + axis)));
+        dead = span_max(dead, (*cspan_at(&plant, INT64_C(46) + axis)));
+        lag = span_max(lag, (*cspan_at(&plant, INT64_C(22) + axis)));
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) != INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) != INT64_C(1))
     {
         lag = 0.0;
     }
@@ -5129,7 +6729,7 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis, double sign)
     double by_force;
     double bound;
     bound = static_bound(plant, axis, sign);
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         moved = carriage_mass(plant, axis) + (*cspan_at(&plant, INT64_C(2)));
         by_force = bound / moved;
@@ -5162,7 +6762,7 @@ static double drive_strength(array_double_1d plant, int64_t axis)
     double weight;
     double weaker;
     weight = (*cspan_at(&plant, INT64_C(3)));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(0))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(0))
     {
         weight = weight * carriage_mass(plant, axis);
     }
@@ -5179,7 +6779,7 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
 {
     int64_t axis;
     double greatest;
-    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(20)));
+    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(21)));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
@@ -5188,12 +6788,12 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
     {
         (*cspan_at(&tracking, INT64_C(15) + axis)) = segfmu_drive_bound(plant, axis, 1.0);
         (*cspan_at(&tracking, INT64_C(12) + axis)) = -segfmu_drive_bound(plant, axis, -1.0);
-        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(36) + axis));
-        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(39) + axis));
-        (*cspan_at(&tracking, INT64_C(36) + axis)) = (*cspan_at(&plant, INT64_C(42) + axis));
+        (*cspan_at(&tracking, INT64_C(30) + axis)) = (*cspan_at(&plant, INT64_C(37) + axis));
+        (*cspan_at(&tracking, INT64_C(33) + axis)) = (*cspan_at(&plant, INT64_C(40) + axis));
+        (*cspan_at(&tracking, INT64_C(36) + axis)) = (*cspan_at(&plant, INT64_C(43) + axis));
     }
     greatest = 0.0;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         greatest = span_min(0.9 * (*cspan_at(&plant, INT64_C(3))), (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))));
     }
@@ -5226,7 +6826,7 @@ void segfmu_set_tracking(array_double_1d plant, array_double_1d design, double l
     (*cspan_at(&tracking, INT64_C(2))) = age / period;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(45) + axis))) / period;
+        (*cspan_at(&tracking, INT64_C(27) + axis)) = (age + (*cspan_at(&plant, INT64_C(46) + axis))) / period;
     }
     (*cspan_at(&tracking, INT64_C(19))) = period / (*cspan_at(&design, INT64_C(9)));
     set_noise(design, (*cspan_at(&plant, INT64_C(3))), longest, tracking);
@@ -5302,7 +6902,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     double velocity;
     sign = 1.0 - 2.0 * axis;
     scale = 1.0;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
     if ((axis == INT64_C(2)) && (!driven))
     {
         scale = 1.0 / (*cspan_at(&plant, INT64_C(2)));
@@ -5317,7 +6917,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     velocity = scheduled_gain(length, axis, INT64_C(5) + axis, table);
     (*cspan_at(&gains, INT64_C(0))) = scale * place;
     (*cspan_at(&gains, INT64_C(2))) = scale * velocity;
-    if (driven && ((*cspan_at(&plant, INT64_C(21) + axis)) <= 0.0))
+    if (driven && ((*cspan_at(&plant, INT64_C(22) + axis)) <= 0.0))
     {
         (*cspan_at(&gains, INT64_C(2))) = scale * velocity + command;
     }
@@ -5420,9 +7020,9 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     (*cspan_at(&fault, INT64_C(3))) = 1.0 + 1e-06;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        driven = (int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1);
-        lagging = driven && ((*cspan_at(&plant, INT64_C(21) + axis)) > 0.0);
-        delay = (*cspan_at(&plant, INT64_C(45) + axis)) / period;
+        driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
+        lagging = driven && ((*cspan_at(&plant, INT64_C(22) + axis)) > 0.0);
+        delay = (*cspan_at(&plant, INT64_C(46) + axis)) / period;
         if (predicted == INT64_C(1))
         {
             delay = 0.0;
@@ -5739,542 +7339,6 @@ void segfmu_track_setpoint(array_double_1d parameters, array_double_3d table, ar
         track_hoist(parameters, memory);
     }
     (*cspan_at(&memory, INT64_C(3), INT64_C(4))) = 0.0;
-}
-void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double f_x_t;
-    double f_y_t;
-    double f_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
-    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
-    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = INT64_C(1) / l;
-    c4 = c3 * f_phi_x;
-    c5 = c1 * f_l + c2 * c4;
-    c6 = c5 - f_x_t;
-    c7 = sin(phi_y);
-    c8 = c2 * c7;
-    c9 = cos(phi_y);
-    c10 = c3 / c2;
-    c11 = c10 * f_phi_y;
-    c12 = c1 * c7;
-    c13 = c11 * c9 - c12 * c4 + c8 * f_l;
-    c14 = (c13 + f_y_t) / trolley_mass;
-    c15 = c2 * l_rate;
-    c16 = c1 * phi_x_rate;
-    c17 = c16 * l;
-    c18 = INT64_C(1) / payload_mass;
-    c19 = (-c0) * c6 + c15 * phi_x_rate - c18 * (c5 + w_x) + phi_x_rate * ((-c17) + c2 * l_rate);
-    c20 = c8 * phi_y_rate;
-    c21 = c1 * l_rate;
-    c22 = c2 * c9;
-    c23 = l * phi_x_rate;
-    c24 = l * phi_y_rate;
-    c25 = c22 * phi_y_rate;
-    c26 = c1 * c9;
-    c27 = (-c18) * (c11 * c7 - c22 * f_l + c26 * c4 + w_z) + gravity + l_rate * (c16 * c9 + c20) + phi_x_rate * ((-c12) * c24 + c21 * c9 + c22 * c23) + phi_y_rate * (c15 * c7 - c17 * c7 + c25 * l);
-    c28 = c14 - c18 * ((-c13) + w_y) + l_rate * (c16 * c7 - c25) + phi_x_rate * (c21 * c7 + c23 * c8 + c24 * c26) + phi_y_rate * ((-c15) * c9 + c17 * c9 + c20 * l);
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = (-c0) * c6;
-    (*cspan_at(&derivative, INT64_C(6))) = c14;
-    (*cspan_at(&derivative, INT64_C(7))) = (-c1) * c19 + c22 * c27 + c28 * c8;
-    (*cspan_at(&derivative, INT64_C(8))) = (-c3) * (c12 * c28 + c19 * c2 + c26 * c27);
-    (*cspan_at(&derivative, INT64_C(9))) = c10 * ((-c27) * c7 + c28 * c9);
-}
-void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double a_x;
-    double a_y;
-    double a_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    a_x = (*cspan_at(&carriage, INT64_C(0)));
-    a_y = (*cspan_at(&carriage, INT64_C(1)));
-    a_l = (*cspan_at(&carriage, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (l * l);
-    c1 = INT64_C(1) / payload_mass;
-    c2 = cos(phi_x);
-    c3 = sin(phi_x);
-    c4 = c3 * phi_x_rate;
-    c5 = c4 * l;
-    c6 = (-c2) * l_rate + c5;
-    c7 = c2 * l_rate;
-    c8 = a_l * c3 + a_x + c7 * phi_x_rate;
-    c9 = (-c1) * w_x + c8;
-    c10 = c2 * l;
-    c11 = sin(phi_y);
-    c12 = cos(phi_y);
-    c13 = c2 * phi_y_rate;
-    c14 = c3 * l_rate;
-    c15 = c10 * c11;
-    c16 = c3 * l;
-    c17 = c12 * phi_y_rate;
-    c18 = a_l * c2;
-    c19 = a_y - c11 * c18 + l_rate * (c11 * c4 - c12 * c13) + phi_x_rate * (c11 * c14 + c15 * phi_x_rate + c16 * c17) + phi_y_rate * (c12 * c5 - c12 * c7 + c15 * phi_y_rate);
-    c20 = (-c1) * w_y + c19;
-    c21 = c11 * c16;
-    c22 = c10 * c12;
-    c23 = (-c1) * w_z - c12 * c18 + gravity + l_rate * (c11 * c13 + c12 * c4) + phi_x_rate * (c12 * c14 - c21 * phi_y_rate + c22 * phi_x_rate) + phi_y_rate * (c10 * c17 - c11 * c5 + c11 * c7);
-    c24 = (-c1) * f_phi_x + c10 * ((-c6) * phi_x_rate + c9) + c12 * c16 * c23 + c20 * c21;
-    c25 = c1 * f_phi_y - c15 * c23 + c20 * c22;
-    c26 = (-c6) * phi_x_rate;
-    c27 = INT64_C(1) / l;
-    c28 = c2 * c27;
-    c29 = c12 * c27;
-    c30 = c25 / c2;
-    c31 = (-c29) * c30;
-    c32 = c11 * c27;
-    c33 = c3 * c32;
-    c34 = -c24;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = a_x;
-    (*cspan_at(&derivative, INT64_C(6))) = a_y;
-    (*cspan_at(&derivative, INT64_C(7))) = a_l;
-    (*cspan_at(&derivative, INT64_C(8))) = (-c0) * c24;
-    (*cspan_at(&derivative, INT64_C(9))) = c0 * c25 / (c2 * c2);
-    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) + payload_mass * ((-c24) * c28 + c26 + c8) - w_x;
-    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + payload_mass * (c19 - c24 * c33 + c31) - w_y;
-    (*cspan_at(&force, INT64_C(2))) = payload_mass * ((-c11) * c2 * (c20 + c31 + c33 * c34) - c12 * c2 * (c23 + c29 * c3 * c34 + c30 * c32) + c3 * (c26 + c28 * c34 + c9));
-}
-void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration)
-{
-    double p0x;
-    double p0y;
-    double p0z;
-    double p1x;
-    double p1y;
-    double p1z;
-    double p2x;
-    double p2y;
-    double p2z;
-    double p3x;
-    double p3y;
-    double p3z;
-    double p4x;
-    double p4y;
-    double p4z;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    double c64;
-    double c65;
-    double c66;
-    double c67;
-    p0x = (*cspan_at(&flat, INT64_C(0), INT64_C(0)));
-    p0y = (*cspan_at(&flat, INT64_C(0), INT64_C(1)));
-    p0z = (*cspan_at(&flat, INT64_C(0), INT64_C(2)));
-    p1x = (*cspan_at(&flat, INT64_C(1), INT64_C(0)));
-    p1y = (*cspan_at(&flat, INT64_C(1), INT64_C(1)));
-    p1z = (*cspan_at(&flat, INT64_C(1), INT64_C(2)));
-    p2x = (*cspan_at(&flat, INT64_C(2), INT64_C(0)));
-    p2y = (*cspan_at(&flat, INT64_C(2), INT64_C(1)));
-    p2z = (*cspan_at(&flat, INT64_C(2), INT64_C(2)));
-    p3x = (*cspan_at(&flat, INT64_C(3), INT64_C(0)));
-    p3y = (*cspan_at(&flat, INT64_C(3), INT64_C(1)));
-    p3z = (*cspan_at(&flat, INT64_C(3), INT64_C(2)));
-    p4x = (*cspan_at(&flat, INT64_C(4), INT64_C(0)));
-    p4y = (*cspan_at(&flat, INT64_C(4), INT64_C(1)));
-    p4z = (*cspan_at(&flat, INT64_C(4), INT64_C(2)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    c0 = gravity + p2z;
-    c1 = INT64_C(1) / c0;
-    c2 = c1 * p0z;
-    c3 = c1 * p2z;
-    c4 = p0z * p4z;
-    c5 = c0 * c0;
-    c6 = INT64_C(1) / c5;
-    c7 = c6 * p2x;
-    c8 = c1 * p3z;
-    c9 = c8 * p2x;
-    c10 = c1 * p1z;
-    c11 = c1 * (c8 * p0z - p1z);
-    c12 = p0z * p3x;
-    c13 = p1z * p2x;
-    c14 = c6 * p3z;
-    c15 = c10 * (c9 - p3x) + c11 * p3x + c14 * (c12 + c13 - INT64_C(2) * c9 * p0z) - c2 * p4x - c3 * p2x + c4 * c7 + p2x;
-    c16 = p2y * p4z;
-    c17 = c6 * p0z;
-    c18 = p2y * p3z;
-    c19 = p0z * p3y;
-    c20 = p1z * p2y;
-    c21 = INT64_C(2) * c18;
-    c22 = c10 * (c1 * c18 - p3y) + c11 * p3y + c14 * (c19 - c2 * c21 + c20) + c16 * c17 - c2 * p4y - c3 * p2y + p2y;
-    c23 = p2x * p2x;
-    c24 = p2y * p2y;
-    c25 = c24 + c5;
-    c26 = c23 + c25;
-    c27 = sqrt(c26);
-    c28 = sqrt(c25);
-    c29 = p0z * p2x;
-    c30 = c1 * c12;
-    c31 = (-c1) * c13 - c30;
-    c32 = c1 * c19;
-    c33 = (-c1) * c20 - c32;
-    c34 = INT64_C(1) / c27;
-    c35 = c1 * c34;
-    c36 = c12 * p2x;
-    c37 = c19 * p2y;
-    c38 = c27 * c6;
-    c39 = c34 - c38;
-    c40 = p0z * p3z;
-    c41 = INT64_C(1) / c26;
-    c42 = c28 * p3x;
-    c43 = INT64_C(1) / c28;
-    c44 = c43 * p2y;
-    c45 = c44 * p3y;
-    c46 = c0 * c43;
-    c47 = c46 * p3z;
-    c48 = INT64_C(1) / c25;
-    c49 = c35 * p2y;
-    c50 = c41 + c6;
-    c51 = c30 * c41;
-    c52 = c32 * c41;
-    c53 = p2x * p2y;
-    c54 = INT64_C(1) / (c26 * sqrt(c26));
-    c55 = c44 * p2x;
-    c56 = c46 * p2x;
-    c57 = INT64_C(2) * c41;
-    c58 = c42 * c57;
-    c59 = c23 * c57;
-    c60 = c43 * p2x;
-    c61 = c60 * p3y;
-    c62 = p2x / (c25 * sqrt(c25));
-    c63 = c0 * c18;
-    c64 = c60 * p3z;
-    c65 = c0 * p3y;
-    c66 = c65 * p2y;
-    c67 = INT64_C(2) * c48;
-    (*cspan_at(&force, INT64_C(0))) = c15 * (bridge_mass + trolley_mass) + p2x * payload_mass;
-    (*cspan_at(&force, INT64_C(1))) = c22 * trolley_mass + p2y * payload_mass;
-    (*cspan_at(&force, INT64_C(2))) = (-c27) * payload_mass;
-    (*cspan_at(&state, INT64_C(0))) = (-c2) * p2x + p0x;
-    (*cspan_at(&state, INT64_C(1))) = (-c2) * p2y + p0y;
-    (*cspan_at(&state, INT64_C(2))) = (-c2) * c27;
-    (*cspan_at(&state, INT64_C(3))) = atan2(-p2x, c28);
-    (*cspan_at(&state, INT64_C(4))) = atan2(p2y, c0);
-    (*cspan_at(&state, INT64_C(5))) = c14 * c29 + c31 + p1x;
-    (*cspan_at(&state, INT64_C(6))) = c17 * c18 + c33 + p1y;
-    (*cspan_at(&state, INT64_C(7))) = (-c10) * c27 - c35 * c36 - c35 * c37 - c39 * c40;
-    (*cspan_at(&state, INT64_C(8))) = c41 * ((-c42) + c45 * p2x + c47 * p2x);
-    (*cspan_at(&state, INT64_C(9))) = c48 * (c0 * p3y - c18);
-    (*cspan_at(&acceleration, INT64_C(0))) = c15;
-    (*cspan_at(&acceleration, INT64_C(1))) = c22;
-    (*cspan_at(&acceleration, INT64_C(2))) = (-c27) * c3 - c29 * c35 * p4x + c34 * p3x * (c23 * c51 + c31 + c40 * c50 * p2x + c52 * c53) + c34 * p3y * (c18 * c50 * p0z + c24 * c52 + c33 + c51 * c53) - c39 * c4 - c49 * p0z * p4y - p1z * (c35 * p2x * p3x + c39 * p3z + c49 * p3y) + p3z * (c12 * c34 * c7 + c34 * c37 * c6 - c34 * p1z + c36 * c54 + c37 * c54 + c38 * p1z - c40 * ((-c0) * c54 - c35 + INT64_C(2) * c27 / (c0 * c0 * c0)));
-    (*cspan_at(&acceleration, INT64_C(3))) = c41 * ((-c28) * p4x + c55 * p4y + c56 * p4z + p3x * ((-c45) * c59 + c45 - c47 * c59 + c47 + c58 * p2x) - p3y * (c21 * c41 * c56 + c24 * c57 * c61 + c24 * c62 * p3y + c44 * p3x - c58 * p2y - c61 + c62 * c63) - p3z * ((-c0) * c58 + c46 * p3x + c5 * c57 * c64 + c5 * c62 * p3z + c55 * c57 * c65 + c62 * c66 - c64));
-    (*cspan_at(&acceleration, INT64_C(4))) = c48 * (c0 * p4y - c16 - p3y * ((-c24) * c67 * p3z + c66 * c67 + p3z) + p3z * ((-c5) * c67 * p3y + c63 * c67 + p3y));
-}
-void segfmu_crane_load(array_double_1d state, array_double_2d load)
-{
-    double x_t;
-    double y_t;
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    x_t = (*cspan_at(&state, INT64_C(0)));
-    y_t = (*cspan_at(&state, INT64_C(1)));
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    c0 = sin(phi_x);
-    c1 = c0 * l;
-    c2 = sin(phi_y);
-    c3 = cos(phi_x);
-    c4 = c3 * l;
-    c5 = c2 * c4;
-    c6 = cos(phi_y);
-    c7 = c4 * c6;
-    c8 = c3 * l_rate;
-    c9 = c1 * phi_x_rate;
-    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + x_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c5) + y_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = -c7;
-    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c4 * phi_x_rate + x_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c2) * c8 + c2 * c9 - c7 * phi_y_rate + y_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = c5 * phi_y_rate - c6 * c8 + c6 * c9;
-}
-void segfmu_crane_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    x_t_rate = (*cspan_at(&state, INT64_C(5)));
-    y_t_rate = (*cspan_at(&state, INT64_C(6)));
-    l_rate = (*cspan_at(&state, INT64_C(7)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(8)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(9)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    c0 = x_t_rate * x_t_rate;
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = l * phi_x_rate;
-    c4 = cos(phi_y);
-    c5 = c2 * l_rate;
-    c6 = c1 * c3;
-    c7 = sin(phi_y);
-    c8 = c2 * l;
-    c9 = c8 * phi_y_rate;
-    c10 = c1 * l_rate + c2 * c3 + x_t_rate;
-    c11 = (-c4) * c5 + c4 * c6 + c7 * c9;
-    c12 = (-c4) * c9 - c5 * c7 + c6 * c7 + y_t_rate;
-    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * payload_mass * (c10 * c10 + c11 * c11 + c12 * c12) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
-    (*cspan_at(&energy, INT64_C(1))) = (-c4) * c8 * gravity * payload_mass;
 }
 static void crane_rhs_partials(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_2d partials)
 {
@@ -7290,263 +8354,22 @@ void segfmu_crane_energy_partials(array_double_1d state, array_double_1d masses,
     (*cspan_at(&partials, INT64_C(1), INT64_C(8))) = 0.0;
     (*cspan_at(&partials, INT64_C(1), INT64_C(9))) = 0.0;
 }
-static double series_factorial(int64_t order)
-{
-    int64_t i;
-    double product;
-    product = 1.0;
-    for (i = INT64_C(2); i < order + INT64_C(1); i += INT64_C(1))
-    {
-        product = product * i;
-    }
-    return product;
-}
-static void series_of_derivatives(array_double_2d values, int64_t first, int64_t column, int64_t count, array_double_1d found)
-{
-    double scale;
-    int64_t i;
-    scale = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        if (i > INT64_C(1))
-        {
-            scale = scale * i;
-        }
-        (*cspan_at(&found, i)) = (*cspan_at(&values, first + i, column)) / scale;
-    }
-}
-static double series_derivative(array_double_1d a, int64_t order)
-{
-    double result;
-    result = series_factorial(order) * (*cspan_at(&a, order));
-    return result;
-}
-static void series_sum(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = (*cspan_at(&a, i)) + (*cspan_at(&b, i));
-    }
-}
-static void series_difference(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = (*cspan_at(&a, i)) - (*cspan_at(&b, i));
-    }
-}
-static void series_negative(array_double_1d a, int64_t count, array_double_1d found)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        (*cspan_at(&found, i)) = -(*cspan_at(&a, i));
-    }
-}
-static void series_product(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + (*cspan_at(&a, i)) * (*cspan_at(&b, k - i));
-        }
-        (*cspan_at(&found, k)) = total;
-    }
-}
-static void series_quotient(array_double_1d a, array_double_1d b, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        total = (*cspan_at(&a, k));
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&found, i)) * (*cspan_at(&b, k - i));
-        }
-        (*cspan_at(&found, k)) = total / (*cspan_at(&b, INT64_C(0)));
-    }
-}
-static void series_root(array_double_1d a, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = sqrt((*cspan_at(&a, INT64_C(0))));
-    for (k = INT64_C(1); k < count; k += INT64_C(1))
-    {
-        total = (*cspan_at(&a, k));
-        for (i = INT64_C(1); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&found, i)) * (*cspan_at(&found, k - i));
-        }
-        (*cspan_at(&found, k)) = total / (2.0 * (*cspan_at(&found, INT64_C(0))));
-    }
-}
-static void series_exponential(array_double_1d a, int64_t count, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = exp((*cspan_at(&a, INT64_C(0))));
-    for (k = INT64_C(1); k < count; k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(1); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + i * (*cspan_at(&a, i)) * (*cspan_at(&found, k - i));
-        }
-        (*cspan_at(&found, k)) = total / k;
-    }
-}
-static void series_angle(array_double_1d y, array_double_1d x, array_double_1d square, int64_t count, array_double_1d scratch, array_double_1d found)
-{
-    int64_t k;
-    double total;
-    int64_t i;
-    (*cspan_at(&found, INT64_C(0))) = atan2((*cspan_at(&y, INT64_C(0))), (*cspan_at(&x, INT64_C(0))));
-    for (k = INT64_C(0); k < count - INT64_C(1); k += INT64_C(1))
-    {
-        total = 0.0;
-        for (i = INT64_C(0); i < k + INT64_C(1); i += INT64_C(1))
-        {
-            total = total + (k + INT64_C(1) - i) * ((*cspan_at(&x, i)) * (*cspan_at(&y, k + INT64_C(1) - i)) - (*cspan_at(&y, i)) * (*cspan_at(&x, k + INT64_C(1) - i)));
-        }
-        for (i = INT64_C(0); i < k; i += INT64_C(1))
-        {
-            total = total - (*cspan_at(&scratch, i)) * (*cspan_at(&square, k - i));
-        }
-        (*cspan_at(&scratch, k)) = total / (*cspan_at(&square, INT64_C(0)));
-        (*cspan_at(&found, k + INT64_C(1))) = (*cspan_at(&scratch, k)) / (k + 1.0);
-    }
-}
-static void suspension_derivatives(int64_t order, array_double_1d masses, array_double_2d work, array_double_1d force, array_double_1d state, array_double_1d acceleration)
-{
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    array_double_1d x;
-    array_double_1d y;
-    array_double_1d z;
-    array_double_1d w_x;
-    array_double_1d w_y;
-    array_double_1d w_z;
-    array_double_1d s0;
-    array_double_1d s1;
-    array_double_1d s2;
-    array_double_1d s3;
-    array_double_1d s4;
-    array_double_1d s5;
-    array_double_1d s6;
-    array_double_1d x_t;
-    array_double_1d y_t;
-    array_double_1d l;
-    array_double_1d phi_x;
-    array_double_1d phi_y;
-    int64_t count;
-    int64_t i;
-    double scale;
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    x = span_row(&work, INT64_C(0));
-    y = span_row(&work, INT64_C(0) + INT64_C(1));
-    z = span_row(&work, INT64_C(0) + INT64_C(2));
-    w_x = span_row(&work, INT64_C(3));
-    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
-    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
-    s0 = span_row(&work, INT64_C(6));
-    s1 = span_row(&work, INT64_C(6) + INT64_C(1));
-    s2 = span_row(&work, INT64_C(6) + INT64_C(2));
-    s3 = span_row(&work, INT64_C(6) + INT64_C(3));
-    s4 = span_row(&work, INT64_C(6) + INT64_C(4));
-    s5 = span_row(&work, INT64_C(6) + INT64_C(5));
-    s6 = span_row(&work, INT64_C(6) + INT64_C(6));
-    x_t = span_row(&work, INT64_C(13));
-    y_t = span_row(&work, INT64_C(13) + INT64_C(1));
-    l = span_row(&work, INT64_C(13) + INT64_C(2));
-    phi_x = span_row(&work, INT64_C(13) + INT64_C(3));
-    phi_y = span_row(&work, INT64_C(13) + INT64_C(4));
-    count = order + INT64_C(3);
-    series_quotient(z, w_z, count, s0);
-    series_product(w_y, w_y, count, s2);
-    series_product(w_z, w_z, count, s3);
-    series_sum(s2, s3, count, s1);
-    series_product(w_x, w_x, count, s3);
-    series_sum(s1, s3, count, s2);
-    series_root(s2, count, s3);
-    series_product(s0, w_x, count, s4);
-    series_difference(x, s4, count, x_t);
-    series_product(s0, w_y, count, s4);
-    series_difference(y, s4, count, y_t);
-    series_product(s0, s3, count, l);
-    series_negative(l, count, l);
-    series_negative(w_x, count, s4);
-    series_root(s1, count, s5);
-    series_angle(s4, s5, s2, count, s6, phi_x);
-    series_angle(w_y, w_z, s1, count, s4, phi_y);
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        (*cspan_at(&state, INT64_C(0) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order);
-        (*cspan_at(&state, INT64_C(5) + i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(1));
-        (*cspan_at(&acceleration, i)) = series_derivative(span_row(&work, INT64_C(13) + i), order + INT64_C(2));
-    }
-    scale = series_factorial(order);
-    (*cspan_at(&force, INT64_C(0))) = (bridge_mass + trolley_mass) * (*cspan_at(&acceleration, INT64_C(0))) + payload_mass * scale * (*cspan_at(&w_x, order));
-    (*cspan_at(&force, INT64_C(0) + INT64_C(1))) = trolley_mass * (*cspan_at(&acceleration, INT64_C(0) + INT64_C(1))) + payload_mass * scale * (*cspan_at(&w_y, order));
-    (*cspan_at(&force, INT64_C(0) + INT64_C(2))) = (-payload_mass) * scale * (*cspan_at(&s3, order));
-}
-void segfmu_flat_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, array_double_2d work, array_double_1d found)
-{
-    double gravity;
-    array_double_1d x;
-    array_double_1d y;
-    array_double_1d z;
-    array_double_1d w_x;
-    array_double_1d w_y;
-    array_double_1d w_z;
-    int64_t count;
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    x = span_row(&work, INT64_C(0));
-    y = span_row(&work, INT64_C(0) + INT64_C(1));
-    z = span_row(&work, INT64_C(0) + INT64_C(2));
-    w_x = span_row(&work, INT64_C(3));
-    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
-    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
-    count = order + INT64_C(3);
-    series_of_derivatives(flat, INT64_C(0), INT64_C(0), count, x);
-    series_of_derivatives(flat, INT64_C(0), INT64_C(1), count, y);
-    series_of_derivatives(flat, INT64_C(0), INT64_C(2), count, z);
-    series_of_derivatives(flat, INT64_C(2), INT64_C(0), count, w_x);
-    series_of_derivatives(flat, INT64_C(2), INT64_C(1), count, w_y);
-    series_of_derivatives(flat, INT64_C(2), INT64_C(2), count, w_z);
-    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
-    suspension_derivatives(order, masses, work, span_piece(&found, INT64_C(0), INT64_C(3)), span_piece(&found, INT64_C(3), INT64_C(13)), span_piece(&found, INT64_C(13), INT64_C(18)));
-}
 static double compression(array_double_1d plant, int64_t axis, double position)
 {
     double result;
-    if (position > (*cspan_at(&plant, INT64_C(52) + axis)))
+    if (position > (*cspan_at(&plant, INT64_C(53) + axis)))
     {
-        result = position - (*cspan_at(&plant, INT64_C(52) + axis));
+        result = position - (*cspan_at(&plant, INT64_C(53) + axis));
         return result;
     }
-    result = span_min(position - (*cspan_at(&plant, INT64_C(49) + axis)), 0.0);
+    result = span_min(position - (*cspan_at(&plant, INT64_C(50) + axis)), 0.0);
     return result;
 }
 static double buffer_force(array_double_1d plant, int64_t axis, double position, double velocity)
 {
     double pressed;
     double force;
-    if ((*cspan_at(&plant, INT64_C(55) + axis)) == 0.0)
+    if ((*cspan_at(&plant, INT64_C(56) + axis)) == 0.0)
     {
         return 0.0;
     }
@@ -7555,7 +8378,7 @@ static double buffer_force(array_double_1d plant, int64_t axis, double position,
     {
         return 0.0;
     }
-    force = (*cspan_at(&plant, INT64_C(55) + axis)) * pressed + (*cspan_at(&plant, INT64_C(58) + axis)) * velocity;
+    force = (*cspan_at(&plant, INT64_C(56) + axis)) * pressed + (*cspan_at(&plant, INT64_C(59) + axis)) * velocity;
     if (force * pressed <= 0.0)
     {
         return 0.0;
@@ -7570,8 +8393,8 @@ static int64_t buffer_slopes(double* result_0_0001, double* result_1_0001, array
         (*result_1_0001) = 0.0;
         return 0;
     }
-    (*result_0_0001) = (*cspan_at(&plant, INT64_C(55) + axis));
-    (*result_1_0001) = (*cspan_at(&plant, INT64_C(58) + axis));
+    (*result_0_0001) = (*cspan_at(&plant, INT64_C(56) + axis));
+    (*result_1_0001) = (*cspan_at(&plant, INT64_C(59) + axis));
     return 0;
 }
 static double dry_level(array_double_1d resistance, int64_t axis, double velocity)
@@ -7733,127 +8556,6 @@ static double first_deflection(array_double_1d resistance, int64_t axis, double 
     share = velocity / (*cspan_at(&resistance, INT64_C(16)));
     result = (*cspan_at(&resistance, INT64_C(17))) * span_min(span_max(share, -1.0), 1.0);
     return result;
-}
-static void write_links(array_double_2d flat, int64_t count, double gravity, array_double_2d work)
-{
-    int64_t i;
-    array_double_1d w_x;
-    array_double_1d w_y;
-    array_double_1d w_z;
-    array_double_1d across;
-    array_double_1d size;
-    array_double_1d square;
-    array_double_1d part;
-    array_double_1d scratch;
-    int64_t k;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        series_of_derivatives(flat, INT64_C(0), i, count, span_row(&work, INT64_C(0) + i));
-        series_of_derivatives(flat, INT64_C(2), i, count, span_row(&work, INT64_C(3) + i));
-    }
-    w_x = span_row(&work, INT64_C(3));
-    w_y = span_row(&work, INT64_C(3) + INT64_C(1));
-    w_z = span_row(&work, INT64_C(3) + INT64_C(2));
-    (*cspan_at(&w_z, INT64_C(0))) = (*cspan_at(&w_z, INT64_C(0))) + gravity;
-    across = span_row(&work, INT64_C(6));
-    size = span_row(&work, INT64_C(6) + INT64_C(1));
-    square = span_row(&work, INT64_C(6) + INT64_C(2));
-    part = span_row(&work, INT64_C(13));
-    scratch = span_row(&work, INT64_C(13) + INT64_C(1));
-    series_product(w_y, w_y, count, part);
-    series_product(w_z, w_z, count, scratch);
-    series_sum(part, scratch, count, across);
-    series_product(w_x, w_x, count, part);
-    series_sum(across, part, count, square);
-    series_angle(w_y, w_z, across, count, scratch, span_row(&work, INT64_C(21) + INT64_C(1)));
-    series_root(across, count, part);
-    for (k = INT64_C(0); k < count; k += INT64_C(1))
-    {
-        (*cspan_at(&size, k)) = -(*cspan_at(&w_x, k));
-    }
-    series_angle(size, part, square, count, scratch, span_row(&work, INT64_C(21)));
-    series_root(square, count, size);
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        series_quotient(span_row(&work, INT64_C(3) + i), size, count, span_row(&work, INT64_C(18) + i));
-    }
-}
-static void climb_sling(int64_t count, double share, double sling, double gravity, array_double_2d work)
-{
-    int64_t i;
-    array_double_1d path;
-    array_double_1d direction;
-    array_double_1d pull;
-    int64_t k;
-    array_double_1d upwards;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
-    {
-        path = span_row(&work, INT64_C(0) + i);
-        direction = span_row(&work, INT64_C(18) + i);
-        pull = span_row(&work, INT64_C(3) + i);
-        for (k = INT64_C(0); k < count; k += INT64_C(1))
-        {
-            (*cspan_at(&path, k)) = (*cspan_at(&path, k)) + sling * (*cspan_at(&direction, k));
-        }
-        for (k = INT64_C(0); k < count - INT64_C(2); k += INT64_C(1))
-        {
-            (*cspan_at(&pull, k)) = (*cspan_at(&pull, k)) + share * (k + 1.0) * (k + 2.0) * (*cspan_at(&path, k + INT64_C(2)));
-        }
-    }
-    upwards = span_row(&work, INT64_C(3) + INT64_C(2));
-    (*cspan_at(&upwards, INT64_C(0))) = (*cspan_at(&upwards, INT64_C(0))) + share * gravity;
-}
-static void write_sling(array_double_2d flat, int64_t count, array_double_1d masses, double hook_mass, double sling, array_double_2d work)
-{
-    double gravity;
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    write_links(flat, count, gravity, work);
-    climb_sling(count, hook_mass / (*cspan_at(&masses, INT64_C(2))), sling, gravity, work);
-}
-void segfmu_hook_derivatives(array_double_2d flat, int64_t order, array_double_1d masses, double hook_mass, double sling, array_double_2d work, array_double_1d found)
-{
-    int64_t i;
-    int64_t k;
-    array_double_1d angle;
-    write_sling(flat, order + INT64_C(5), masses, hook_mass, sling, work);
-    suspension_derivatives(order, masses, work, span_piece(&found, INT64_C(0), INT64_C(3)), span_piece(&found, INT64_C(3), INT64_C(13)), span_piece(&found, INT64_C(13), INT64_C(18)));
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        k = INT64_C(5) - INT64_C(1) - i;
-        (*cspan_at(&found, INT64_C(17) + k)) = (*cspan_at(&found, INT64_C(13) + k));
-    }
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        k = INT64_C(5) - INT64_C(1) - i;
-        (*cspan_at(&found, INT64_C(3) + INT64_C(7) + k)) = (*cspan_at(&found, INT64_C(3) + INT64_C(5) + k));
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        angle = span_row(&work, INT64_C(21) + i);
-        (*cspan_at(&found, INT64_C(3) + INT64_C(5) + i)) = series_derivative(angle, order);
-        (*cspan_at(&found, INT64_C(3) + INT64_C(12) + i)) = series_derivative(angle, order + INT64_C(1));
-        (*cspan_at(&found, INT64_C(17) + INT64_C(5) + i)) = series_derivative(angle, order + INT64_C(2));
-    }
-}
-int64_t segfmu_flat_orders(array_double_1d resistance)
-{
-    if ((*cspan_at(&resistance, INT64_C(19))) > 0.0)
-    {
-        return INT64_C(7);
-    }
-    return INT64_C(5);
-}
-static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration)
-{
-    if ((*cspan_at(&resistance, INT64_C(19))) > 0.0)
-    {
-        write_sling(flat, INT64_C(5), resistance, (*cspan_at(&resistance, INT64_C(18))), (*cspan_at(&resistance, INT64_C(19))), series);
-        suspension_derivatives(INT64_C(0), resistance, series, force, state, acceleration);
-    }
-    else
-    {
-        segfmu_crane_flat_inverse(flat, resistance, force, state, acceleration);
-    }
 }
 static double next_break(double time, array_double_2d timing, array_int64_t_1d offsets, array_double_1d ends)
 {
@@ -8315,7 +9017,7 @@ int64_t segfmu_contact_history(int64_t axis, array_double_2d timing, array_doubl
     double velocity;
     int64_t row;
     int64_t count;
-    for (i = INT64_C(0); i < INT64_C(20); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(21); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(27), i)) = (*cspan_at(&resistance, i));
     }
@@ -8424,7 +9126,7 @@ void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_dou
 static bool may_slacken(array_double_1d plant)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&plant, INT64_C(78)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&plant, INT64_C(79)))) == INT64_C(1);
     return result;
 }
 static bool is_slack(array_double_1d state)
@@ -8498,680 +9200,6 @@ static void change_rope(array_double_1d plant, array_double_1d state)
     (*cspan_at(&state, INT64_C(20))) = 0.0;
     (*cspan_at(&state, INT64_C(21))) = 0.0;
     (*cspan_at(&state, INT64_C(22))) = 0.0;
-}
-static void hook_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d tension)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double hook_mass;
-    double sling;
-    double f_x_t;
-    double f_y_t;
-    double f_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    hook_mass = (*cspan_at(&masses, INT64_C(4)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    f_x_t = (*cspan_at(&generalized_force, INT64_C(0)));
-    f_y_t = (*cspan_at(&generalized_force, INT64_C(1)));
-    f_l = (*cspan_at(&generalized_force, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / (bridge_mass + trolley_mass);
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = INT64_C(1) / l;
-    c4 = c3 * f_phi_x;
-    c5 = c1 * f_l + c2 * c4;
-    c6 = c5 - f_x_t;
-    c7 = sin(phi_y);
-    c8 = c2 * f_l;
-    c9 = c1 * c4;
-    c10 = cos(phi_y);
-    c11 = INT64_C(1) / c2;
-    c12 = c11 * c3;
-    c13 = c12 * f_phi_y;
-    c14 = c10 * c13 + c7 * c8 - c7 * c9;
-    c15 = (c14 + f_y_t) / trolley_mass;
-    c16 = c2 * l_rate;
-    c17 = c1 * phi_x_rate;
-    c18 = c17 * l;
-    c19 = INT64_C(1) / hook_mass;
-    c20 = sin(psi_x);
-    c21 = INT64_C(1) / payload_mass;
-    c22 = c20 * (psi_x_rate * psi_x_rate) * sling;
-    c23 = (-c19) * c5 + c21 * w_x + c22;
-    c24 = cos(psi_x);
-    c25 = sin(psi_y);
-    c26 = c24 * c25;
-    c27 = cos(psi_y);
-    c28 = c20 * c27;
-    c29 = psi_x_rate * sling;
-    c30 = psi_y_rate * sling;
-    c31 = c29 * (c26 * psi_x_rate + c28 * psi_y_rate) + c30 * (c26 * psi_y_rate + c28 * psi_x_rate);
-    c32 = (-c14) * c19 - c21 * w_y + c31;
-    c33 = c10 * c8;
-    c34 = c24 * c27;
-    c35 = c20 * c25;
-    c36 = c29 * (c34 * psi_x_rate - c35 * psi_y_rate) + c30 * (c24 * c27 * psi_y_rate - c35 * psi_x_rate);
-    c37 = c19 * (c10 * c9 + c13 * c7 - c33) - c21 * w_z + c36;
-    c38 = (-c20) * c23 - c26 * c32 - c34 * c37;
-    c39 = -c38;
-    c40 = INT64_C(1) / (c19 + c21);
-    c41 = c20 * c40;
-    c42 = (-c0) * c6 + c16 * phi_x_rate - c19 * (c39 * c41 + c5) + phi_x_rate * ((-c18) + c2 * l_rate);
-    c43 = c2 * phi_y_rate;
-    c44 = c43 * c7;
-    c45 = c1 * l_rate;
-    c46 = c10 * l;
-    c47 = c2 * phi_x_rate;
-    c48 = c7 * l;
-    c49 = c1 * phi_y_rate;
-    c50 = c10 * c43;
-    c51 = c39 * c40;
-    c52 = c34 * c51;
-    c53 = c19 * (c1 * c10 * c3 * f_phi_x + c11 * c3 * c7 * f_phi_y - c33 - c52);
-    c54 = (-c53) + gravity + l_rate * (c10 * c17 + c44) + phi_x_rate * (c10 * c45 + c46 * c47 - c48 * c49) + phi_y_rate * (c16 * c7 - c18 * c7 + c50 * l);
-    c55 = c10 * c54;
-    c56 = c26 * c51;
-    c57 = c19 * ((-c14) - c56);
-    c58 = c15 - c57 + l_rate * (c17 * c7 - c50) + phi_x_rate * (c45 * c7 + c46 * c49 + c47 * c48) + phi_y_rate * ((-c10) * c16 + c10 * c18 + c44 * l);
-    c59 = c58 * c7;
-    c60 = INT64_C(1) / sling;
-    c61 = c38 * c41;
-    c62 = (-c21) * (c56 + w_y) + c31 + c57;
-    c63 = (-c21) * (c52 + w_z) + c36 + c53;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
-    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
-    (*cspan_at(&derivative, INT64_C(7))) = (-c0) * c6;
-    (*cspan_at(&derivative, INT64_C(8))) = c15;
-    (*cspan_at(&derivative, INT64_C(9))) = (-c1) * c42 + c2 * c55 + c2 * c59;
-    (*cspan_at(&derivative, INT64_C(10))) = (-c3) * (c1 * c55 + c1 * c59 + c2 * c42);
-    (*cspan_at(&derivative, INT64_C(11))) = (-c12) * ((-c10) * c58 + c54 * c7);
-    (*cspan_at(&derivative, INT64_C(12))) = (-c60) * ((-c24) * ((-c19) * (c5 - c61) + c21 * (c61 + w_x) + c22) + c28 * c63 + c35 * c62);
-    (*cspan_at(&derivative, INT64_C(13))) = (-c60) * (c25 * c63 - c27 * c62) / c24;
-    (*cspan_at(&tension, INT64_C(0))) = c40 * (c20 * c23 + c26 * c32 + c34 * c37);
-}
-static void hook_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force, array_double_1d tension)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double hook_mass;
-    double sling;
-    double a_x;
-    double a_y;
-    double a_l;
-    double f_phi_x;
-    double f_phi_y;
-    double w_x;
-    double w_y;
-    double w_z;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    double c20;
-    double c21;
-    double c22;
-    double c23;
-    double c24;
-    double c25;
-    double c26;
-    double c27;
-    double c28;
-    double c29;
-    double c30;
-    double c31;
-    double c32;
-    double c33;
-    double c34;
-    double c35;
-    double c36;
-    double c37;
-    double c38;
-    double c39;
-    double c40;
-    double c41;
-    double c42;
-    double c43;
-    double c44;
-    double c45;
-    double c46;
-    double c47;
-    double c48;
-    double c49;
-    double c50;
-    double c51;
-    double c52;
-    double c53;
-    double c54;
-    double c55;
-    double c56;
-    double c57;
-    double c58;
-    double c59;
-    double c60;
-    double c61;
-    double c62;
-    double c63;
-    double c64;
-    double c65;
-    double c66;
-    double c67;
-    double c68;
-    double c69;
-    double c70;
-    double c71;
-    double c72;
-    double c73;
-    double c74;
-    double c75;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    hook_mass = (*cspan_at(&masses, INT64_C(4)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    a_x = (*cspan_at(&carriage, INT64_C(0)));
-    a_y = (*cspan_at(&carriage, INT64_C(1)));
-    a_l = (*cspan_at(&carriage, INT64_C(2)));
-    f_phi_x = (*cspan_at(&generalized_force, INT64_C(3)));
-    f_phi_y = (*cspan_at(&generalized_force, INT64_C(4)));
-    w_x = (*cspan_at(&load_force, INT64_C(0)));
-    w_y = (*cspan_at(&load_force, INT64_C(1)));
-    w_z = (*cspan_at(&load_force, INT64_C(2)));
-    c0 = INT64_C(1) / l;
-    c1 = cos(phi_x);
-    c2 = sin(phi_x);
-    c3 = c2 * phi_x_rate;
-    c4 = c3 * l;
-    c5 = (-c1) * l_rate + c4;
-    c6 = c1 * l_rate;
-    c7 = a_l * c2 + a_x + c6 * phi_x_rate;
-    c8 = (-c5) * phi_x_rate + c7;
-    c9 = c1 * l;
-    c10 = INT64_C(1) / hook_mass;
-    c11 = sin(phi_y);
-    c12 = a_l * c1;
-    c13 = c11 * c12;
-    c14 = cos(phi_y);
-    c15 = c1 * phi_y_rate;
-    c16 = l_rate * (c11 * c3 - c14 * c15);
-    c17 = c2 * l_rate;
-    c18 = c11 * c9;
-    c19 = c14 * c2;
-    c20 = l * phi_y_rate;
-    c21 = phi_x_rate * (c11 * c17 + c18 * phi_x_rate + c19 * c20);
-    c22 = phi_y_rate * (c14 * c4 - c14 * c6 + c18 * phi_y_rate);
-    c23 = a_y - c13 + c16 + c21 + c22;
-    c24 = c11 * c2;
-    c25 = c14 * c9;
-    c26 = (-c12) * c14 + gravity + l_rate * (c11 * c15 + c14 * c3) + phi_x_rate * (c14 * c17 - c20 * c24 + c25 * phi_x_rate) + phi_y_rate * ((-c11) * c4 + c11 * c6 + c25 * phi_y_rate);
-    c27 = (-c10) * f_phi_x + c19 * c26 * l + c23 * c24 * l;
-    c28 = c27 + c8 * c9;
-    c29 = c0 * c28;
-    c30 = sin(psi_x);
-    c31 = sin(psi_y);
-    c32 = cos(psi_x);
-    c33 = c31 * c32;
-    c34 = cos(psi_y);
-    c35 = c32 * c34;
-    c36 = (-c1) * c30 + c19 * c35 + c24 * c33;
-    c37 = INT64_C(1) / payload_mass;
-    c38 = -c36;
-    c39 = c11 * c34 - c14 * c31;
-    c40 = (-c32) * c39;
-    c41 = c11 * c40 + c14 * c2 * c38;
-    c42 = (-c11) * c2 * c38 + c14 * c40;
-    c43 = -c42;
-    c44 = c1 * c10 * c30 * c38 - c10 * c31 * c32 * c43 - c10 * c32 * c34 * c41 + c37;
-    c45 = -c28;
-    c46 = c0 * c1;
-    c47 = (-c30) * (psi_x_rate * psi_x_rate) * sling + c45 * c46 + c8;
-    c48 = (-c37) * w_x + c47;
-    c49 = c30 * c34;
-    c50 = psi_x_rate * sling;
-    c51 = psi_y_rate * sling;
-    c52 = c0 * c45;
-    c53 = c0 / c1;
-    c54 = c53 * (c10 * f_phi_y - c18 * c26 + c23 * c25);
-    c55 = c14 * c54;
-    c56 = c23 + c24 * c52 + c50 * (c33 * psi_x_rate + c49 * psi_y_rate) + c51 * (c33 * psi_y_rate + c49 * psi_x_rate) - c55;
-    c57 = (-c37) * w_y + c56;
-    c58 = c30 * c31;
-    c59 = c11 * c54 + c26;
-    c60 = c19 * c52 + c50 * (c35 * psi_x_rate - c58 * psi_y_rate) + c51 * (c32 * c34 * psi_y_rate - c58 * psi_x_rate) + c59;
-    c61 = (-c37) * w_z + c60;
-    c62 = c30 * c48 - c33 * c57 - c35 * c61;
-    c63 = (-c62) / c44;
-    c64 = c10 * c63;
-    c65 = c36 * c64;
-    c66 = c32 * c39;
-    c67 = INT64_C(1) / sling;
-    c68 = (-c62) / c44;
-    c69 = c1 * c10;
-    c70 = c10 * c43 * c68 - c37 * (c33 * c68 + w_y) + c56;
-    c71 = c10 * c41 * c68 - c37 * (c35 * c68 + w_z) + c60;
-    c72 = c11 * c66 + c19 * c36;
-    c73 = (c30 * c48 - c33 * c57 - c35 * c61) / (c1 * c10 * c30 * c36 - c10 * c33 * c42 - c10 * c35 * c72 - c37);
-    c74 = (-c5) * phi_x_rate + c7;
-    c75 = (-a_y) + c13 - c16 - c21 - c22 + c24 * c29 + c42 * c64 + c55;
-    (*cspan_at(&derivative, INT64_C(0))) = x_t_rate;
-    (*cspan_at(&derivative, INT64_C(1))) = y_t_rate;
-    (*cspan_at(&derivative, INT64_C(2))) = l_rate;
-    (*cspan_at(&derivative, INT64_C(3))) = phi_x_rate;
-    (*cspan_at(&derivative, INT64_C(4))) = phi_y_rate;
-    (*cspan_at(&derivative, INT64_C(5))) = psi_x_rate;
-    (*cspan_at(&derivative, INT64_C(6))) = psi_y_rate;
-    (*cspan_at(&derivative, INT64_C(7))) = a_x;
-    (*cspan_at(&derivative, INT64_C(8))) = a_y;
-    (*cspan_at(&derivative, INT64_C(9))) = a_l;
-    (*cspan_at(&derivative, INT64_C(10))) = (-c0) * (c29 + c65);
-    (*cspan_at(&derivative, INT64_C(11))) = c53 * (c54 - c64 * c66);
-    (*cspan_at(&derivative, INT64_C(12))) = (-c67) * (c32 * ((-c37) * ((-c30) * c68 + w_x) + c38 * c68 * c69 + c47) + c49 * c71 + c58 * c70);
-    (*cspan_at(&derivative, INT64_C(13))) = (-c67) * (c31 * c71 - c34 * c70) / c32;
-    (*cspan_at(&force, INT64_C(0))) = a_x * (bridge_mass + trolley_mass) - c30 * c73 + hook_mass * ((-c36) * c69 * c73 - c46 * (c27 + c74 * c9) + c74);
-    (*cspan_at(&force, INT64_C(1))) = a_y * trolley_mass + c33 * c73 - c75 * hook_mass;
-    (*cspan_at(&force, INT64_C(2))) = (-c1) * c11 * (c33 * c63 - c75 * hook_mass) - c1 * c14 * (c35 * c63 + hook_mass * ((-c19) * c29 + c59 - c64 * c72)) + c2 * ((-c30) * c63 + hook_mass * ((-c1) * c29 - c1 * c65 + c74));
-    (*cspan_at(&tension, INT64_C(0))) = c73;
-}
-static void hook_load(array_double_1d state, array_double_1d masses, array_double_2d load)
-{
-    double x_t;
-    double y_t;
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double sling;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    x_t = (*cspan_at(&state, INT64_C(0)));
-    y_t = (*cspan_at(&state, INT64_C(1)));
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    c0 = sin(phi_x);
-    c1 = c0 * l;
-    c2 = sling * sin(psi_x);
-    c3 = sin(phi_y);
-    c4 = cos(phi_x);
-    c5 = c4 * l;
-    c6 = c3 * c5;
-    c7 = sin(psi_y);
-    c8 = sling * cos(psi_x);
-    c9 = c7 * c8;
-    c10 = cos(phi_y);
-    c11 = c10 * c5;
-    c12 = cos(psi_y);
-    c13 = c12 * c8;
-    c14 = c4 * l_rate;
-    c15 = c1 * phi_x_rate;
-    c16 = c2 * psi_x_rate;
-    (*cspan_at(&load, INT64_C(0), INT64_C(0))) = c1 + c2 + x_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(1))) = (-c6) - c9 + y_t;
-    (*cspan_at(&load, INT64_C(0), INT64_C(2))) = (-c11) - c13;
-    (*cspan_at(&load, INT64_C(1), INT64_C(0))) = c0 * l_rate + c5 * phi_x_rate + c8 * psi_x_rate + x_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(1))) = (-c11) * phi_y_rate - c13 * psi_y_rate - c14 * c3 + c15 * c3 + c16 * c7 + y_t_rate;
-    (*cspan_at(&load, INT64_C(1), INT64_C(2))) = (-c10) * c14 + c10 * c15 + c12 * c16 + c6 * phi_y_rate + c9 * psi_y_rate;
-}
-static void hook_energy(array_double_1d state, array_double_1d masses, array_double_1d energy)
-{
-    double l;
-    double phi_x;
-    double phi_y;
-    double psi_x;
-    double psi_y;
-    double x_t_rate;
-    double y_t_rate;
-    double l_rate;
-    double phi_x_rate;
-    double phi_y_rate;
-    double psi_x_rate;
-    double psi_y_rate;
-    double bridge_mass;
-    double trolley_mass;
-    double payload_mass;
-    double gravity;
-    double hook_mass;
-    double sling;
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double c6;
-    double c7;
-    double c8;
-    double c9;
-    double c10;
-    double c11;
-    double c12;
-    double c13;
-    double c14;
-    double c15;
-    double c16;
-    double c17;
-    double c18;
-    double c19;
-    l = (*cspan_at(&state, INT64_C(2)));
-    phi_x = (*cspan_at(&state, INT64_C(3)));
-    phi_y = (*cspan_at(&state, INT64_C(4)));
-    psi_x = (*cspan_at(&state, INT64_C(5)));
-    psi_y = (*cspan_at(&state, INT64_C(6)));
-    x_t_rate = (*cspan_at(&state, INT64_C(7)));
-    y_t_rate = (*cspan_at(&state, INT64_C(8)));
-    l_rate = (*cspan_at(&state, INT64_C(9)));
-    phi_x_rate = (*cspan_at(&state, INT64_C(10)));
-    phi_y_rate = (*cspan_at(&state, INT64_C(11)));
-    psi_x_rate = (*cspan_at(&state, INT64_C(12)));
-    psi_y_rate = (*cspan_at(&state, INT64_C(13)));
-    bridge_mass = (*cspan_at(&masses, INT64_C(0)));
-    trolley_mass = (*cspan_at(&masses, INT64_C(1)));
-    payload_mass = (*cspan_at(&masses, INT64_C(2)));
-    gravity = (*cspan_at(&masses, INT64_C(3)));
-    hook_mass = (*cspan_at(&masses, INT64_C(4)));
-    sling = (*cspan_at(&masses, INT64_C(5)));
-    c0 = x_t_rate * x_t_rate;
-    c1 = sin(phi_x);
-    c2 = cos(phi_x);
-    c3 = c2 * l;
-    c4 = c1 * l_rate + c3 * phi_x_rate + x_t_rate;
-    c5 = cos(phi_y);
-    c6 = c2 * l_rate;
-    c7 = c1 * l * phi_x_rate;
-    c8 = sin(phi_y);
-    c9 = c3 * c8 * phi_y_rate - c5 * c6 + c5 * c7;
-    c10 = c3 * c5;
-    c11 = (-c10) * phi_y_rate - c6 * c8 + c7 * c8 + y_t_rate;
-    c12 = sling * cos(psi_x);
-    c13 = cos(psi_y);
-    c14 = psi_x_rate * sling * sin(psi_x);
-    c15 = sin(psi_y);
-    c16 = c12 * c13;
-    c17 = c12 * psi_x_rate + c4;
-    c18 = c11 + c14 * c15 - c16 * psi_y_rate;
-    c19 = c12 * c15 * psi_y_rate + c13 * c14 + c9;
-    (*cspan_at(&energy, INT64_C(0))) = 1.0 / 2.0 * bridge_mass * c0 + 1.0 / 2.0 * hook_mass * (c11 * c11 + c4 * c4 + c9 * c9) + 1.0 / 2.0 * payload_mass * (c17 * c17 + c18 * c18 + c19 * c19) + 1.0 / 2.0 * trolley_mass * (c0 + y_t_rate * y_t_rate);
-    (*cspan_at(&energy, INT64_C(1))) = (-gravity) * (c10 * hook_mass + payload_mass * (c10 + c16));
-}
-static bool has_hook(array_double_1d plant)
-{
-    bool result;
-    result = (*cspan_at(&plant, INT64_C(19))) > 0.0;
-    return result;
-}
-static void gather_hook(array_double_1d plant, array_double_1d state, array_double_2d work)
-{
-    array_double_1d own;
-    array_double_1d masses;
-    int64_t i;
-    own = span_row(&work, INT64_C(22));
-    masses = span_row(&work, INT64_C(24));
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        (*cspan_at(&own, i)) = (*cspan_at(&state, i));
-        (*cspan_at(&own, INT64_C(7) + i)) = (*cspan_at(&state, INT64_C(5) + i));
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&own, INT64_C(5) + i)) = (*cspan_at(&state, INT64_C(16) + i));
-        (*cspan_at(&own, INT64_C(12) + i)) = (*cspan_at(&state, INT64_C(18) + i));
-    }
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        (*cspan_at(&masses, i)) = (*cspan_at(&plant, i));
-    }
-    (*cspan_at(&masses, INT64_C(4))) = (*cspan_at(&plant, INT64_C(18)));
-    (*cspan_at(&masses, INT64_C(5))) = (*cspan_at(&plant, INT64_C(19)));
-}
-static void scatter_hook(array_double_2d work, array_double_1d derivative)
-{
-    array_double_1d rate;
-    int64_t i;
-    rate = span_row(&work, INT64_C(23));
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        (*cspan_at(&derivative, i)) = (*cspan_at(&rate, i));
-        (*cspan_at(&derivative, INT64_C(5) + i)) = (*cspan_at(&rate, INT64_C(7) + i));
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&derivative, INT64_C(16) + i)) = (*cspan_at(&rate, INT64_C(5) + i));
-        (*cspan_at(&derivative, INT64_C(18) + i)) = (*cspan_at(&rate, INT64_C(12) + i));
-    }
-    (*cspan_at(&work, INT64_C(14), INT64_C(7))) = (*cspan_at(&work, INT64_C(25), INT64_C(0)));
-}
-static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
-{
-    if (has_hook(plant))
-    {
-        gather_hook(plant, state, work);
-        hook_rhs(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), span_row(&work, INT64_C(24)), span_row(&work, INT64_C(23)), span_row(&work, INT64_C(25)));
-        scatter_hook(work, derivative);
-    }
-    else
-    {
-        segfmu_crane_rhs(state, span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative);
-    }
-}
-static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
-{
-    if (has_hook(plant))
-    {
-        gather_hook(plant, state, work);
-        hook_driven(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), span_row(&work, INT64_C(24)), span_row(&work, INT64_C(23)), span_row(&work, INT64_C(14)), span_row(&work, INT64_C(25)));
-        scatter_hook(work, derivative);
-    }
-    else
-    {
-        segfmu_crane_driven(state, span_row(&work, INT64_C(18)), span_row(&work, INT64_C(13)), span_row(&work, INT64_C(15)), plant, derivative, span_row(&work, INT64_C(14)));
-    }
-}
-static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load)
-{
-    if (has_hook(plant))
-    {
-        gather_hook(plant, state, work);
-        hook_load(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(24)), load);
-    }
-    else
-    {
-        segfmu_crane_load(state, load);
-    }
-}
-static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy)
-{
-    if (has_hook(plant))
-    {
-        gather_hook(plant, state, work);
-        hook_energy(span_row(&work, INT64_C(22)), span_row(&work, INT64_C(24)), energy);
-    }
-    else
-    {
-        segfmu_crane_energy(state, plant, energy);
-    }
 }
 static void run_on(array_double_1d plant, array_double_2d work)
 {
@@ -9284,7 +9312,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         demand = (*cspan_at(&work, INT64_C(18), i));
-        if ((*cspan_at(&plant, INT64_C(21) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(22) + i)) > 0.0)
         {
             bound = velocity_bound(plant, i, demand);
             if (exceeds(demand, bound))
@@ -9292,7 +9320,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
                 demand = limited(demand, bound);
                 (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
             }
-            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(21) + i));
+            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(22) + i));
         }
         bound = acceleration_bound(plant, i, demand);
         if (exceeds(demand, bound))
@@ -9332,10 +9360,10 @@ int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state,
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&state, INT64_C(0) + axis));
     if (status >= INT64_C(9))
     {
-        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(52) + axis));
+        (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(53) + axis));
         return INT64_C(9);
     }
-    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(49) + axis));
+    (*cspan_at(&fault, INT64_C(3))) = (*cspan_at(&plant, INT64_C(50) + axis));
     return INT64_C(6);
 }
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work)
@@ -10045,7 +10073,7 @@ static void add_sinusoid(array_double_1d component, double sine, double cosine, 
 static double drag_factor(array_double_1d plant)
 {
     double result;
-    result = 0.5 * (*cspan_at(&plant, INT64_C(77))) * (*cspan_at(&plant, INT64_C(76)));
+    result = 0.5 * (*cspan_at(&plant, INT64_C(78))) * (*cspan_at(&plant, INT64_C(77)));
     return result;
 }
 static double relative_speed(array_double_1d air)
@@ -10094,10 +10122,10 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     double cosine;
     time = start + elapsed;
     gust = 0.0;
-    if ((*cspan_at(&plant, INT64_C(65))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(66))) > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(64)))) / (*cspan_at(&plant, INT64_C(65)));
-        gust = gust_factor((*cspan_at(&plant, INT64_C(66))), share);
+        share = (time - (*cspan_at(&plant, INT64_C(65)))) / (*cspan_at(&plant, INT64_C(66)));
+        gust = gust_factor((*cspan_at(&plant, INT64_C(67))), share);
     }
     force = span_row(&work, INT64_C(15));
     air = span_row(&work, INT64_C(21));
@@ -10105,9 +10133,9 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         given = (*cspan_at(&work, INT64_C(2), i)) + elapsed * command_slope(i, elapsed, rate);
-        steady = given + (*cspan_at(&plant, INT64_C(61) + i));
-        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(67) + i));
-        (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(70) + i)) + gust * (*cspan_at(&plant, INT64_C(73) + i));
+        steady = given + (*cspan_at(&plant, INT64_C(62) + i));
+        (*cspan_at(&force, i)) = steady + gust * (*cspan_at(&plant, INT64_C(68) + i));
+        (*cspan_at(&air, INT64_C(0) + i)) = (*cspan_at(&plant, INT64_C(71) + i)) + gust * (*cspan_at(&plant, INT64_C(74) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -10122,7 +10150,7 @@ static void wind_force(array_double_1d plant, array_double_2d components, double
             add_sinusoid(span_row(&components, k), sine, cosine, force);
         }
     }
-    if ((*cspan_at(&plant, INT64_C(76))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(77))) > 0.0)
     {
         add_drag(plant, state, work);
     }
@@ -10133,7 +10161,7 @@ static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, 
     double slope;
     double result;
     speed = relative_speed(air);
-    if (((*cspan_at(&plant, INT64_C(76))) == 0.0) || (speed == 0.0))
+    if (((*cspan_at(&plant, INT64_C(77))) == 0.0) || (speed == 0.0))
     {
         return 0.0;
     }
@@ -10170,19 +10198,19 @@ static void wind_rates(array_double_1d plant, array_double_2d components, double
     double rate;
     int64_t j;
     gust = 0.0;
-    duration = (*cspan_at(&plant, INT64_C(65)));
+    duration = (*cspan_at(&plant, INT64_C(66)));
     if (duration > 0.0)
     {
-        share = (time - (*cspan_at(&plant, INT64_C(64)))) / duration;
+        share = (time - (*cspan_at(&plant, INT64_C(65)))) / duration;
         if ((share > 0.0) && (share < 1.0))
         {
-            gust = gust_rate((*cspan_at(&plant, INT64_C(66))), share) / duration;
+            gust = gust_rate((*cspan_at(&plant, INT64_C(67))), share) / duration;
         }
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&air, INT64_C(3) + i)) = gust * (*cspan_at(&plant, INT64_C(73) + i));
-        (*cspan_at(&air, INT64_C(6) + i)) = gust * (*cspan_at(&plant, INT64_C(67) + i));
+        (*cspan_at(&air, INT64_C(3) + i)) = gust * (*cspan_at(&plant, INT64_C(74) + i));
+        (*cspan_at(&air, INT64_C(6) + i)) = gust * (*cspan_at(&plant, INT64_C(68) + i));
     }
     for (k = INT64_C(0); k < components.shape[INT64_C(0)]; k += INT64_C(1))
     {
@@ -10378,7 +10406,7 @@ static void plant_powers(array_double_1d plant, array_double_1d state, array_dou
     squares = squares + (*cspan_at(&state, INT64_C(8) + INT64_C(1))) * (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
     (*cspan_at(&derivative, INT64_C(13))) = 0.0;
     (*cspan_at(&derivative, INT64_C(14))) = 0.0;
-    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(48))) * squares;
+    (*cspan_at(&derivative, INT64_C(15))) = (*cspan_at(&plant, INT64_C(49))) * squares;
     if (may_slacken(plant) && ((*cspan_at(&work, INT64_C(14), INT64_C(6))) >= 0.0))
     {
         (*cspan_at(&derivative, INT64_C(15))) = 0.0;
@@ -10430,10 +10458,10 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     (*cspan_at(&derivative, INT64_C(22))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        torque = (-(*cspan_at(&plant, INT64_C(48)))) * (*cspan_at(&state, INT64_C(8) + i));
+        torque = (-(*cspan_at(&plant, INT64_C(49)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = torque;
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         driven_derivative(plant, state, work, derivative);
     }
@@ -10474,7 +10502,7 @@ static double try_step(array_double_1d plant, array_double_2d components, double
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
         count = INT64_C(13);
-        if ((stage == INT64_C(6)) || may_slacken(plant) || has_hook(plant))
+        if ((stage == INT64_C(6)) || may_slacken(plant) || has_tackle(plant))
         {
             count = INT64_C(23);
         }
@@ -10506,16 +10534,16 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, array_
     }
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if ((*cspan_at(&plant, INT64_C(55) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(56) + i)) > 0.0)
         {
             continue;
         }
         position = axis_position(state, i);
-        if (position < (*cspan_at(&plant, INT64_C(49) + i)) - 1e-09)
+        if (position < (*cspan_at(&plant, INT64_C(50) + i)) - 1e-09)
         {
             return INT64_C(6) + i;
         }
-        if (position > (*cspan_at(&plant, INT64_C(52) + i)) + 1e-09)
+        if (position > (*cspan_at(&plant, INT64_C(53) + i)) + 1e-09)
         {
             return INT64_C(9) + i;
         }
@@ -10525,7 +10553,7 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, array_
         return INT64_C(5);
     }
     least = (-1e-09) * (*cspan_at(&plant, INT64_C(2))) * (*cspan_at(&plant, INT64_C(3)));
-    if (has_hook(plant) && ((*cspan_at(&action, INT64_C(7))) < least))
+    if (has_tackle(plant) && ((*cspan_at(&action, INT64_C(7))) < least))
     {
         return INT64_C(12);
     }
@@ -10699,7 +10727,7 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
 static double hook_unit(int64_t axis, array_double_1d plant)
 {
     double result;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         return 1.0;
     }
@@ -10714,9 +10742,9 @@ static double hook_unit(int64_t axis, array_double_1d plant)
 static double hook_lag(int64_t axis, array_double_1d plant)
 {
     double result;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
-        result = (*cspan_at(&plant, INT64_C(21) + axis));
+        result = (*cspan_at(&plant, INT64_C(22) + axis));
         return result;
     }
     return 0.0;
@@ -10733,7 +10761,7 @@ static void hook_model(int64_t axis, array_double_1d plant, double length, array
     double pulled;
     array_double_1d rate;
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    hook = (*cspan_at(&plant, INT64_C(18)));
+    hook = (*cspan_at(&plant, INT64_C(19)));
     total = hanging_mass(plant);
     lag = hook_lag(axis, plant);
     matrix_set(INT64_C(9), 0.0, model);
@@ -10754,7 +10782,7 @@ static void hook_model(int64_t axis, array_double_1d plant, double length, array
     {
         return;
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(0))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(0))
     {
         (*cspan_at(&change, INT64_C(1))) = total * gravity / carriage_mass(plant, axis);
     }
@@ -10769,8 +10797,8 @@ static void hook_model(int64_t axis, array_double_1d plant, double length, array
     rate = span_row(&model, INT64_C(4));
     (*cspan_at(&rate, INT64_C(1))) = (*cspan_at(&rate, INT64_C(1))) - restoring / length;
     (*cspan_at(&rate, INT64_C(2))) = pulled / length;
-    (*cspan_at(&model, INT64_C(5), INT64_C(1))) = restoring / (*cspan_at(&plant, INT64_C(19)));
-    (*cspan_at(&model, INT64_C(5), INT64_C(2))) = (-restoring) / (*cspan_at(&plant, INT64_C(19)));
+    (*cspan_at(&model, INT64_C(5), INT64_C(1))) = restoring / (*cspan_at(&plant, INT64_C(20)));
+    (*cspan_at(&model, INT64_C(5), INT64_C(2))) = (-restoring) / (*cspan_at(&plant, INT64_C(20)));
 }
 static void hook_moved(double sample_time, array_double_2d work)
 {
@@ -10829,7 +10857,7 @@ static void hook_gains(int64_t axis, array_double_1d plant, double length, array
     spread = span_rows(&work, INT64_C(48), INT64_C(56));
     kept = span_rows(&work, INT64_C(0), INT64_C(8));
     information = span_rows(&work, INT64_C(8), INT64_C(16));
-    whole = length + (*cspan_at(&plant, INT64_C(19)));
+    whole = length + (*cspan_at(&plant, INT64_C(20)));
     per_rate = whole / (*cspan_at(&plant, INT64_C(3)));
     n = INT64_C(8);
     unit = hook_unit(axis, plant);
@@ -10920,7 +10948,7 @@ static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, 
     spread = span_rows(&work, INT64_C(48), INT64_C(56));
     information = span_rows(&work, INT64_C(8), INT64_C(16));
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    whole = length + (*cspan_at(&plant, INT64_C(19)));
+    whole = length + (*cspan_at(&plant, INT64_C(20)));
     time = sqrt(whole / gravity);
     n = INT64_C(8);
     matrix_set(n, 0.0, spread);
@@ -10928,7 +10956,7 @@ static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, 
     (*cspan_at(&spread, INT64_C(3), INT64_C(3))) = push * push;
     if (axis != INT64_C(2))
     {
-        swing = (*cspan_at(&weights, INT64_C(7))) * gravity / (*cspan_at(&plant, INT64_C(19)));
+        swing = (*cspan_at(&weights, INT64_C(7))) * gravity / (*cspan_at(&plant, INT64_C(20)));
         (*cspan_at(&spread, INT64_C(3), INT64_C(4))) = (-push) * push / length;
         (*cspan_at(&spread, INT64_C(4), INT64_C(3))) = (-push) * push / length;
         (*cspan_at(&spread, INT64_C(4), INT64_C(4))) = push * push / (length * length);
@@ -11226,7 +11254,7 @@ void segfmu_hook_outputs(array_double_2d memory, array_double_1d outputs)
     (*cspan_at(&outputs, INT64_C(10))) = (*cspan_at(&memory, INT64_C(8), INT64_C(7)));
     (*cspan_at(&outputs, INT64_C(11))) = 0.0;
     (*cspan_at(&outputs, INT64_C(11) + INT64_C(1))) = 0.0;
-    if (has_hook(span_row(&memory, INT64_C(5))))
+    if ((*cspan_at(&memory, INT64_C(5), INT64_C(20))) > 0.0)
     {
         gather_hook(span_row(&memory, INT64_C(5)), state, work);
         segfmu_hook_frequencies((*cspan_at(&state, INT64_C(0) + INT64_C(2))), span_row(&work, INT64_C(24)), span_piece(&outputs, INT64_C(11), INT64_C(11) + INT64_C(2)));
@@ -32403,8 +32431,8 @@ static double next_change(array_double_2d changes, double after, array_double_2d
     double time;
     double first;
     start = (*cspan_at(&memory, INT64_C(6), INT64_C(0)));
-    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(64)));
-    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(65)));
+    gust = (*cspan_at(&memory, INT64_C(5), INT64_C(65)));
+    duration = (*cspan_at(&memory, INT64_C(5), INT64_C(66)));
     first = 1e+300;
     for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -32492,7 +32520,7 @@ static void update_signals(array_double_2d settings, double time, array_double_2
 static bool is_driven(array_double_2d memory)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(20)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(21)))) == INT64_C(1);
     return result;
 }
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
@@ -32580,7 +32608,7 @@ static double longest_delay(array_double_1d plant)
     longest = 0.0;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        longest = span_max(longest, (*cspan_at(&plant, INT64_C(45) + i)));
+        longest = span_max(longest, (*cspan_at(&plant, INT64_C(46) + i)));
     }
     return longest;
 }
@@ -32803,7 +32831,7 @@ static double next_command(array_double_2d settings, double until, array_double_
     newest = (int64_t)((*cspan_at(&delayed, INT64_C(0), INT64_C(1)))) - INT64_C(1);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(45) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(46) + i));
         latest = present_time(memory) - late + time_tolerance(settings);
         number = command_number(latest, delayed);
         if ((late > 0.0) && (number < newest))
@@ -32833,7 +32861,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
     double end;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        late = (*cspan_at(&memory, INT64_C(5), INT64_C(45) + i));
+        late = (*cspan_at(&memory, INT64_C(5), INT64_C(46) + i));
         if (late > 0.0)
         {
             time = present_time(memory) - late;
@@ -32841,7 +32869,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
             command_place(&row, &column, number, delayed);
             after = time - (*cspan_at(&delayed, row, column + INT64_C(0)));
             shifted_command(&value, &slope, &square, &cube, i, after, column, span_row(&delayed, row));
-            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(21) + i)) == 0.0))
+            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(22) + i)) == 0.0))
             {
                 end = value + length * (slope + length * (square + length * cube));
                 follow_velocity(i, end, square, cube, length, memory);
@@ -32864,7 +32892,7 @@ static void start_planned(array_double_1d setpoints, array_double_2d memory)
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         value = (*cspan_at(&setpoints, INT64_C(3) + i));
-        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(21) + i));
+        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(22) + i));
         (*cspan_at(&planned, INT64_C(0) + i)) = value;
         if (lag > 0.0)
         {
@@ -32886,7 +32914,7 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
     double gained;
     double most;
     planned = span_row(&memory, INT64_C(10));
-    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(21) + axis));
+    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(22) + axis));
     if (lag <= 0.0)
     {
         (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
@@ -33091,7 +33119,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         setpoint_rates(&slope, &square, &cube, setpoints, velocity, done / duration, duration, memory);
         (*cspan_at(&memory, INT64_C(9), i)) = added + correction * length;
         set_command(i, command, slope + correction, square, cube, memory);
-        if ((*cspan_at(&memory, INT64_C(5), INT64_C(21) + i)) == 0.0)
+        if ((*cspan_at(&memory, INT64_C(5), INT64_C(22) + i)) == 0.0)
         {
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             follow_velocity(i, end + (*cspan_at(&memory, INT64_C(9), i)), square, cube, length, memory);
@@ -33268,7 +33296,7 @@ static double first_command(int64_t axis, array_double_1d setpoints, array_doubl
         return velocity;
     }
     velocity = (*cspan_at(&setpoints, INT64_C(3) + axis));
-    if ((*cspan_at(&plant, INT64_C(21) + axis)) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(22) + axis)) > 0.0)
     {
         return velocity;
     }
@@ -33345,11 +33373,11 @@ void segfmu_rig_start(array_double_2d settings, array_double_2d components, arra
     {
         (*cspan_at(&memory, INT64_C(4), i)) = (*cspan_at(&state, i));
     }
-    for (i = INT64_C(0); i < INT64_C(79); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(80); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(5), i)) = (*cspan_at(&settings, INT64_C(3), i));
     }
-    (*cspan_at(&memory, INT64_C(5), INT64_C(64))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(64))), start);
+    (*cspan_at(&memory, INT64_C(5), INT64_C(65))) = segfmu_begin_time((*cspan_at(&settings, INT64_C(3), INT64_C(65))), start);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&memory, INT64_C(4), INT64_C(10) + i)) = first_deflection(span_row(&memory, INT64_C(5)), i, (*cspan_at(&state, INT64_C(5) + i)));
@@ -33579,7 +33607,7 @@ static void add_damping(array_double_1d plant, array_double_1d by, array_double_
     double damped;
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        damped = (*cspan_at(&plant, INT64_C(48))) * (*cspan_at(&by, INT64_C(13) + j));
+        damped = (*cspan_at(&plant, INT64_C(49))) * (*cspan_at(&by, INT64_C(13) + j));
         (*cspan_at(&row, INT64_C(8) + j)) = (*cspan_at(&row, INT64_C(8) + j)) - damped;
     }
 }
@@ -33656,7 +33684,7 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     action = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        lag = (*cspan_at(&plant, INT64_C(21) + i));
+        lag = (*cspan_at(&plant, INT64_C(22) + i));
         largest = force_bound(plant, i, (*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&state, INT64_C(5) + i)));
         demand = (*cspan_at(&command, i));
         fastest = velocity_bound(plant, i, demand);
@@ -33791,7 +33819,7 @@ static void power_partials(array_double_1d plant, array_double_1d state, array_d
     }
     for (i = INT64_C(8); i < INT64_C(10); i += INT64_C(1))
     {
-        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(48))) * (*cspan_at(&state, i));
+        (*cspan_at(&lost, i)) = 2.0 * (*cspan_at(&plant, INT64_C(49))) * (*cspan_at(&state, i));
     }
 }
 static void drag_partials(array_double_1d plant, array_double_1d air, array_double_2d work, array_double_2d partials)
@@ -33875,7 +33903,7 @@ bool segfmu_rig_partials(array_double_2d components, double time, array_double_2
     }
     power_partials(plant, state, rig, work, partials);
     wind_rates(plant, components, (*cspan_at(&memory, INT64_C(6), INT64_C(0))) + time, span_row(&rig, INT64_C(21)));
-    if ((*cspan_at(&plant, INT64_C(76))) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(77))) > 0.0)
     {
         drag_partials(plant, span_row(&rig, INT64_C(21)), work, partials);
     }
@@ -33916,11 +33944,11 @@ int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, array_double_
     int64_t axis;
     double lag;
     (*cspan_at(&fault, INT64_C(3))) = 1e-05;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(20)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            lag = (*cspan_at(&plant, INT64_C(21) + axis));
+            lag = (*cspan_at(&plant, INT64_C(22) + axis));
             (*cspan_at(&fault, INT64_C(1))) = axis;
             (*cspan_at(&fault, INT64_C(2))) = lag;
             if ((lag == 0.0) && (exchange == INT64_C(1)))
@@ -33976,8 +34004,8 @@ int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation
 }
 int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault)
 {
-    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(78)));
-    if (has_hook(plant) && may_slacken(plant))
+    (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(79)));
+    if (has_tackle(plant) && may_slacken(plant))
     {
         return INT64_C(18);
     }
@@ -33993,7 +34021,7 @@ int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchan
     double late;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        late = (*cspan_at(&plant, INT64_C(45) + axis));
+        late = (*cspan_at(&plant, INT64_C(46) + axis));
         (*cspan_at(&fault, INT64_C(1))) = axis;
         (*cspan_at(&fault, INT64_C(2))) = late;
         (*cspan_at(&fault, INT64_C(3))) = period;

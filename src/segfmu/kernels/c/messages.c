@@ -171,8 +171,8 @@ bool segfmu_rope_message(
         return true;
     case 5:
         snprintf(text, size,
-            "at %.3f s: downward acceleration of hook and load passes gravity, where the "
-            "rope goes slack, %.6g m/s2, and reaches %.6g m/s2; lower "
+            "at %.3f s: downward acceleration of all on the rope passes gravity, where "
+            "the rope goes slack, %.6g m/s2, and reaches %.6g m/s2; lower "
             "limits.z.acceleration",
             report[ROPE_FAULT_TIME],
             report[ROPE_FAULT_BOUND],
@@ -180,8 +180,8 @@ bool segfmu_rope_message(
         return true;
     case 6:
         snprintf(text, size,
-            "at %.3f s: hook height z passes the trolley's height, %.6g m, and reaches "
-            "%.6g m; lower the waypoints",
+            "at %.3f s: height z of the rope's end passes the trolley's height, %.6g m, "
+            "and reaches %.6g m; lower the waypoints",
             report[ROPE_FAULT_TIME],
             report[ROPE_FAULT_BOUND],
             report[ROPE_FAULT_WORST]);
@@ -359,8 +359,8 @@ bool segfmu_space_message(
         return true;
     case 6:
         snprintf(text, size,
-            "obstacle[%d]: the rope above a hook, and the sling below it, are not "
-            "judged; set obstacle[%d].rope to false, and let the margin keep them off",
+            "obstacle[%d]: the rope above a sling, and the sling itself, are not judged; "
+            "set obstacle[%d].rope to false, and let the margin keep them off",
             (int)report[SPACE_FAULT_BOX] + 1,
             (int)report[SPACE_FAULT_BOX] + 1);
         return true;
@@ -543,8 +543,8 @@ bool segfmu_setup_message(
         return true;
     case 18:
         snprintf(text, size,
-            "with a hook rope.slack must be error, got free_fall (hook and sling have no "
-            "slack rope); drop slack");
+            "with a sling rope.slack must be error, got free_fall (what is below the "
+            "rope has no slack rope); drop slack");
         return true;
     case 10:
         snprintf(text, size,

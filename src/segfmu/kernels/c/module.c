@@ -674,618 +674,6 @@ static PyObject *call_space_contact(
     return answer;
 }
 
-static PyObject *call_feedback_correction(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "feedback_correction", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_reference;
-    Py_buffer *in_added;
-    Py_buffer *in_gains;
-    Py_buffer *in_correction;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_added = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 3, 3, 'd', false)) != NULL
-        && (in_correction = take_array(&call, 4, 1, 'd', true)) != NULL
-        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
-        && has_at_least(&call, "added", 0, in_added->shape[0], 3)
-        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
-        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
-        && has_at_least(&call, "correction", 0, in_correction->shape[0], 3)) {
-        segfmu_feedback_correction(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
-            (array_double_1d){in_added->buf, {in_added->shape[0]}},
-            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
-            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_feedback_bandwidth(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "feedback_bandwidth", .values = values};
-    PyObject *answer = NULL;
-    double in_ratio;
-    double in_length;
-    double in_gravity;
-    double in_delay;
-    double in_largest;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_ratio)
-        && take_float(&call, 1, &in_length)
-        && take_float(&call, 2, &in_gravity)
-        && take_float(&call, 3, &in_delay)
-        && take_float(&call, 4, &in_largest)) {
-        answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
-            in_ratio,
-            in_length,
-            in_gravity,
-            in_delay,
-            in_largest));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_feedback_gains(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "feedback_gains", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    double in_length;
-    double in_bandwidth;
-    double in_pendulum;
-    double in_hoist_bandwidth;
-    double in_damping;
-    Py_buffer *in_gains;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_length)
-        && take_float(&call, 2, &in_bandwidth)
-        && take_float(&call, 3, &in_pendulum)
-        && take_float(&call, 4, &in_hoist_bandwidth)
-        && take_float(&call, 5, &in_damping)
-        && (in_gains = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 24)
-        && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
-        && has_at_least(&call, "gains", 1, in_gains->shape[1], 11)) {
-        segfmu_feedback_gains(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            in_length,
-            in_bandwidth,
-            in_pendulum,
-            in_hoist_bandwidth,
-            in_damping,
-            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_predict(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_predict", .values = values};
-    PyObject *answer = NULL;
-    int64_t in_axis;
-    double in_length;
-    Py_buffer *in_table;
-    double in_command;
-    double in_correction;
-    Py_buffer *in_estimate;
-    Py_buffer *in_scratch;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && take_int(&call, 0, &in_axis)
-        && take_float(&call, 1, &in_length)
-        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
-        && take_float(&call, 3, &in_command)
-        && take_float(&call, 4, &in_correction)
-        && (in_estimate = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_scratch = take_array(&call, 6, 1, 'd', true)) != NULL
-        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
-        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 6)
-        && has_at_least(&call, "scratch", 0, in_scratch->shape[0], 8)) {
-        segfmu_observer_predict(
-            in_axis,
-            in_length,
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            in_command,
-            in_correction,
-            (array_double_1d){in_estimate->buf, {in_estimate->shape[0]}},
-            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_correct(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_correct", .values = values};
-    PyObject *answer = NULL;
-    double in_length;
-    Py_buffer *in_table;
-    Py_buffer *in_measured;
-    Py_buffer *in_reference;
-    Py_buffer *in_estimate;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && take_float(&call, 0, &in_length)
-        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
-        && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
-        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
-        && has_at_least(&call, "reference", 0, in_reference->shape[0], 5)
-        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
-        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)) {
-        segfmu_observer_correct(
-            in_length,
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
-            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
-            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_design(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_design", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    double in_sample_time;
-    double in_length;
-    Py_buffer *in_expected;
-    Py_buffer *in_work;
-    Py_buffer *in_table;
-    (void)self;
-    if (take_count(&call, count, 6)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_sample_time)
-        && take_float(&call, 2, &in_length)
-        && (in_expected = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 24)
-        && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 72)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
-        && has_at_least(&call, "table", 0, in_table->shape[0], 19)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 10)) {
-        segfmu_observer_design(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            in_sample_time,
-            in_length,
-            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_rope_range(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "rope_range", .values = values};
-    PyObject *answer = NULL;
-    double in_length;
-    double in_shortest;
-    double in_longest;
-    Py_buffer *in_found;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && take_float(&call, 0, &in_length)
-        && take_float(&call, 1, &in_shortest)
-        && take_float(&call, 2, &in_longest)
-        && (in_found = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "found", 0, in_found->shape[0], 2)) {
-        segfmu_rope_range(
-            in_length,
-            in_shortest,
-            in_longest,
-            (array_double_1d){in_found->buf, {in_found->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_table_lengths(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "table_lengths", .values = values};
-    PyObject *answer = NULL;
-    double in_shortest;
-    double in_longest;
-    int64_t in_rows;
-    Py_buffer *in_lengths;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && take_float(&call, 0, &in_shortest)
-        && take_float(&call, 1, &in_longest)
-        && take_int(&call, 2, &in_rows)
-        && (in_lengths = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)) {
-        answer = PyLong_FromLongLong(segfmu_table_lengths(
-            in_shortest,
-            in_longest,
-            in_rows,
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_flat_table(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "flat_table", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    Py_buffer *in_design;
-    int64_t in_rows;
-    Py_buffer *in_lengths;
-    Py_buffer *in_table;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
-        && take_int(&call, 2, &in_rows)
-        && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
-        && has_at_least(&call, "design", 0, in_design->shape[0], 5)
-        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
-        && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 4)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 11)) {
-        segfmu_flat_table(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            (array_double_1d){in_design->buf, {in_design->shape[0]}},
-            in_rows,
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_set_steps(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "set_steps", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_sensors;
-    double in_longest;
-    Py_buffer *in_uncertainty;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_longest)
-        && (in_uncertainty = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "sensors", 0, in_sensors->shape[0], 18)
-        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
-        segfmu_set_steps(
-            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
-            in_longest,
-            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_observer_table(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "observer_table", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    double in_sample_time;
-    Py_buffer *in_uncertainty;
-    int64_t in_rows;
-    Py_buffer *in_lengths;
-    Py_buffer *in_expected;
-    Py_buffer *in_work;
-    Py_buffer *in_table;
-    (void)self;
-    if (take_count(&call, count, 8)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_sample_time)
-        && (in_uncertainty = take_array(&call, 2, 1, 'd', false)) != NULL
-        && take_int(&call, 3, &in_rows)
-        && (in_lengths = take_array(&call, 4, 1, 'd', false)) != NULL
-        && (in_expected = take_array(&call, 5, 1, 'd', true)) != NULL
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_table = take_array(&call, 7, 3, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 24)
-        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
-        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
-        && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 72)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
-        && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)) {
-        answer = PyBool_FromLong(segfmu_observer_table(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            in_sample_time,
-            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}},
-            in_rows,
-            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
-            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_nominal_payload(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "nominal_payload", .values = values};
-    PyObject *answer = NULL;
-    double in_expected;
-    double in_payload;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_expected)
-        && take_float(&call, 1, &in_payload)) {
-        answer = PyFloat_FromDouble(segfmu_nominal_payload(
-            in_expected,
-            in_payload));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_signal_age(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "signal_age", .values = values};
-    PyObject *answer = NULL;
-    double in_dead_time;
-    double in_sampling;
-    double in_period;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && take_float(&call, 0, &in_dead_time)
-        && take_float(&call, 1, &in_sampling)
-        && take_float(&call, 2, &in_period)) {
-        answer = PyFloat_FromDouble(segfmu_signal_age(
-            in_dead_time,
-            in_sampling,
-            in_period));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_drive_bound(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "drive_bound", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    int64_t in_axis;
-    double in_sign;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_int(&call, 1, &in_axis)
-        && take_float(&call, 2, &in_sign)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)) {
-        answer = PyFloat_FromDouble(segfmu_drive_bound(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            in_axis,
-            in_sign));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_set_walks(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "set_walks", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    Py_buffer *in_uncertainty;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_uncertainty = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
-        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
-        segfmu_set_walks(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_set_drives(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "set_drives", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    Py_buffer *in_tracking;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_tracking = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
-        segfmu_set_drives(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_set_tracking(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "set_tracking", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    Py_buffer *in_design;
-    double in_longest;
-    Py_buffer *in_tracking;
-    (void)self;
-    if (take_count(&call, count, 4)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
-        && take_float(&call, 2, &in_longest)
-        && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
-        && has_at_least(&call, "design", 0, in_design->shape[0], 10)
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
-        segfmu_set_tracking(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            (array_double_1d){in_design->buf, {in_design->shape[0]}},
-            in_longest,
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_set_fading(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "set_fading", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_tracking;
-    (void)self;
-    if (take_count(&call, count, 1)
-        && (in_tracking = take_array(&call, 0, 1, 'd', true)) != NULL
-        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
-        segfmu_set_fading(
-            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_check_gains(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_gains", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_plant;
-    double in_period;
-    int64_t in_predicted;
-    Py_buffer *in_ends;
-    Py_buffer *in_table;
-    Py_buffer *in_work;
-    Py_buffer *in_fault;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
-        && take_float(&call, 1, &in_period)
-        && take_int(&call, 2, &in_predicted)
-        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 4, 3, 'd', false)) != NULL
-        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_fault = take_array(&call, 6, 1, 'd', true)) != NULL
-        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
-        && has_at_least(&call, "ends", 0, in_ends->shape[0], 2)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 4)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 11)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 146)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
-        answer = PyLong_FromLongLong(segfmu_check_gains(
-            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
-            in_period,
-            in_predicted,
-            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_track_setpoint(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "track_setpoint", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_parameters;
-    Py_buffer *in_table;
-    Py_buffer *in_gains;
-    Py_buffer *in_tick;
-    Py_buffer *in_memory;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
-        && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
-        && (in_tick = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
-        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
-        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 41)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
-        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
-        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
-        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
-        && has_at_least(&call, "tick", 0, in_tick->shape[0], 4)
-        && has_at_least(&call, "tick", 1, in_tick->shape[1], 10)
-        && has_at_least(&call, "memory", 0, in_memory->shape[0], 71)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 13)) {
-        segfmu_track_setpoint(
-            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
-            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
-            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
-            (array_double_2d){in_tick->buf, {in_tick->shape[0], in_tick->shape[1]}},
-            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_crane_rhs(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1446,56 +834,6 @@ static PyObject *call_crane_energy(
     return answer;
 }
 
-static PyObject *call_crane_load_partials(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_load_partials", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_partials;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "partials", 0, in_partials->shape[0], 6)
-        && has_at_least(&call, "partials", 1, in_partials->shape[1], 10)) {
-        segfmu_crane_load_partials(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_crane_energy_partials(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "crane_energy_partials", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_state;
-    Py_buffer *in_masses;
-    Py_buffer *in_partials;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_partials = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
-        && has_at_least(&call, "partials", 0, in_partials->shape[0], 2)
-        && has_at_least(&call, "partials", 1, in_partials->shape[1], 10)) {
-        segfmu_crane_energy_partials(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
-            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
-            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_flat_derivatives(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -1581,9 +919,671 @@ static PyObject *call_flat_orders(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)) {
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)) {
         answer = PyLong_FromLongLong(segfmu_flat_orders(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_correction(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_correction", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_reference;
+    Py_buffer *in_added;
+    Py_buffer *in_gains;
+    Py_buffer *in_correction;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_added = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 3, 3, 'd', false)) != NULL
+        && (in_correction = take_array(&call, 4, 1, 'd', true)) != NULL
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 10)
+        && has_at_least(&call, "added", 0, in_added->shape[0], 3)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
+        && has_at_least(&call, "correction", 0, in_correction->shape[0], 3)) {
+        segfmu_feedback_correction(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_1d){in_added->buf, {in_added->shape[0]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_1d){in_correction->buf, {in_correction->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_bandwidth(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_bandwidth", .values = values};
+    PyObject *answer = NULL;
+    double in_ratio;
+    double in_length;
+    double in_gravity;
+    double in_delay;
+    double in_largest;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_ratio)
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_gravity)
+        && take_float(&call, 3, &in_delay)
+        && take_float(&call, 4, &in_largest)) {
+        answer = PyFloat_FromDouble(segfmu_feedback_bandwidth(
+            in_ratio,
+            in_length,
+            in_gravity,
+            in_delay,
+            in_largest));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_feedback_gains(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "feedback_gains", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_length;
+    double in_bandwidth;
+    double in_pendulum;
+    double in_hoist_bandwidth;
+    double in_damping;
+    Py_buffer *in_gains;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_length)
+        && take_float(&call, 2, &in_bandwidth)
+        && take_float(&call, 3, &in_pendulum)
+        && take_float(&call, 4, &in_hoist_bandwidth)
+        && take_float(&call, 5, &in_damping)
+        && (in_gains = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 25)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 4)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 11)) {
+        segfmu_feedback_gains(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_length,
+            in_bandwidth,
+            in_pendulum,
+            in_hoist_bandwidth,
+            in_damping,
+            (array_double_2d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_predict(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_predict", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_axis;
+    double in_length;
+    Py_buffer *in_table;
+    double in_command;
+    double in_correction;
+    Py_buffer *in_estimate;
+    Py_buffer *in_scratch;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_int(&call, 0, &in_axis)
+        && take_float(&call, 1, &in_length)
+        && (in_table = take_array(&call, 2, 3, 'd', false)) != NULL
+        && take_float(&call, 3, &in_command)
+        && take_float(&call, 4, &in_correction)
+        && (in_estimate = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_scratch = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 6)
+        && has_at_least(&call, "scratch", 0, in_scratch->shape[0], 8)) {
+        segfmu_observer_predict(
+            in_axis,
+            in_length,
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            in_command,
+            in_correction,
+            (array_double_1d){in_estimate->buf, {in_estimate->shape[0]}},
+            (array_double_1d){in_scratch->buf, {in_scratch->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_correct(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_correct", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    Py_buffer *in_table;
+    Py_buffer *in_measured;
+    Py_buffer *in_reference;
+    Py_buffer *in_estimate;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && take_float(&call, 0, &in_length)
+        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_measured = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_reference = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_estimate = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "measured", 0, in_measured->shape[0], 5)
+        && has_at_least(&call, "reference", 0, in_reference->shape[0], 5)
+        && has_at_least(&call, "estimate", 0, in_estimate->shape[0], 3)
+        && has_at_least(&call, "estimate", 1, in_estimate->shape[1], 6)) {
+        segfmu_observer_correct(
+            in_length,
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_1d){in_measured->buf, {in_measured->shape[0]}},
+            (array_double_1d){in_reference->buf, {in_reference->shape[0]}},
+            (array_double_2d){in_estimate->buf, {in_estimate->shape[0], in_estimate->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_design(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_design", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_sample_time;
+    double in_length;
+    Py_buffer *in_expected;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_sample_time)
+        && take_float(&call, 2, &in_length)
+        && (in_expected = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 25)
+        && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 72)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
+        && has_at_least(&call, "table", 0, in_table->shape[0], 19)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 10)) {
+        segfmu_observer_design(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_sample_time,
+            in_length,
+            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_rope_range(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "rope_range", .values = values};
+    PyObject *answer = NULL;
+    double in_length;
+    double in_shortest;
+    double in_longest;
+    Py_buffer *in_found;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_length)
+        && take_float(&call, 1, &in_shortest)
+        && take_float(&call, 2, &in_longest)
+        && (in_found = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "found", 0, in_found->shape[0], 2)) {
+        segfmu_rope_range(
+            in_length,
+            in_shortest,
+            in_longest,
+            (array_double_1d){in_found->buf, {in_found->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_table_lengths(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "table_lengths", .values = values};
+    PyObject *answer = NULL;
+    double in_shortest;
+    double in_longest;
+    int64_t in_rows;
+    Py_buffer *in_lengths;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && take_float(&call, 0, &in_shortest)
+        && take_float(&call, 1, &in_longest)
+        && take_int(&call, 2, &in_rows)
+        && (in_lengths = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)) {
+        answer = PyLong_FromLongLong(segfmu_table_lengths(
+            in_shortest,
+            in_longest,
+            in_rows,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_flat_table(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "flat_table", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_design;
+    int64_t in_rows;
+    Py_buffer *in_lengths;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_int(&call, 2, &in_rows)
+        && (in_lengths = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 4, 3, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
+        && has_at_least(&call, "design", 0, in_design->shape[0], 5)
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
+        && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 4)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 11)) {
+        segfmu_flat_table(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_design->buf, {in_design->shape[0]}},
+            in_rows,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_steps(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_steps", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_sensors;
+    double in_longest;
+    Py_buffer *in_uncertainty;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_sensors = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_longest)
+        && (in_uncertainty = take_array(&call, 2, 1, 'd', true)) != NULL
+        && has_at_least(&call, "sensors", 0, in_sensors->shape[0], 18)
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
+        segfmu_set_steps(
+            (array_double_1d){in_sensors->buf, {in_sensors->shape[0]}},
+            in_longest,
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_observer_table(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "observer_table", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_sample_time;
+    Py_buffer *in_uncertainty;
+    int64_t in_rows;
+    Py_buffer *in_lengths;
+    Py_buffer *in_expected;
+    Py_buffer *in_work;
+    Py_buffer *in_table;
+    (void)self;
+    if (take_count(&call, count, 8)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_sample_time)
+        && (in_uncertainty = take_array(&call, 2, 1, 'd', false)) != NULL
+        && take_int(&call, 3, &in_rows)
+        && (in_lengths = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_expected = take_array(&call, 5, 1, 'd', true)) != NULL
+        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+        && (in_table = take_array(&call, 7, 3, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 25)
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)
+        && has_at_least(&call, "lengths", 0, in_lengths->shape[0], in_rows)
+        && has_at_least(&call, "expected", 0, in_expected->shape[0], 5)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 72)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 16)
+        && has_at_least(&call, "table", 0, in_table->shape[0], in_rows)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)) {
+        answer = PyBool_FromLong(segfmu_observer_table(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_sample_time,
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}},
+            in_rows,
+            (array_double_1d){in_lengths->buf, {in_lengths->shape[0]}},
+            (array_double_1d){in_expected->buf, {in_expected->shape[0]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_nominal_payload(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "nominal_payload", .values = values};
+    PyObject *answer = NULL;
+    double in_expected;
+    double in_payload;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_expected)
+        && take_float(&call, 1, &in_payload)) {
+        answer = PyFloat_FromDouble(segfmu_nominal_payload(
+            in_expected,
+            in_payload));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_signal_age(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "signal_age", .values = values};
+    PyObject *answer = NULL;
+    double in_dead_time;
+    double in_sampling;
+    double in_period;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_dead_time)
+        && take_float(&call, 1, &in_sampling)
+        && take_float(&call, 2, &in_period)) {
+        answer = PyFloat_FromDouble(segfmu_signal_age(
+            in_dead_time,
+            in_sampling,
+            in_period));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_drive_bound(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "drive_bound", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    int64_t in_axis;
+    double in_sign;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_int(&call, 1, &in_axis)
+        && take_float(&call, 2, &in_sign)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)) {
+        answer = PyFloat_FromDouble(segfmu_drive_bound(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_axis,
+            in_sign));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_walks(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_walks", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_uncertainty;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_uncertainty = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
+        && has_at_least(&call, "uncertainty", 0, in_uncertainty->shape[0], 7)) {
+        segfmu_set_walks(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_uncertainty->buf, {in_uncertainty->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_drives(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_drives", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_tracking = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
+        segfmu_set_drives(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_tracking(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_tracking", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    Py_buffer *in_design;
+    double in_longest;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 4)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_design = take_array(&call, 1, 1, 'd', false)) != NULL
+        && take_float(&call, 2, &in_longest)
+        && (in_tracking = take_array(&call, 3, 1, 'd', true)) != NULL
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
+        && has_at_least(&call, "design", 0, in_design->shape[0], 10)
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
+        segfmu_set_tracking(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            (array_double_1d){in_design->buf, {in_design->shape[0]}},
+            in_longest,
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_set_fading(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "set_fading", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_tracking;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_tracking = take_array(&call, 0, 1, 'd', true)) != NULL
+        && has_at_least(&call, "tracking", 0, in_tracking->shape[0], 41)) {
+        segfmu_set_fading(
+            (array_double_1d){in_tracking->buf, {in_tracking->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_check_gains(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_gains", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_plant;
+    double in_period;
+    int64_t in_predicted;
+    Py_buffer *in_ends;
+    Py_buffer *in_table;
+    Py_buffer *in_work;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
+        && take_float(&call, 1, &in_period)
+        && take_int(&call, 2, &in_predicted)
+        && (in_ends = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 4, 3, 'd', false)) != NULL
+        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_fault = take_array(&call, 6, 1, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
+        && has_at_least(&call, "ends", 0, in_ends->shape[0], 2)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 4)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 11)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 146)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 48)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_gains(
+            (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
+            in_period,
+            in_predicted,
+            (array_double_1d){in_ends->buf, {in_ends->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_track_setpoint(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "track_setpoint", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_parameters;
+    Py_buffer *in_table;
+    Py_buffer *in_gains;
+    Py_buffer *in_tick;
+    Py_buffer *in_memory;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_parameters = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 1, 3, 'd', false)) != NULL
+        && (in_gains = take_array(&call, 2, 3, 'd', false)) != NULL
+        && (in_tick = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_memory = take_array(&call, 4, 2, 'd', true)) != NULL
+        && has_at_least(&call, "table", 0, in_table->shape[0], 1)
+        && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
+        && has_at_least(&call, "parameters", 0, in_parameters->shape[0], 41)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 19)
+        && has_at_least(&call, "table", 2, in_table->shape[2], 10)
+        && has_at_least(&call, "gains", 1, in_gains->shape[1], 4)
+        && has_at_least(&call, "gains", 2, in_gains->shape[2], 11)
+        && has_at_least(&call, "tick", 0, in_tick->shape[0], 4)
+        && has_at_least(&call, "tick", 1, in_tick->shape[1], 10)
+        && has_at_least(&call, "memory", 0, in_memory->shape[0], 71)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 13)) {
+        segfmu_track_setpoint(
+            (array_double_1d){in_parameters->buf, {in_parameters->shape[0]}},
+            (array_double_3d){in_table->buf, {in_table->shape[0], in_table->shape[1], in_table->shape[2]}},
+            (array_double_3d){in_gains->buf, {in_gains->shape[0], in_gains->shape[1], in_gains->shape[2]}},
+            (array_double_2d){in_tick->buf, {in_tick->shape[0], in_tick->shape[1]}},
+            (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_load_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_load_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_partials = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 6)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 10)) {
+        segfmu_crane_load_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_crane_energy_partials(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "crane_energy_partials", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_state;
+    Py_buffer *in_masses;
+    Py_buffer *in_partials;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_masses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_partials = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+        && has_at_least(&call, "masses", 0, in_masses->shape[0], 4)
+        && has_at_least(&call, "partials", 0, in_partials->shape[0], 2)
+        && has_at_least(&call, "partials", 1, in_partials->shape[1], 10)) {
+        segfmu_crane_energy_partials(
+            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+            (array_double_1d){in_masses->buf, {in_masses->shape[0]}},
+            (array_double_2d){in_partials->buf, {in_partials->shape[0], in_partials->shape[1]}});
+        answer = Py_NewRef(Py_None);
     }
     release_arguments(&call);
     return answer;
@@ -1687,7 +1687,7 @@ static PyObject *call_resists(
     if (take_count(&call, count, 2)
         && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)) {
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)) {
         answer = PyBool_FromLong(segfmu_resists(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
             in_axis));
@@ -1716,7 +1716,7 @@ static PyObject *call_planned_friction(
         && take_float(&call, 4, &in_velocity)
         && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)) {
         answer = PyFloat_FromDouble(segfmu_planned_friction(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
@@ -1760,9 +1760,9 @@ static PyObject *call_contact_history(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "work", 0, in_work->shape[0], 35)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 20)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 21)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_contact_history(
@@ -1827,7 +1827,7 @@ static PyObject *call_drive_demands(
         && has_extent(&call, "times", 0, in_times->shape[0], in_flat->shape[0])
         && has_extent(&call, "demands", 0, in_demands->shape[0], in_flat->shape[0])
         && has_at_least(&call, "flat", 2, in_flat->shape[2], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 26)
@@ -1865,7 +1865,7 @@ static PyObject *call_plant_failure(
         && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_plant_failure(
             in_status,
@@ -1900,7 +1900,7 @@ static PyObject *call_friction_derivative(
         && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "motion", 0, in_motion->shape[0], (in_order + 2))
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 9)
@@ -1950,7 +1950,7 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 100)
@@ -2008,7 +2008,7 @@ static PyObject *call_demand_samples(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 100)
@@ -2159,7 +2159,7 @@ static PyObject *call_plant_advance(
         && take_float(&call, 5, &in_tolerance)
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && (in_report = take_array(&call, 7, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "state", 0, in_state->shape[0], 23)
         && has_at_least(&call, "work", 0, in_work->shape[0], 26)
@@ -2233,7 +2233,7 @@ static PyObject *call_hook_design(
         && (in_weights = take_array(&call, 3, 1, 'd', false)) != NULL
         && (in_work = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_table = take_array(&call, 5, 2, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
         && has_at_least(&call, "weights", 0, in_weights->shape[0], 10)
         && has_at_least(&call, "work", 0, in_work->shape[0], 92)
         && has_at_least(&call, "work", 1, in_work->shape[1], 16)
@@ -2370,7 +2370,7 @@ static PyObject *call_hook_outputs(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_outputs = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 13)) {
         segfmu_hook_outputs(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -2517,7 +2517,7 @@ static PyObject *call_write_axes(
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
         && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
         && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
         segfmu_write_axes(
@@ -2661,7 +2661,7 @@ static PyObject *call_write_starts(
         && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
@@ -4027,7 +4027,7 @@ static PyObject *call_check_ready(
         && take_int(&call, 2, &in_pieces)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "compensation", 0, in_compensation->shape[0], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 20)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 2)) {
         answer = PyLong_FromLongLong(segfmu_check_ready(
             (array_double_1d){in_compensation->buf, {in_compensation->shape[0]}},
@@ -4416,9 +4416,9 @@ static PyObject *call_rig_next_event(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)) {
         answer = PyFloat_FromDouble(segfmu_rig_next_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}}));
@@ -4439,9 +4439,9 @@ static PyObject *call_switch_correction(
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_memory = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)) {
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)) {
         segfmu_switch_correction(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}});
@@ -4477,7 +4477,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
         && has_at_least(&call, "table", 2, in_table->shape[2], 10)
@@ -4486,7 +4486,7 @@ static PyObject *call_rig_event(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_event(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -4517,8 +4517,8 @@ static PyObject *call_rig_signals(
         && take_float(&call, 1, &in_time)
         && (in_memory = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_signals(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -4550,7 +4550,7 @@ static PyObject *call_rig_rates(
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "derivative", 0, in_derivative->shape[0], 23)) {
         answer = PyLong_FromLongLong(segfmu_rig_rates(
             (array_double_2d){in_components->buf, {in_components->shape[0], in_components->shape[1]}},
@@ -4573,7 +4573,7 @@ static PyObject *call_rig_rows(
     if (take_count(&call, count, 1)
         && (in_settings = take_array(&call, 0, 2, 'd', false)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)) {
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)) {
         answer = PyLong_FromLongLong(segfmu_rig_rows(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}));
     }
@@ -4603,12 +4603,12 @@ static PyObject *call_rig_start(
         && take_float(&call, 5, &in_start)
         && (in_memory = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "state", 0, in_state->shape[0], 23)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         segfmu_rig_start(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -4652,7 +4652,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "table", 0, in_table->shape[0], 1)
         && has_at_least(&call, "gains", 0, in_gains->shape[0], 1)
         && has_at_least(&call, "settings", 0, in_settings->shape[0], 4)
-        && has_at_least(&call, "settings", 1, in_settings->shape[1], 79)
+        && has_at_least(&call, "settings", 1, in_settings->shape[1], 80)
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 19)
@@ -4662,7 +4662,7 @@ static PyObject *call_rig_step(
         && has_at_least(&call, "tracker", 0, in_tracker->shape[0], 71)
         && has_at_least(&call, "tracker", 1, in_tracker->shape[1], 13)
         && has_at_least(&call, "setpoints", 0, in_setpoints->shape[0], 19)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], segfmu_rig_rows((array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}}))) {
         answer = PyLong_FromLongLong(segfmu_rig_step(
             (array_double_2d){in_settings->buf, {in_settings->shape[0], in_settings->shape[1]}},
@@ -4691,7 +4691,7 @@ static PyObject *call_rig_balance(
         && (in_memory = take_array(&call, 0, 2, 'd', true)) != NULL
         && (in_balance = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)) {
         segfmu_rig_balance(
             (array_double_2d){in_memory->buf, {in_memory->shape[0], in_memory->shape[1]}},
@@ -4736,7 +4736,7 @@ static PyObject *call_rig_outputs(
         && (in_outputs = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "target", 0, in_target->shape[0], 3)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "balance", 0, in_balance->shape[0], 7)
         && has_at_least(&call, "outputs", 0, in_outputs->shape[0], 51)) {
         segfmu_rig_outputs(
@@ -4796,7 +4796,7 @@ static PyObject *call_rig_partials(
         && (in_partials = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "memory", 0, in_memory->shape[0], 44)
-        && has_at_least(&call, "memory", 1, in_memory->shape[1], 79)
+        && has_at_least(&call, "memory", 1, in_memory->shape[1], 80)
         && has_at_least(&call, "work", 0, in_work->shape[0], 6)
         && has_at_least(&call, "work", 1, in_work->shape[1], 18)
         && has_at_least(&call, "partials", 0, in_partials->shape[0], 15)
@@ -4850,7 +4850,7 @@ static PyObject *call_check_lags(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_exchange)
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_lags(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -4941,7 +4941,7 @@ static PyObject *call_check_slack(
         && (in_plant = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_exchange)
         && (in_fault = take_array(&call, 2, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_slack(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -4967,7 +4967,7 @@ static PyObject *call_check_delays(
         && take_float(&call, 1, &in_period)
         && take_int(&call, 2, &in_exchange)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
-        && has_at_least(&call, "plant", 0, in_plant->shape[0], 79)
+        && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_delays(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -5332,6 +5332,14 @@ static PyMethodDef methods[] = {
     {"shrink_boxes", (PyCFunction)(void (*)(void))call_shrink_boxes, METH_FASTCALL, NULL},
     {"write_box", (PyCFunction)(void (*)(void))call_write_box, METH_FASTCALL, NULL},
     {"space_contact", (PyCFunction)(void (*)(void))call_space_contact, METH_FASTCALL, NULL},
+    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
+    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
+    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
+    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
+    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
+    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
+    {"hook_derivatives", (PyCFunction)(void (*)(void))call_hook_derivatives, METH_FASTCALL, NULL},
+    {"flat_orders", (PyCFunction)(void (*)(void))call_flat_orders, METH_FASTCALL, NULL},
     {"feedback_correction", (PyCFunction)(void (*)(void))call_feedback_correction, METH_FASTCALL, NULL},
     {"feedback_bandwidth", (PyCFunction)(void (*)(void))call_feedback_bandwidth, METH_FASTCALL, NULL},
     {"feedback_gains", (PyCFunction)(void (*)(void))call_feedback_gains, METH_FASTCALL, NULL},
@@ -5352,16 +5360,8 @@ static PyMethodDef methods[] = {
     {"set_fading", (PyCFunction)(void (*)(void))call_set_fading, METH_FASTCALL, NULL},
     {"check_gains", (PyCFunction)(void (*)(void))call_check_gains, METH_FASTCALL, NULL},
     {"track_setpoint", (PyCFunction)(void (*)(void))call_track_setpoint, METH_FASTCALL, NULL},
-    {"crane_rhs", (PyCFunction)(void (*)(void))call_crane_rhs, METH_FASTCALL, NULL},
-    {"crane_driven", (PyCFunction)(void (*)(void))call_crane_driven, METH_FASTCALL, NULL},
-    {"crane_flat_inverse", (PyCFunction)(void (*)(void))call_crane_flat_inverse, METH_FASTCALL, NULL},
-    {"crane_load", (PyCFunction)(void (*)(void))call_crane_load, METH_FASTCALL, NULL},
-    {"crane_energy", (PyCFunction)(void (*)(void))call_crane_energy, METH_FASTCALL, NULL},
     {"crane_load_partials", (PyCFunction)(void (*)(void))call_crane_load_partials, METH_FASTCALL, NULL},
     {"crane_energy_partials", (PyCFunction)(void (*)(void))call_crane_energy_partials, METH_FASTCALL, NULL},
-    {"flat_derivatives", (PyCFunction)(void (*)(void))call_flat_derivatives, METH_FASTCALL, NULL},
-    {"hook_derivatives", (PyCFunction)(void (*)(void))call_hook_derivatives, METH_FASTCALL, NULL},
-    {"flat_orders", (PyCFunction)(void (*)(void))call_flat_orders, METH_FASTCALL, NULL},
     {"same_break", (PyCFunction)(void (*)(void))call_same_break, METH_FASTCALL, NULL},
     {"next_plan_event", (PyCFunction)(void (*)(void))call_next_plan_event, METH_FASTCALL, NULL},
     {"right_of_break", (PyCFunction)(void (*)(void))call_right_of_break, METH_FASTCALL, NULL},

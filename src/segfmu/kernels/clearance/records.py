@@ -86,7 +86,7 @@ class SpaceStatus(Codes):
     WORKSPACE = 3
     EMPTY_WORKSPACE = 4
     EMPTY_OBSTACLE = 5
-    HOOK = 6
+    SLING = 6
 
 
 class SpaceLimits(Codes):

@@ -1,8 +1,8 @@
 """Drives at their bounds: largest forces and velocities.
 
 Forces of the drives depend on their accelerations by (M + m e e'), with the carriages' masses M,
-the load's mass m and the rope's direction e: the load resists only along the rope. A hook resists
-along the rope with what it has of the load's mass by the sling. `plant` is a `Plant`, `limit` a
+the load's mass m and the rope's direction e: the load resists only along the rope, and what
+is above it with what it has of the load's mass there. `plant` is a `Plant`, `limit` a
 `ForceLimit`, see crane/records.py.
 """
 
@@ -13,10 +13,10 @@ from segfmu.kernels.crane.records import (
     Axes,
     ForceLimit,
     Plant,
-    PlantState,
     Resistance,
     State,
 )
+from segfmu.kernels.crane.suspension import suspended_mass
 
 
 def side_bound(sign: float, greatest: float, least: float) -> float:
@@ -71,26 +71,9 @@ def force_bound(plant: 'float[:]', axis: int, sign: float, velocity: float) -> f
     return bound
 
 
-def resisting_mass(plant: 'float[:]', state: 'float[:]') -> float:
-    """Mass [kg] at the end of the rope against an acceleration along it.
-
-    A hook on a sling at an angle a to the rope: 1 / m = (1 - M cos(a)^2 / (M + h)) / h, with the
-    masses M of the load and h of the hook.
-    """
-    payload = plant[Plant.PAYLOAD_MASS]
-    if plant[Plant.SLING] <= 0.0:
-        return payload
-    hook = plant[Plant.HOOK_MASS]
-    phi_x = state[State.ANGLE]
-    psi_x = state[PlantState.SLING_ANGLE]
-    turned = cos(state[State.ANGLE + 1] - state[PlantState.SLING_ANGLE + 1])
-    cosine = sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(psi_x) * turned
-    return hook * (hook + payload) / (hook + payload * (1.0 - cosine * cosine))
-
-
 def rope_direction(plant: 'float[:]', state: 'float[:]', limit: 'float[:]') -> None:
     """Write the direction of the rope in the coordinates of the drives, and what resists there."""
-    limit[ForceLimit.MASS] = resisting_mass(plant, state)
+    limit[ForceLimit.MASS] = suspended_mass(plant, state)
     phi_x = state[State.ANGLE]
     phi_y = state[State.ANGLE + 1]
     limit[ForceLimit.ROPE] = sin(phi_x)
@@ -146,7 +129,7 @@ def carriage_mass(masses: 'float[:]', axis: int) -> float:
 
 def hanging_mass(resistance: 'float[:]') -> float:
     """Mass [kg] that hangs on the rope."""
-    return resistance[Resistance.PAYLOAD_MASS] + resistance[Resistance.HOOK_MASS]
+    return resistance[Resistance.PAYLOAD_MASS] + resistance[Resistance.TACKLE_MASS]
 
 
 def limit_side(plant: 'float[:]', axis: int, action: 'float[:]', limit: 'float[:]') -> float:

@@ -23,16 +23,16 @@ from segfmu.kernels.crane.friction import (
     rubs,
     smooth_friction,
 )
-from segfmu.kernels.crane.inverse import crane_inverse, flat_orders
 from segfmu.kernels.crane.records import (
     Axes,
     Contact,
     ContactWork,
     History,
+    MostSeries,
     Resistance,
-    SlingSeries,
     State,
 )
+from segfmu.kernels.crane.suspension import crane_inverse, flat_orders
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break, same_break
 from segfmu.kernels.trajectory.evaluate import evaluate_orders
@@ -60,7 +60,7 @@ def axis_motion(
     """Planned position [m] and velocity [m/s] of the axis."""
     crane = work[ContactWork.RESISTANCE, :]
     load = work[ContactWork.LOAD:ContactWork.LOAD + flat_orders(crane), :]
-    series = work[ContactWork.SERIES:ContactWork.SERIES + SlingSeries.SIZE, :]
+    series = work[ContactWork.SERIES:ContactWork.SERIES + MostSeries.SIZE, :]
     axis = int(work[ContactWork.HISTORY, History.AXIS])
     evaluate_orders(time, timing, coefficients, offsets, ends, load)
     crane_inverse(

@@ -1,8 +1,8 @@
 """What a motion of the load asks of the drives."""
 
 from segfmu.kernels.crane.contact import planned_friction
-from segfmu.kernels.crane.inverse import crane_inverse
-from segfmu.kernels.crane.records import Demand, DemandWork, SlingSeries, State
+from segfmu.kernels.crane.records import Demand, DemandWork, MostSeries, State
+from segfmu.kernels.crane.suspension import crane_inverse
 
 
 def drive_demands(
@@ -32,7 +32,7 @@ def motion_demand(
     demand: 'float[:]',
 ) -> None:
     """The `Demand` of a plan at a time [s], as in `drive_demands`."""
-    series = work[DemandWork.SERIES:DemandWork.SERIES + SlingSeries.SIZE, :]
+    series = work[DemandWork.SERIES:DemandWork.SERIES + MostSeries.SIZE, :]
     crane_inverse(
         flat, resistance, series, work[DemandWork.FORCE], work[DemandWork.STATE],
         work[DemandWork.ACCELERATION],

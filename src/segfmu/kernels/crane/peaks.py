@@ -13,8 +13,8 @@ its `Contact` rows of each axis; `work` is a `DemandPeaks`.
 from math import cos, sqrt
 
 from segfmu.kernels.crane.demand import motion_demand
-from segfmu.kernels.crane.inverse import flat_orders
 from segfmu.kernels.crane.records import Contact, Demand, DemandPeaks, Sought
+from segfmu.kernels.crane.suspension import flat_orders
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break
 from segfmu.kernels.trajectory.evaluate import evaluate_near

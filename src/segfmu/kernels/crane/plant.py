@@ -31,7 +31,7 @@ from segfmu.kernels.crane.slack import (
     change_rope,
     may_slacken,
 )
-from segfmu.kernels.crane.suspension import has_hook, suspended_load
+from segfmu.kernels.crane.suspension import has_tackle, suspended_load
 from segfmu.kernels.crane.wind import command_slope, wind_force
 from segfmu.kernels.numerics.integrate import (
     all_finite,
@@ -151,7 +151,7 @@ def try_step(
     for stage in range(1, Stages.SIZE):
         # the derivatives do not depend on the work
         count = PlantState.DRIVE_WORK
-        if stage == Stages.K7 or may_slacken(plant) or has_hook(plant):
+        if stage == Stages.K7 or may_slacken(plant) or has_tackle(plant):
             count = PlantState.SIZE
         stage_state(stage, h, count, state, stages, trial)
         # values beyond all bounds: the step was much too long
@@ -265,6 +265,6 @@ def plant_status(plant: 'float[:]', state: 'float[:]', action: 'float[:]') -> in
     if bears_wrongly(plant, state, action[Action.ROPE_FORCE]):
         return PlantStatus.SLACK_ROPE
     least = -1e-9 * plant[Plant.PAYLOAD_MASS] * plant[Plant.GRAVITY]
-    if has_hook(plant) and action[Action.SLING_TENSION] < least:
+    if has_tackle(plant) and action[Action.SLING_TENSION] < least:
         return PlantStatus.SLACK_SLING
     return PlantStatus.DONE

@@ -121,7 +121,7 @@ class PlantState(State):
     DRIVE_WORK = field("work of the drives", "J")
     WIND_WORK = field("work of the wind", "J")
     DISSIPATED = field("energy dissipated by friction", "J")
-    SLING_ANGLE = field("angles of the sling; 0 without a hook", "rad", size=2)
+    SLING_ANGLE = field("angles of the sling; 0 without one", "rad", size=2)
     SLING_RATE = field("their rates", "rad/s", size=2)
     SLACK = field("1: the rope is slack, and the next two are not 0")
     PAID_OUT = field("length of the slack rope", "m")
@@ -153,8 +153,9 @@ class Resistance(Masses):
     PRESLIDING = field(
         "displacement at which a contact slides", "m", variables=("friction.presliding",)
     )
-    HOOK_MASS = field("mass of a hook between rope and load", "kg")
-    SLING = field("length of the sling from hook to load; 0: there is no hook", "m")
+    SUSPENSION = field("what is between rope and load, by the code of a model; 0: nothing")
+    TACKLE_MASS = field("its mass", "kg")
+    SLING = field("its length, of the sling from the rope's end to the load", "m")
 
 
 class Plant(Resistance):
@@ -334,24 +335,24 @@ class FlatSeries(Record):
     """Rows: the work space of `flat_derivatives`, a Taylor series each."""
 
     LOAD = field("position of what hangs on the rope", "m", size=3)
-    PULL = field("force of the rope per mass of the load; without a hook w = p'' + g e_z",
+    PULL = field("force of the rope per mass of the load; of a gantry crane w = p'' + g e_z",
                  "m/s2", size=3)
     INTERMEDIATE = field("intermediate results", size=7)
     COORDINATES = field("coordinates of the crane", size=Coordinates.SIZE)
 
 
-class SlingSeries(FlatSeries):
-    """Rows: the work space of `hook_derivatives`, a Taylor series each."""
+class MostSeries(FlatSeries):
+    """Rows: the work space of any model's flat inverse."""
 
-    DIRECTION = field("direction from the load to the hook", size=3)
-    SLING = field("angles of the sling", "rad", size=2)
+    OWN = field("series of the model", size=5)
 
 
 class FlatOrders(Codes):
     """Derivatives of the load's position in the flat inverse, that of order 0 included."""
 
     CRANE = 5
-    HOOK = 7
+    # of any model
+    MOST = 7
 
 
 class DemandWork(Record):
@@ -360,7 +361,7 @@ class DemandWork(Record):
     FORCE = field("forces of the drives", "N", of=Axes)
     STATE = field("state of the crane", of=State)
     ACCELERATION = field("second derivatives of the coordinates", of=Coordinates)
-    SERIES = field("Taylor series, if there is a hook", size=SlingSeries.SIZE, of=State)
+    SERIES = field("Taylor series, where the model needs them", size=MostSeries.SIZE, of=State)
 
 
 class Sought(Codes):
@@ -382,7 +383,7 @@ class DemandPeaks(DemandWork):
     """Rows: the work space of `demand_peaks`."""
 
     LOAD = field(
-        "position of the load and its derivatives", size=FlatOrders.HOOK, of=Vector
+        "position of the load and its derivatives", size=FlatOrders.MOST, of=Vector
     )
     VALUES = field("demands at Chebyshev points", size=Sought.NODES, of=Demand)
     SERIES = field("coefficients of their Chebyshev series", size=Sought.NODES, of=Demand)
@@ -420,7 +421,7 @@ class ContactWork(DemandWork):
 
     HISTORY = field("how far it is known", of=History)
     RESISTANCE = field("the crane", of=Resistance)
-    LOAD = field("position of the load and its derivatives", size=FlatOrders.HOOK, of=Vector)
+    LOAD = field("position of the load and its derivatives", size=FlatOrders.MOST, of=Vector)
 
 
 class FrictionSeries(Record):
@@ -473,7 +474,7 @@ class Action(Record):
     FORCE = field("forces of the drives, friction included", "N", size=3)
     SATURATED = field("1: the drive is at a bound", size=3)
     ROPE_FORCE = field("force on the rope, negative under tension", "N")
-    SLING_TENSION = field("tension of the sling; 0 without a hook", "N")
+    SLING_TENSION = field("tension of the sling; 0 without one", "N")
 
 
 class StageAction(Action):
@@ -529,10 +530,10 @@ class Work(Record):
     FRICTION = field("resistance: friction, and buffers at the end stops", "N", of=Axes)
     LIMIT = field("drives at their largest force", of=ForceLimit)
     AIR = field("air around the load", of=Air)
-    HOOK_STATE = field("state of crane, hook and load, see HookState", of=PlantState)
-    HOOK_RATE = field("its derivative", of=PlantState)
-    HOOK_MASSES = field("masses and lengths, see HookMasses", of=Resistance)
-    HOOK_TENSION = field("tension of the sling", "N")
+    OWN_STATE = field("state in the order of the model's equations", of=PlantState)
+    OWN_RATE = field("its derivative", of=PlantState)
+    OWN_MASSES = field("masses and lengths of the model's equations", of=Resistance)
+    OWN_TENSION = field("tension of the sling", "N")
 
 
 class CranePartials(State):
@@ -565,9 +566,9 @@ class RopeDemand(Codes):
     TAUT = 2
     NOT_TOO_LONG = 3
     NOT_TOO_SHORT = 4
-    # of a hook above the load, from which the rope leads to the trolley
-    HOOK_TAUT = 5
-    HOOK_BELOW_TROLLEY = 6
+    # of all that hangs on a rope with a sling below it, and of the rope's end
+    ALL_TAUT = 5
+    END_BELOW_TROLLEY = 6
 
 
 class RopeBounds(Record):

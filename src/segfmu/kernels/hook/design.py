@@ -52,7 +52,7 @@ def hook_lag(axis: int, plant: 'float[:]') -> float:
 def hook_model(axis: int, plant: 'float[:]', length: float, model: 'float[:,:]') -> None:
     """System matrix (9, 9) of eight states and the correction at a rope length [m]."""
     gravity = plant[Plant.GRAVITY]
-    hook = plant[Plant.HOOK_MASS]
+    hook = plant[Plant.TACKLE_MASS]
     total = hanging_mass(plant)
     lag = hook_lag(axis, plant)
     matrix_set(HookAxis.SIZE, 0.0, model)

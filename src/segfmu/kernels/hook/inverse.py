@@ -20,10 +20,9 @@ from segfmu.kernels.crane.records import (
     FlatInverse,
     FlatSeries,
     Masses,
-    SlingSeries,
     State,
 )
-from segfmu.kernels.hook.records import HookCoordinates, HookInverse, HookState
+from segfmu.kernels.hook.records import HookCoordinates, HookInverse, HookState, SlingSeries
 from segfmu.kernels.numerics.series import (
     series_angle,
     series_derivative,

@@ -1,9 +1,9 @@
 """Outputs of hook and sling from a rig."""
 
 from segfmu.kernels.crane._crane import crane_load
-from segfmu.kernels.crane.records import Axes, Load, PlantState, Report, State, Vector, Work
-from segfmu.kernels.crane.suspension import gather_hook, has_hook
+from segfmu.kernels.crane.records import Axes, Load, Plant, PlantState, Report, State, Vector, Work
 from segfmu.kernels.hook.records import HookFrequencies, HookOutputs
+from segfmu.kernels.hook.suspended import gather_hook
 from segfmu.kernels.hook.swing import hook_frequencies
 from segfmu.kernels.rig.records import Memory
 
@@ -24,9 +24,9 @@ def hook_outputs(memory: 'float[:,:]', outputs: 'float[:]') -> None:
     outputs[HookOutputs.TENSION] = memory[Memory.REPORT, Report.SLING_TENSION]
     outputs[HookOutputs.FREQUENCY] = 0.0
     outputs[HookOutputs.FREQUENCY + 1] = 0.0
-    if has_hook(memory[Memory.PLANT, :]):
+    if memory[Memory.PLANT, Plant.SLING] > 0.0:
         gather_hook(memory[Memory.PLANT, :], state, work)
         hook_frequencies(
-            state[State.POSITION + Axes.ROPE], work[Work.HOOK_MASSES, :],
+            state[State.POSITION + Axes.ROPE], work[Work.OWN_MASSES, :],
             outputs[HookOutputs.FREQUENCY : HookOutputs.FREQUENCY + HookFrequencies.SIZE],
         )

@@ -5,12 +5,19 @@ from segfmu.kernels.crane.records import (
     AXES,
     DRIVES,
     Coordinates,
+    FlatSeries,
     Masses,
     RopeBounds,
-    SlingSeries,
     Vector,
 )
-from segfmu.kernels.records import Record, field
+from segfmu.kernels.records import Codes, Record, field
+
+
+class HookModel(Codes):
+    """Its code as `Resistance.SUSPENSION`, and the derivatives that its flat inverse needs."""
+
+    CODE = 1
+    ORDERS = 7
 
 
 class HookMasses(Masses):
@@ -108,6 +115,13 @@ class HookMargins(Record):
     BELOW = field("depth of the hook below the trolley", "m")
     SHORT = field("shortness of the rope; large without a bound", "m")
     LONG = field("length of the rope beyond the shortest one; large without a bound", "m")
+
+
+class SlingSeries(FlatSeries):
+    """Rows: the work space of `hook_derivatives`, a Taylor series each."""
+
+    DIRECTION = field("direction from the load to the hook", size=3)
+    SLING = field("angles of the sling", "rad", size=2)
 
 
 class HookPath(SlingSeries):

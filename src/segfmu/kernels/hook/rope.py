@@ -140,12 +140,12 @@ def judge_margins(bounds: 'float[:]', work: 'float[:,:]', report: 'float[:]') ->
         report[RopeFault.TIME] = first[HookMargins.TAUT]
         report[RopeFault.BOUND] = bounds[RopeBounds.GRAVITY]
         report[RopeFault.WORST] = bounds[RopeBounds.GRAVITY] - least[HookMargins.TAUT]
-        return RopeDemand.HOOK_TAUT
+        return RopeDemand.ALL_TAUT
     if first[HookMargins.BELOW] < NEVER:
         report[RopeFault.TIME] = first[HookMargins.BELOW]
         report[RopeFault.BOUND] = 0.0
         report[RopeFault.WORST] = -least[HookMargins.BELOW]
-        return RopeDemand.HOOK_BELOW_TROLLEY
+        return RopeDemand.END_BELOW_TROLLEY
     if first[HookMargins.SHORT] < NEVER:
         report[RopeFault.TIME] = first[HookMargins.SHORT]
         report[RopeFault.BOUND] = bounds[RopeBounds.LONGEST]

@@ -48,8 +48,8 @@ class SetupStatus(Codes):
     exchange. LOW_STATIC: static friction below Coulomb friction. NO_WIND: turbulence
     without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange. UNSTABLE: the
     gains of the feedback. SHORT_LAG: a lag of a velocity drive so short that runs take hours.
-    MANY_TURNS: a plan in which an axis with friction turns too often. SLACK_HOOK: a rope that may
-    slacken, with a hook.
+    MANY_TURNS: a plan in which an axis with friction turns too often. SLACK_SLING: a rope that may
+    slacken, with a sling.
     """
 
     FITS = 0
@@ -70,7 +70,7 @@ class SetupStatus(Codes):
     UNSTABLE = 15
     SHORT_LAG = 16
     MANY_TURNS = 17
-    SLACK_HOOK = 18
+    SLACK_SLING = 18
 
 
 class SetupFault(Record):

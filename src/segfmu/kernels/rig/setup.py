@@ -5,7 +5,7 @@ from math import sqrt
 from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant, Vector
 from segfmu.kernels.crane.slack import may_slacken
-from segfmu.kernels.crane.suspension import has_hook
+from segfmu.kernels.crane.suspension import has_tackle
 from segfmu.kernels.rig.records import Delay, SensorLimits, Sensors, SetupFault, SetupStatus
 
 
@@ -67,13 +67,13 @@ def check_turbulence(speed: 'float[:]', deviation: 'float[:]', fault: 'float[:]'
 
 
 def check_slack(plant: 'float[:]', exchange: int, fault: 'float[:]') -> int:
-    """Check that the rope cannot slacken with a hook, and in model exchange without memory of it.
+    """Check that the rope cannot slacken with a sling below it, and in model exchange not at all.
 
     exchange: 1 in model exchange.
     """
     fault[SetupFault.VALUE] = plant[Plant.SLACK]
-    if has_hook(plant) and may_slacken(plant):
-        return SetupStatus.SLACK_HOOK
+    if has_tackle(plant) and may_slacken(plant):
+        return SetupStatus.SLACK_SLING
     if exchange == 1 and may_slacken(plant):
         return SetupStatus.SLACK_EXCHANGE
     return SetupStatus.FITS

@@ -16,7 +16,8 @@ void crane_read_suspension(const model *base, double plant[PLANT_SIZE])
 {
     double masses[HOOK_MASSES_SIZE];
     feed_record(&feeds_hook_masses, base, masses);
-    plant[PLANT_HOOK_MASS] = masses[HOOK_MASSES_HOOK_MASS];
+    plant[PLANT_SUSPENSION] = HOOK_MODEL_CODE;
+    plant[PLANT_TACKLE_MASS] = masses[HOOK_MASSES_HOOK_MASS];
     plant[PLANT_SLING] = masses[HOOK_MASSES_SLING];
 }
 

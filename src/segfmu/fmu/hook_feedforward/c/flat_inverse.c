@@ -7,7 +7,8 @@ void crane_of(const model *base, double known[RESISTANCE_SIZE])
 {
     memset(known, 0, RESISTANCE_SIZE * sizeof *known);
     feed_record(&feeds_resistance, base, known);
-    known[RESISTANCE_HOOK_MASS] = base->real[V_HOOK_MASS];
+    known[RESISTANCE_SUSPENSION] = HOOK_MODEL_CODE;
+    known[RESISTANCE_TACKLE_MASS] = base->real[V_HOOK_MASS];
     known[RESISTANCE_SLING] = base->real[V_HOOK_SLING];
 }
 
@@ -22,7 +23,7 @@ void invert_derivative(double known[RESISTANCE_SIZE], double *load, int64_t orde
     double work[SLING_SERIES_SIZE * COLUMNS];
     segfmu_hook_derivatives(
         matrix(load, ORDERS + order, AXES), order, vector(known, MASSES_SIZE),
-        known[RESISTANCE_HOOK_MASS], known[RESISTANCE_SLING],
+        known[RESISTANCE_TACKLE_MASS], known[RESISTANCE_SLING],
         matrix(work, SLING_SERIES_SIZE, COLUMNS), vector(results, HOOK_INVERSE_SIZE));
 }
 
@@ -34,7 +35,7 @@ static bool require_free_rope(const model *base, char message[MESSAGE])
         feed_row(&feeds_obstacle_row, base, i, row);
         if (row[OBSTACLE_ROW_ROPE] > 0.0) {
             fault[SPACE_FAULT_BOX] = (double)i;
-            return !segfmu_space_message(SPACE_STATUS_HOOK, fault, message, MESSAGE);
+            return !segfmu_space_message(SPACE_STATUS_SLING, fault, message, MESSAGE);
         }
     }
     return true;
@@ -50,7 +51,7 @@ bool require_taut(const segfmu_trajectory *t, const model *base, char message[ME
     int64_t status = segfmu_check_hook(
         matrix((double *)t->timing, t->pieces, 2),
         matrix((double *)t->coefficients, t->pieces, width), offsets_of(t),
-        vector((double *)t->ends, AXES), vector(known, MASSES_SIZE), known[RESISTANCE_HOOK_MASS],
+        vector((double *)t->ends, AXES), vector(known, MASSES_SIZE), known[RESISTANCE_TACKLE_MASS],
         known[RESISTANCE_SLING], vector(bounds, ROPE_BOUNDS_SIZE),
         matrix(space, ROPE_WORK_SIZE, 4 * width - 5),
         matrix(work, HOOK_PATH_SIZE, HOOK_PATH_COLUMNS), vector(fault, ROPE_FAULT_SIZE));
