@@ -123,11 +123,10 @@ bool model_sound(const model *base, size_t size)
         && m->count_components <= COMPONENTS
         && m->count_components % DISTURBANCE_COMPONENTS == 0
         && m->count_lengths >= 0 && m->count_lengths <= MOST_LENGTHS && m->count_observer >= 0
-        && m->count_observer <= MOST_LENGTHS && m->count_hook >= 0
-        && m->count_hook <= HOOK_LENGTHS
+        && m->count_observer <= MOST_LENGTHS && suspension_sound(m, false)
         && (m->rows == 0 || (m->count_lengths > 0 && m->count_observer > 0
                              && (corrector == CORRECTOR_STATE || corrector == CORRECTOR_TRACKING
-                                 || (corrector == CORRECTOR_CALLER && m->count_hook > 0))
+                                 || (corrector == CORRECTOR_CALLER && suspension_sound(m, true)))
                              && sound_memory(m)));
 }
 

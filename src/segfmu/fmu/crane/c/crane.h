@@ -5,11 +5,11 @@
 #include "arrays.h"
 #include "model.h"
 #include "records.h"
+#include "suspension.h"
 
 /* numbers of rows that there is room for, and sizes of the tables' parts for a rope length */
 enum {
     COMPONENTS = 2 * DISTURBANCE_COMPONENTS, CHANGES = DISTURBANCE_MOST_CHANGES, MOST_LENGTHS = MODEL_ROWS,
-    HOOK_LENGTHS = 9, HOOK_BLOCK = HOOK_TABLE_SIZE * HOOK_TABLE_COLUMNS,
     GAINS_BLOCK = GAINS_SIZE * GAINS_COLUMNS, OBSERVER_BLOCK = OBSERVER_SIZE * OBSERVER_COLUMNS
 };
 
@@ -25,11 +25,8 @@ typedef struct {
     /* of the start: start values of the state, the state that follows from them, the setpoints, and
        how far it is from its reference */
     double own[STATE_SIZE], shown[STATE_SIZE], begun[SETPOINTS_SIZE], misfit[START_FAULT_SIZE];
-    /* the same of a sling */
-    double own_sling[SLING_SIZE], hung[SLING_SIZE];
-    /* of a controller of the model: its table, and estimates with work space */
-    double hook_table[HOOK_LENGTHS * HOOK_BLOCK], hook_estimates[(AXES_SIZE + 1) * HOOK_AXIS_SIZE];
-    int64_t count_hook, placed, stepped, fit;
+    suspension below;  /* what the model remembers of what is between rope and load */
+    int64_t placed, stepped, fit;
     /* co-simulation: inputs at the end of the last step, and their slopes in it */
     double input[MODEL_INPUTS], slope[MODEL_INPUTS];
     /* by state, commands, wind and time, see kernels/rig/partials.py; of load and energies by state */
@@ -121,6 +118,9 @@ static bool crane_set_tracking(crane *m, char message[MESSAGE]);
 static bool crane_corrects(const crane *m);
 static bool crane_set_feedback(crane *m, char message[MESSAGE]);
 static void crane_correct(crane *m);
+
+/* Whether what the model remembers can be, with a table of its controller if that corrects. */
+static bool suspension_sound(const crane *m, bool corrects);
 
 /* The controller's tunable parameters; `switched` makes what changes fade in. */
 static void crane_tune_tracking(crane *m, bool switched);

@@ -11,15 +11,20 @@ bool crane_corrects(const crane *m)
     return m->base.integer[V_FEEDBACK_SOURCE] == 2;
 }
 
+bool suspension_sound(const crane *m, bool corrects)
+{
+    return m->below.count >= (corrects ? 1 : 0) && m->below.count <= HOOK_LENGTHS;
+}
+
 static array_double_3d table_of(crane *m)
 {
-    return cuboid(m->hook_table, m->count_hook, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS);
+    return cuboid(m->below.table, m->below.count, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS);
 }
 
 static bool is_finite(const crane *m)
 {
-    for (int64_t i = 0; i < m->count_hook * HOOK_BLOCK; i++) {
-        if (!isfinite(m->hook_table[i])) {
+    for (int64_t i = 0; i < m->below.count * HOOK_BLOCK; i++) {
+        if (!isfinite(m->below.table[i])) {
             return false;
         }
     }
@@ -32,8 +37,8 @@ static bool design(crane *m, char message[MESSAGE])
     enum { COLUMNS = 2 * HOOK_AXIS_CORRECTION };
     double work[HOOK_DESIGN_SIZE * COLUMNS], weights[HOOK_WEIGHING_SIZE], plant[PLANT_SIZE];
     double lengths[HOOK_LENGTHS];
-    m->count_hook = crane_lengths(m, HOOK_LENGTHS, lengths, message);
-    if (m->count_hook == 0) {
+    m->below.count = crane_lengths(m, HOOK_LENGTHS, lengths, message);
+    if (m->below.count == 0) {
         return false;
     }
     crane_nominal(m, plant);
@@ -41,23 +46,23 @@ static bool design(crane *m, char message[MESSAGE])
         plant[PLANT_SLING] = m->base.real[V_FEEDBACK_SLING];
     }
     feed_record(&feeds_hook_weighing, &m->base, weights);
-    for (int64_t i = 0; i < m->count_hook; i++) {
+    for (int64_t i = 0; i < m->below.count; i++) {
         memset(work, 0, sizeof work);
         segfmu_hook_design(
             vector(plant, PLANT_SIZE), m->base.real[V_FEEDBACK_SAMPLE_TIME], lengths[i],
             vector(weights, HOOK_WEIGHING_SIZE), matrix(work, HOOK_DESIGN_SIZE, COLUMNS),
-            matrix(m->hook_table + i * HOOK_BLOCK, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS));
+            matrix(m->below.table + i * HOOK_BLOCK, HOOK_TABLE_SIZE, HOOK_TABLE_COLUMNS));
     }
     return is_finite(m)
         || say(message, "no gains were found for ropes of %g to %g m: masses, sling, lags "
-               "or feedback.hook.* do not fit", lengths[0], lengths[m->count_hook - 1]);
+               "or feedback.hook.* do not fit", lengths[0], lengths[m->below.count - 1]);
 }
 
 bool crane_set_feedback(crane *m, char message[MESSAGE])
 {
     crane_begin_tracking(m);
-    m->count_hook = 0;
-    memset(m->hook_estimates, 0, sizeof m->hook_estimates);
+    m->below.count = 0;
+    memset(m->below.estimates, 0, sizeof m->below.estimates);
     if (!crane_corrects(m)) {
         return true;
     }
@@ -99,7 +104,7 @@ void crane_correct(crane *m)
         table_of(m), vector(limits, HOOK_LIMITS_SIZE),
         vector(row(m, MEMORY_SIGNALS), COORDINATES_SIZE),
         vector(row(m, MEMORY_REFERENCE), STATE_SIZE), vector(row(m, MEMORY_ADDED_TO), AXES_SIZE),
-        matrix(m->hook_estimates, AXES_SIZE + 1, HOOK_AXIS_SIZE),
+        matrix(m->below.estimates, AXES_SIZE + 1, HOOK_AXIS_SIZE),
         vector(row(m, MEMORY_CORRECTION) + CORRECTION_VALUE, AXES_SIZE));
     segfmu_switch_correction(settings_of(m), memory_of(m));
 }

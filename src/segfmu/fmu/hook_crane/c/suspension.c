@@ -35,10 +35,10 @@ bool crane_hang(crane *m, double state[PLANT_STATE_SIZE], char message[MESSAGE])
             m->base.held[feeds_sling_reference.rows[i].offset];
     }
     for (int i = 0; i < SLING_SIZE; i++) {
-        if (!m->placed || set[i] != m->hung[i]) {
-            m->own_sling[i] = set[i];
+        if (!m->placed || set[i] != m->below.hung[i]) {
+            m->below.own[i] = set[i];
         }
-        sling[i] = m->own_sling[i] + (follows ? reference[i] - held[i] : 0.0);
+        sling[i] = m->below.own[i] + (follows ? reference[i] - held[i] : 0.0);
     }
     for (int i = 0; i < 2; i++) {
         if (!(fabs(sling[SLING_ANGLE + i]) < 1.57)) {
@@ -47,7 +47,7 @@ bool crane_hang(crane *m, double state[PLANT_STATE_SIZE], char message[MESSAGE])
         }
     }
     show_record(&feeds_sling, sling, &m->base);
-    memcpy(m->hung, sling, sizeof m->hung);
+    memcpy(m->below.hung, sling, sizeof m->below.hung);
     return true;
 }
 
