@@ -6,6 +6,12 @@ import re
 import tokenize
 from pathlib import Path
 
+from segfmu.crane import flat_models
+from segfmu.fmu.pairs import PAIRS
+from segfmu.validation.files import crane_models
+from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.files.keys import entries
+
 SOURCE = Path(__file__).parents[1] / "src" / "segfmu"
 OWN = re.compile(r"kernels/(hook|c)/|fmu/hook_|(.*/)?_?hook", re.IGNORECASE)
 HOOK = re.compile("hook", re.IGNORECASE)
@@ -42,3 +48,17 @@ def test_files_that_know_the_hook_are_these() -> None:
         and HOOK.search(code(path))
     }
     assert found == {name for names in TOUCHED.values() for name in names}
+
+
+def test_every_layer_has_the_same_models() -> None:
+    """A model that is registered in one layer alone would be refused late, or not at all."""
+    parameters = [model.parameters for model in crane_models.MODELS]
+    assert parameters == [model.parameters for model in flat_models.MODELS]
+    assert [model.pair for model in crane_models.MODELS] == list(PAIRS)
+    for model in crane_models.FURTHER:
+        assert CraneFile.model_fields[model.key].default is None
+        signals = {v.name for v in model.pair.plant().where("output")}
+        assert set(model.shown) <= signals
+        table = {key for _, key, _ in model.parts}
+        assert table <= {name for f in entries(CraneFile) if f.path[0] == model.key
+                         for name in f.path[1:]}
