@@ -325,11 +325,12 @@ static void take_states(bool every, array_double_2d given, array_double_2d found
 static bool is_passed(int64_t point, int64_t axis, array_double_3d states, array_double_1d place, array_double_1d dwells);
 static double without_digits(double value);
 static void write_paced(array_double_2d search);
-static void enter_paces(array_double_2d search);
+static void enter_paces(double wanted, array_double_2d search);
 static double log_of(double duration);
 static double largest_share(array_double_1d uses);
 static void write_values(double duration, array_double_1d uses, array_double_1d row);
 static void note_best(array_double_2d search);
+static bool is_hopeless(double duration, array_double_2d search);
 static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values);
 static bool has_states(array_double_2d search);
 static double merit_of(double duration, array_double_1d uses);
@@ -9702,27 +9703,37 @@ static void sample_demands(double begin, double end, array_double_2d timing, arr
 static bool is_resolved(int64_t depth, array_double_2d work)
 {
     bool resolved;
-    int64_t i;
     int64_t k;
-    double total;
+    array_double_1d series;
+    int64_t i;
     int64_t j;
+    double weight;
+    array_double_1d values;
     int64_t last;
     double tail;
     double scale;
     bool rounding;
     double before;
     resolved = 1;
+    for (k = INT64_C(0); k < INT64_C(17); k += INT64_C(1))
+    {
+        series = span_row(&work, INT64_C(50) + k);
+        for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+        {
+            (*cspan_at(&series, i)) = 0.0;
+        }
+        for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
+        {
+            weight = (*cspan_at(&work, INT64_C(83) + k, j));
+            values = span_row(&work, INT64_C(33) + j);
+            for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+            {
+                (*cspan_at(&series, i)) = (*cspan_at(&series, i)) + weight * (*cspan_at(&values, i));
+            }
+        }
+    }
     for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
     {
-        for (k = INT64_C(0); k < INT64_C(17); k += INT64_C(1))
-        {
-            total = 0.0;
-            for (j = INT64_C(0); j < INT64_C(17); j += INT64_C(1))
-            {
-                total = total + (*cspan_at(&work, INT64_C(83) + k, j)) * (*cspan_at(&work, INT64_C(33) + j, i));
-            }
-            (*cspan_at(&work, INT64_C(50) + k, i)) = total;
-        }
         last = INT64_C(50) + INT64_C(17) - INT64_C(1);
         tail = span_max(fabs((*cspan_at(&work, last, i))), fabs((*cspan_at(&work, last - INT64_C(1), i))));
         scale = (*cspan_at(&work, INT64_C(80), i));
@@ -12299,10 +12310,11 @@ static void write_paced(array_double_2d search)
         (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + without_digits(moved);
     }
 }
-static void enter_paces(array_double_2d search)
+static void enter_paces(double wanted, array_double_2d search)
 {
     array_double_1d state;
     state = span_row(&search, INT64_C(0));
+    (*cspan_at(&state, INT64_C(16))) = wanted;
     segfmu_begin_pace(1000.0, 0.995, span_row(&search, INT64_C(1)));
     (*cspan_at(&state, INT64_C(5))) = 0.0;
     (*cspan_at(&state, INT64_C(6))) = 0.0;
@@ -12347,6 +12359,20 @@ static void note_best(array_double_2d search)
         }
     }
 }
+static bool is_hopeless(double duration, array_double_2d search)
+{
+    array_double_1d state;
+    double faster;
+    bool result;
+    state = span_row(&search, INT64_C(0));
+    if ((int64_t)((*cspan_at(&state, INT64_C(0)))) != INT64_C(4))
+    {
+        return 0;
+    }
+    faster = log((*cspan_at(&search, INT64_C(1), INT64_C(0))) / (*cspan_at(&search, INT64_C(1), INT64_C(7))));
+    result = log_of(duration) - faster - 0.9 * fabs(faster) > (*cspan_at(&state, INT64_C(16)));
+    return result;
+}
 static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values)
 {
     array_double_1d state;
@@ -12381,6 +12407,10 @@ static bool next_of_paces(double duration, array_double_1d uses, array_double_2d
     {
         return 0;
     }
+    if ((duration >= 0.0) && is_hopeless(duration, search))
+    {
+        return 0;
+    }
     write_paced(search);
     return 1;
 }
@@ -12407,6 +12437,7 @@ bool segfmu_is_judged(double duration, array_double_1d uses, array_double_2d sea
     array_double_1d state;
     int64_t stage;
     bool kept;
+    double useful;
     bool result;
     state = span_row(&search, INT64_C(0));
     stage = (int64_t)((*cspan_at(&state, INT64_C(0))));
@@ -12421,8 +12452,8 @@ bool segfmu_is_judged(double duration, array_double_1d uses, array_double_2d sea
         return result;
     }
     kept = largest_share(uses) <= 1.0 + 1e-09;
-    result = kept && (log_of(duration) < (*cspan_at(&state, INT64_C(11))) - 1e-09);
-    return result;
+    useful = span_min((*cspan_at(&state, INT64_C(11))) - 1e-09, (*cspan_at(&state, INT64_C(16))));
+    return kept && (log_of(duration) < useful);
 }
 void segfmu_cap_best(array_double_2d axes, array_double_2d search)
 {
@@ -12549,7 +12580,7 @@ static bool leave_poll(array_double_2d search)
         (*cspan_at(&search, INT64_C(5), i)) = (*cspan_at(&search, INT64_C(4), i));
     }
     (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
-    enter_paces(search);
+    enter_paces(1e+300, search);
     return 1;
 }
 static double change_of(array_double_2d search)
@@ -12686,9 +12717,12 @@ static void add_bound(int64_t n, int64_t row, array_double_2d search, array_doub
     {
         own = (*cspan_at(&search, INT64_C(13), i)) * (*cspan_at(&slopes, i, row)) / room;
         (*cspan_at(&newton, n + i, INT64_C(0))) = (*cspan_at(&newton, n + i, INT64_C(0))) - own;
-        for (j = INT64_C(0); j < n; j += INT64_C(1))
+        if (own != 0.0)
         {
-            (*cspan_at(&newton, i, j)) = (*cspan_at(&newton, i, j)) + own * (*cspan_at(&search, INT64_C(13), j)) * (*cspan_at(&slopes, j, row)) / room;
+            for (j = INT64_C(0); j < n; j += INT64_C(1))
+            {
+                (*cspan_at(&newton, i, j)) = (*cspan_at(&newton, i, j)) + own * (*cspan_at(&search, INT64_C(13), j)) * (*cspan_at(&slopes, j, row)) / room;
+            }
         }
     }
 }
@@ -12790,7 +12824,7 @@ static void enter_start(array_double_2d starts, array_double_2d search)
         (*cspan_at(&search, INT64_C(3), i)) = (*cspan_at(&starts, row, i));
         (*cspan_at(&search, INT64_C(5), i)) = 0.0;
     }
-    enter_paces(search);
+    enter_paces((*cspan_at(&search, INT64_C(0), INT64_C(14) + INT64_C(1))), search);
 }
 void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search)
 {
@@ -12853,7 +12887,7 @@ static bool enter_descent(array_double_2d search)
         return result;
     }
     (*cspan_at(&state, INT64_C(0))) = INT64_C(1);
-    enter_paces(search);
+    enter_paces(1e+300, search);
     return 1;
 }
 static bool leave_round(array_double_2d search)
@@ -12902,7 +12936,7 @@ static bool enter_step(array_double_2d search, array_double_2d values, array_dou
         (*cspan_at(&search, INT64_C(5), i)) = (*cspan_at(&search, INT64_C(4), i)) + (*cspan_at(&search, INT64_C(7), i));
     }
     (*cspan_at(&state, INT64_C(0))) = INT64_C(4);
-    enter_paces(search);
+    enter_paces((*cspan_at(&values, INT64_C(0), INT64_C(0))), search);
     return 1;
 }
 static void note_start(array_double_2d search)

@@ -239,12 +239,17 @@ def is_resolved(depth: int, work: 'float[:,:]') -> bool:
     short ramps.
     """
     resolved = True
+    for k in range(Sought.NODES):
+        series = work[DemandPeaks.SERIES + k, :]
+        for i in range(Demand.SIZE):
+            series[i] = 0.0
+        for j in range(Sought.NODES):
+            weight = work[DemandPeaks.TRANSFORM + k, j]
+            values = work[DemandPeaks.VALUES + j, :]
+            # one sum behind the other would wait for each addition
+            for i in range(Demand.SIZE):
+                series[i] = series[i] + weight * values[i]
     for i in range(Demand.SIZE):
-        for k in range(Sought.NODES):
-            total = 0.0
-            for j in range(Sought.NODES):
-                total = total + work[DemandPeaks.TRANSFORM + k, j] * work[DemandPeaks.VALUES + j, i]
-            work[DemandPeaks.SERIES + k, i] = total
         last = DemandPeaks.SERIES + Sought.NODES - 1
         tail = max(abs(work[last, i]), abs(work[last - 1, i]))
         scale = work[DemandPeaks.SCALE, i]

@@ -20,7 +20,7 @@ def enter_poll(search: 'float[:,:]') -> bool:
     """Begin to poll the free states of the row CENTRE; the first trial changes nothing."""
     state = search[Search.STATE, :]
     state[SearchState.STAGE] = SearchStage.POLL
-    state[SearchState.MERIT] = NEVER
+    state[SearchState.WANTED] = NEVER
     state[SearchState.UNKNOWN] = -1.0
     state[SearchState.WAY] = -1.0
     for i in range(int(state[SearchState.UNKNOWNS])):
@@ -34,8 +34,8 @@ def next_poll(duration: float, uses: 'float[:]', search: 'float[:,:]') -> bool:
     n = int(state[SearchState.UNKNOWNS])
     if duration >= 0.0:
         merit = merit_of(duration, uses)
-        if merit < state[SearchState.MERIT] - 1e-4:
-            state[SearchState.MERIT] = merit
+        if merit < state[SearchState.WANTED] - 1e-4:
+            state[SearchState.WANTED] = merit
             for i in range(n):
                 search[Search.CENTRE, i] = search[Search.TRIAL, i] - search[Search.ORIGIN, i]
     while state[SearchState.UNKNOWN] < n:
@@ -72,5 +72,5 @@ def leave_poll(search: 'float[:,:]') -> bool:
     for i in range(int(state[SearchState.UNKNOWNS])):
         search[Search.BASE, i] = search[Search.CENTRE, i]
     state[SearchState.STAGE] = SearchStage.ENTER
-    enter_paces(search)
+    enter_paces(NEVER, search)
     return True

@@ -146,7 +146,7 @@ class SearchState(Record):
     BEST = field("duration of the row BEST")
     BEFORE = field("what it was before a round")
     CHOSEN = field("durations of the chosen starts", size=2)
-    MERIT = field("of the best point of a poll")
+    WANTED = field("duration below which a plan is of use to a poll or a sequence of paces")
     STALE = field("1: slopes are those of another point, corrected")
 
 

@@ -107,7 +107,8 @@ def enter_start(starts: 'float[:,:]', search: 'float[:,:]') -> None:
     for i in range(starts.shape[1]):
         search[Search.ORIGIN, i] = starts[row, i]
         search[Search.BASE, i] = 0.0
-    enter_paces(search)
+    # it is to become one of the two shortest
+    enter_paces(search[Search.STATE, SearchState.CHOSEN + 1], search)
 
 
 def note_start(search: 'float[:,:]') -> None:
@@ -144,7 +145,7 @@ def enter_descent(search: 'float[:,:]') -> bool:
         state[SearchState.BEFORE] = state[SearchState.CHOSEN + slot]
         return enter_poll(search)
     state[SearchState.STAGE] = SearchStage.ENTER
-    enter_paces(search)
+    enter_paces(NEVER, search)
     return True
 
 
@@ -185,7 +186,7 @@ def enter_step(
     for i in range(int(state[SearchState.UNKNOWNS])):
         search[Search.BASE, i] = search[Search.CENTRE, i] + search[Search.STEP, i]
     state[SearchState.STAGE] = SearchStage.STEP
-    enter_paces(search)
+    enter_paces(values[SearchValues.CENTRE, Values.DURATION], search)
     return True
 
 

@@ -79,5 +79,7 @@ def add_bound(
     for i in range(n):
         own = search[Search.FREE, i] * slopes[i, row] / room
         newton[n + i, 0] = newton[n + i, 0] - own
-        for j in range(n):
-            newton[i, j] = newton[i, j] + own * search[Search.FREE, j] * slopes[j, row] / room
+        # most unknowns act on few bounds
+        if own != 0.0:
+            for j in range(n):
+                newton[i, j] = newton[i, j] + own * search[Search.FREE, j] * slopes[j, row] / room

@@ -21,9 +21,13 @@ from segfmu.kernels.limits.records import (
 from segfmu.kernels.numerics.numbers import NEVER
 
 
-def enter_paces(search: 'float[:,:]') -> None:
-    """Try the row BASE at the pace at which it just keeps the bounds, to 0.5 %."""
+def enter_paces(wanted: float, search: 'float[:,:]') -> None:
+    """Try the row BASE at the pace at which it just keeps the bounds, to 0.5 %.
+
+    wanted: only plans with a smaller logarithm of the duration are of use.
+    """
     state = search[Search.STATE, :]
+    state[SearchState.WANTED] = wanted
     begin_pace(1e3, 0.995, search[Search.PACE, :])
     state[SearchState.TRIALS] = 0.0
     state[SearchState.FAILURES] = 0.0
@@ -70,8 +74,22 @@ def next_of_paces(
         return False
     if not next_pace(use, search[Search.PACE, :]):
         return False
+    if duration >= 0.0 and is_hopeless(duration, search):
+        return False
     write_paced(search)
     return True
+
+
+def is_hopeless(duration: float, search: 'float[:,:]') -> bool:
+    """Whether a plan at the next pace, after one of a duration [s], would be of no use to a step.
+
+    That pace is an estimate: nine tenths of its distance in logarithms are doubted.
+    """
+    state = search[Search.STATE, :]
+    if int(state[SearchState.STAGE]) != SearchStage.STEP:
+        return False
+    faster = log(search[Search.PACE, Pace.PACE] / search[Search.PACE, Pace.LAST])
+    return log_of(duration) - faster - 0.9 * abs(faster) > state[SearchState.WANTED]
 
 
 def has_states(search: 'float[:,:]') -> bool:
@@ -83,7 +101,7 @@ def has_states(search: 'float[:,:]') -> bool:
 
 
 def is_judged(duration: float, uses: 'float[:]', search: 'float[:,:]') -> bool:
-    """Whether the path of the last trial has to be judged, as the trial would be kept else.
+    """Whether the path of the last trial has to be judged, as the trial would be taken else.
 
     Slopes of free states are judged as well, as they lead astray.
     """
@@ -92,9 +110,10 @@ def is_judged(duration: float, uses: 'float[:]', search: 'float[:,:]') -> bool:
     if stage == SearchStage.SLOPE:
         return has_states(search)
     if stage == SearchStage.POLL:
-        return merit_of(duration, uses) < state[SearchState.MERIT] - 1e-4
+        return merit_of(duration, uses) < state[SearchState.WANTED] - 1e-4
     kept = largest_share(uses) <= 1.0 + 1e-9
-    return kept and log_of(duration) < state[SearchState.KEPT] - 1e-9
+    useful = min(state[SearchState.KEPT] - 1e-9, state[SearchState.WANTED])
+    return kept and log_of(duration) < useful
 
 
 def merit_of(duration: float, uses: 'float[:]') -> float:

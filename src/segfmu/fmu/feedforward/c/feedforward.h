@@ -96,8 +96,9 @@ static bool require_space(feedforward *m, char message[MESSAGE]);
 static void measure(feedforward *m, bool exact, double *peaks, double *times);
 
 /* Plan with limits of the load that are found, and free states with them; false with a message where
-   there are none. It needs so many numbers behind those that `segfmu_plan` needs. */
-static bool feedforward_limits(feedforward *m, char message[MESSAGE]);
+   there are none. Gives the exact demands as `measure` does. It needs so many numbers behind those that
+   `segfmu_plan` needs. */
+static bool feedforward_limits(feedforward *m, double *peaks, double *times, char message[MESSAGE]);
 static size_t search_size(const model *base);
 
 /* The first waypoint with a free velocity or acceleration, counted from 0; -1: there is none. */

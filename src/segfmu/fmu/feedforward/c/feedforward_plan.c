@@ -112,7 +112,20 @@ void measure(feedforward *m, bool exact, double *peaks, double *times)
         matrix(peaks, 2, DEMAND_SIZE), matrix(times, 2, DEMAND_SIZE));
 }
 
-/* What the plan uses of the bounds of the drives; a `BoundStatus`. */
+/* What demands use of the bounds of the drives; a `BoundStatus`. */
+static int64_t write_uses(
+    const feedforward *m, double *peaks, double *times, double uses[BOUND_USES_SIZE],
+    double fault[BOUND_FAULT_SIZE])
+{
+    double bounds[DRIVE_BOUNDS_SIZE];
+    feed_record(&feeds_drive_bounds, &m->base, bounds);
+    return segfmu_bound_uses(
+        matrix(peaks, 2, DEMAND_SIZE), matrix(times, 2, DEMAND_SIZE),
+        vector(bounds, DRIVE_BOUNDS_SIZE), vector(uses, BOUND_USES_SIZE),
+        vector(fault, BOUND_FAULT_SIZE));
+}
+
+/* What the plan uses of them. */
 static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fault[BOUND_FAULT_SIZE])
 {
     double bounds[DRIVE_BOUNDS_SIZE], peaks[2 * DEMAND_SIZE] = {0.0}, times[2 * DEMAND_SIZE] = {0.0};
@@ -124,10 +137,7 @@ static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fa
     if (bounded) {
         measure(m, true, peaks, times);
     }
-    return segfmu_bound_uses(
-        matrix(peaks, 2, DEMAND_SIZE), matrix(times, 2, DEMAND_SIZE),
-        vector(bounds, DRIVE_BOUNDS_SIZE), vector(uses, BOUND_USES_SIZE),
-        vector(fault, BOUND_FAULT_SIZE));
+    return write_uses(m, peaks, times, uses, fault);
 }
 
 static void note_events(feedforward *m, const segfmu_trajectory *found)
@@ -303,15 +313,16 @@ static bool has_limits(const model *base)
 static bool plan_as_found(feedforward *m, char message[MESSAGE])
 {
     double uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE];
+    double peaks[2 * DEMAND_SIZE], times[2 * DEMAND_SIZE];
     char found[MESSAGE] = "";
     const bool given = has_limits(&m->base);
     if (given && plan_as_given(m, message)) {
         return true;
     }
-    if (!feedforward_limits(m, given ? found : message)) {
+    if (!feedforward_limits(m, peaks, times, given ? found : message)) {
         return false;
     }
-    int64_t status = note_uses(m, uses, fault);
+    int64_t status = write_uses(m, peaks, times, uses, fault);
     show_record(&feeds_bound_uses, uses, &m->base);
     return !segfmu_bound_message(status, fault, message, MESSAGE);
 }

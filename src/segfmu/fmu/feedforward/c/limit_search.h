@@ -7,11 +7,20 @@
 /* unknowns: limits, then velocities and accelerations of places between the first and the last */
 enum { LIMIT_UNKNOWNS = AXES * LIMIT_ROW_SIZE, STATE_UNKNOWNS = 2 * AXES, POINT = AXES * WAYPOINT_STATE_SIZE };
 
+/* Plans whose peaks are remembered: slopes change every unknown once. */
+enum { SEEN = 32 };
+
+typedef struct {
+    uint64_t sum;      /* of the plan */
+    double peaks[2 * DEMAND_SIZE], times[2 * DEMAND_SIZE];
+} seen_plan;
+
 typedef struct {
     double bounds[DRIVE_BOUNDS_SIZE], known[RESISTANCE_SIZE], caps[LIMIT_UNKNOWNS];
     double axes[AXES * AXIS_TASK_SIZE], values[SEARCH_VALUES_SIZE * VALUES_SIZE];
     double uses[2 * DEMAND_SIZE], most, least;
-    int64_t points, places, unknowns;
+    seen_plan seen[SEEN];
+    int64_t points, places, unknowns, looks;
     bool chooses;      /* free states are searched for, too */
     bool strict;       /* where bounds are exceeded paths are judged as well: free states lead astray */
     request base;      /* states with rest where they are free */
