@@ -319,6 +319,17 @@ def test_drives_that_are_too_weak_make_the_motion_slower() -> None:
     assert operator.refused == "drives"
 
 
+def test_the_setpoint_of_a_slow_drive_keeps_its_velocity() -> None:
+    lag, most = 0.3, 0.32
+    bounds = ActuatorBounds(velocity=most, lag=lag)
+    operator = Operator(LAB.crane, FREE, [0.0, 0.0, -0.5], bounds=bounds)
+    operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    found = needs(LAB.crane, follow(operator, 6.0)[:, 0], 0.01)
+    assert operator.load[1, 0] == pytest.approx(0.3)
+    assert np.abs(found["velocity"] + lag * found["acceleration"]).max() < most * 1.001
+    assert operator.refused == "drives"
+
+
 def test_rest_where_the_drives_cannot_hold_the_load_is_refused() -> None:
     with pytest.raises(InfeasibleError, match="start: a load at rest there does not keep drives"):
         Operator(LAB.crane, FREE, [0.0, 0.0, -0.5], bounds=ActuatorBounds(force=5.0))

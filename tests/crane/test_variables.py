@@ -59,5 +59,5 @@ def test_all_that_is_fed_into_the_plant_comes_from_a_class() -> None:
     own = Rig(hoist=Drive(0.3), wind=Wind((0.1, 0.0, 0.0)))
     # a variable without a field would be missing here
     found = own.parameters(Crane(2.0, 1.0, 0.5), driven=True)
-    assert found[Plant.LAG : Plant.FORCE_MAX].tolist() == [0.0, 0.0, 0.3]
+    assert found[Plant.LAG : Plant.LAG + 3].tolist() == [0.0, 0.0, 0.3]
     assert found[Plant.WIND : Plant.GUST_START].tolist() == [0.1, 0.0, 0.0]

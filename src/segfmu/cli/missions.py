@@ -16,7 +16,7 @@ from segfmu.planning.verify import Verification, verify
 from segfmu.validation.files.mission import Mission, load_mission
 from segfmu.validation.output import about, folder, plan_samples, require_folder, stride
 from segfmu.validation.output import note as thinning
-from segfmu.validation.planned import beyond_drives, planned, sticking
+from segfmu.validation.planned import planned, sticking
 
 if TYPE_CHECKING:
     from segfmu.validation.runs import Run
@@ -48,7 +48,7 @@ def plan(
     target = None if output is None else folder(output)
     found, uses = verify(trajectory), _uses(task, trajectory)
     notes = [str(one) for one in excursions(trajectory)]
-    notes += filter(None, (beyond_drives(task, trajectory), sticking(task, trajectory)))
+    notes += filter(None, [sticking(task, trajectory)])
     if as_json:
         from segfmu.validation.documents.plan import plan_document
 

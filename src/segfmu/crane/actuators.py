@@ -173,7 +173,7 @@ def bound_uses(
     friction: Friction = NONE,
 ) -> tuple[BoundUse, ...]:
     """The exact use of every bound of the drives by a trajectory of x, y and z."""
-    return uses(bounds, *peaks(crane, trajectory, friction))
+    return uses(bounds, *peaks(crane, trajectory, friction, bounds.lag))
 
 
 def _measured(
@@ -219,7 +219,9 @@ def _task(
     friction: Friction,
 ) -> Task:
     caps, higher = _caps(limits)
-    return Task(crane, waypoints, bounds.record, caps, higher, options, clearance, friction)
+    return Task(
+        crane, waypoints, bounds.record, caps, higher, options, clearance, friction, bounds.lag
+    )
 
 
 def _caps(limits: Limits | None) -> tuple[FloatArray, dict[str, Any]]:
@@ -241,7 +243,7 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
     for number, (point, led) in enumerate(zip(task.resting, task.led, strict=True), 1):
         if led.any():
             continue
-        needs = demands_in_state(task.crane, point, task.friction)
+        needs = demands_in_state(task.crane, point, task.friction, bounds.lag)
         found = max(uses(bounds, needs, np.zeros(needs.shape)), key=lambda use: use.use)
         if found.use > KEPT:
             raise exceeded(f"waypoint {number}: ", found, "its state alone")

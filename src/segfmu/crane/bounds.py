@@ -10,6 +10,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.crane.checks import lags_of
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning.arrays import FloatArray, Frozen, limit_values, lower_values
@@ -47,11 +48,14 @@ class ActuatorBounds(Frozen):
     force_min, velocity_min, acceleration_min : array_like, scalar or shape (3,), optional
         In the negative direction, below zero; None or -infinity for the same bound in both. The
         hoist lifts with a negative velocity and pulls with a negative force.
+    lag : array_like, scalar or shape (3,)
+        Time constants of the velocity loops [s]. The setpoint of a drive with a lag is
+        velocity + lag * acceleration, and its bound is that of the velocity.
 
     Raises
     ------
     InputError
-        For values of the other sign or zero, and for other shapes.
+        For values of the other sign or zero, for negative lags, and for other shapes.
     """
 
     force: FloatArray
@@ -62,6 +66,7 @@ class ActuatorBounds(Frozen):
     force_min: FloatArray
     velocity_min: FloatArray
     acceleration_min: FloatArray
+    lag: FloatArray
 
     def __init__(
         self,
@@ -74,6 +79,7 @@ class ActuatorBounds(Frozen):
         force_min: Given = None,
         velocity_min: Given = None,
         acceleration_min: Given = None,
+        lag: ArrayLike = 0.0,
     ) -> None:
         given = (force, velocity, acceleration, power, sway_angle)
         for name, value in zip(QUANTITIES, given, strict=True):
@@ -82,6 +88,7 @@ class ActuatorBounds(Frozen):
         least = (force_min, velocity_min, acceleration_min)
         for name, value in zip(DIRECTED, least, strict=True):
             self._set(f"{name}_min", lower_values(f"{name}_min", cast(Any, value)))
+        object.__setattr__(self, "lag", lags_of("lag", lag))
 
     def _set(self, name: str, values: FloatArray) -> None:
         size = 2 if name == "sway_angle" else 3
@@ -127,6 +134,8 @@ class ActuatorBounds(Frozen):
     def tightened(self, other: ActuatorBounds) -> ActuatorBounds:
         """The smaller of two bounds each: those of the drives and those that a mission sets.
 
+        The lag is the larger one.
+
         Raises
         ------
         InputError
@@ -141,7 +150,7 @@ class ActuatorBounds(Frozen):
             # beyond what any drive has, where only the positive direction has a bound
             least = np.where(np.isinf(lower), -UNBOUNDED, -lower)
             bounds[f"{name}_min"] = np.where(lower == bounds[name], -np.inf, least)
-        return ActuatorBounds(**bounds)
+        return ActuatorBounds(**bounds, lag=np.maximum(self.lag, other.lag))
 
 
 def require_bounds(name: str, value: object) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.errors import InputError
+from segfmu.kernels.crane.records import Axes
 from segfmu.planning.arrays import FloatArray, finite_vector, shown
 
 LARGEST_SEED = 2**31 - 1
@@ -66,6 +67,22 @@ def sized(name: str, value: ArrayLike, size: int) -> FloatArray:
     if vector.size != size:
         raise InputError(f"{name} must have {size} values, got {vector.size}")
     return vector
+
+
+def lags_of(name: str, lag: ArrayLike) -> FloatArray:
+    """Lags of the three drives [s] from one or three values.
+
+    Raises
+    ------
+    InputError
+        For other numbers of values and for negative ones.
+    """
+    value = np.asarray(lag, dtype=np.float64)
+    one = value.ndim == 0
+    found = np.full(Axes.SIZE, float(value)) if one else sized(name, lag, Axes.SIZE).copy()
+    for entry in found.tolist():
+        require_not_negative(name, entry)
+    return found
 
 
 def _finite(value: object) -> bool:

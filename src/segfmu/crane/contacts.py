@@ -17,16 +17,17 @@ from segfmu.crane.rope import LoadTrajectory, joined_pieces
 from segfmu.crane.variables import filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import Axes, Contact, ContactWork, Resistance
+from segfmu.kernels.crane.records import DRIVES, Axes, Contact, ContactWork, Resistance
 from segfmu.planning.arrays import FloatArray
 
 NONE = Friction()
+IDEAL = np.zeros(len(DRIVES))
 # rows for a first try, and at most: a plan with more turning points is none
 ROWS, MOST_ROWS = 64, 65536
 
 
-def resistance(crane: AnyCrane, friction: Friction) -> FloatArray:
-    """The kernels' `Resistance`.
+def resistance(crane: AnyCrane, friction: Friction, lag: FloatArray = IDEAL) -> FloatArray:
+    """The kernels' `Resistance`; lag: of the velocity loops [s], shape (3,).
 
     Raises
     ------
@@ -35,7 +36,9 @@ def resistance(crane: AnyCrane, friction: Friction) -> FloatArray:
     """
     if not isinstance(friction, Friction):
         raise InputError(f"friction must be a segfmu.crane.Friction, got {type(friction).__name__}")
-    found = filled(Resistance, (crane.values() | values(friction, FRICTION)).__getitem__)
+    lags = dict(zip(Resistance.FIELDS["LAG"].variables, lag, strict=True))
+    known = crane.values() | values(friction, FRICTION) | lags
+    found = filled(Resistance, known.__getitem__)
     found[Resistance.SUSPENSION : Resistance.SLING + 1] = crane.suspension, *crane.tackle
     return found
 
@@ -48,6 +51,8 @@ class Contacts:
     crane : Crane or HookCrane
     friction : Friction
     trajectory : LoadTrajectory
+    lag : ndarray, shape (3,)
+        Of the velocity loops [s].
 
     Raises
     ------
@@ -56,9 +61,10 @@ class Contacts:
     """
 
     def __init__(
-        self, crane: AnyCrane, friction: Friction, trajectory: LoadTrajectory
+        self, crane: AnyCrane, friction: Friction, trajectory: LoadTrajectory,
+        lag: FloatArray = IDEAL,
     ) -> None:
-        self.resistance = resistance(crane, friction)
+        self.resistance = resistance(crane, friction, lag)
         self._trajectory = trajectory
         self._rubs = any(friction.coulomb) or any(friction.static)
         self.acts = self._rubs or any(friction.viscous) or any(friction.drag)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from segfmu.crane.bounds import sides
-from segfmu.crane.contacts import NONE, Contacts, resistance
+from segfmu.crane.contacts import IDEAL, NONE, Contacts, resistance
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
@@ -24,14 +24,15 @@ FAR = 1e30
 
 def demands(
     crane: AnyCrane, trajectory: LoadTrajectory, times: FloatArray,
-    friction: Friction = NONE,
+    friction: Friction = NONE, lag: FloatArray = IDEAL,
 ) -> FloatArray:
-    """Rows of the record `Demand` at times, shape (times, 14)."""
-    return _at(model_of(crane).orders, Contacts(crane, friction, trajectory), trajectory, times)
+    """Rows of the record `Demand` at times, shape (times, 14); lag: of the velocity loops [s]."""
+    contacts = Contacts(crane, friction, trajectory, lag)
+    return _at(model_of(crane).orders, contacts, trajectory, times)
 
 
 def demands_in_state(
-    crane: AnyCrane, point: Waypoint, friction: Friction = NONE
+    crane: AnyCrane, point: Waypoint, friction: Friction = NONE, lag: FloatArray = IDEAL
 ) -> FloatArray:
     """Magnitudes of the demands in the state of a waypoint in both directions, shape (2, 14).
 
@@ -43,6 +44,7 @@ def demands_in_state(
     known = resistance(crane, friction)
     rows = np.zeros((Axes.SIZE, 1, Contact.SIZE))
     velocity = _of(flat, np.zeros(1), known, rows)[0, Demand.VELOCITY : Demand.ACCELERATION]
+    known = resistance(crane, friction, lag)
     # far from where it turned
     rows[:, 0, Contact.POSITION] = np.where(velocity == 0.0, 0.0, -np.sign(velocity) * FAR)
     rows[velocity == 0.0, 0, Contact.RELEASED] = 1.0
@@ -68,13 +70,14 @@ def _of(
 
 
 def peaks(
-    crane: AnyCrane, trajectory: LoadTrajectory, friction: Friction = NONE
+    crane: AnyCrane, trajectory: LoadTrajectory, friction: Friction = NONE,
+    lag: FloatArray = IDEAL,
 ) -> tuple[FloatArray, FloatArray]:
     """Exact greatest magnitudes of all demands in the positive and in the negative direction.
 
     Also their times [s]; shapes (2, 14). 0 at time 0 where there is none in a direction.
     """
-    contacts = Contacts(crane, friction, trajectory)
+    contacts = Contacts(crane, friction, trajectory, lag)
     found, moments = np.zeros((2, Demand.SIZE)), np.zeros((2, Demand.SIZE))
     backend.demand_peaks(
         *contacts.pieces, contacts.resistance, contacts.rows,

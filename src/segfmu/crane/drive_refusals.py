@@ -28,7 +28,7 @@ def refused(task: Task, search: LimitSearch, bounds: ActuatorBounds) -> Infeasib
         return reason
     if closest is None:
         raise AssertionError("a search without a plan and without a refusal")
-    found = uses(bounds, *peaks(task.crane, closest.trajectory, task.friction))
+    found = uses(bounds, *peaks(task.crane, closest.trajectory, task.friction, bounds.lag))
     worst = max(found, key=lambda use: use.use)
     return exceeded("", worst, f"even the slowest plan, at {worst.time:.3f} s")
 

@@ -52,6 +52,8 @@ class Task:
         Further arguments of `plan`.
     clearance : PathCheck or None
     friction : Friction
+    lag : ndarray, shape (3,)
+        Of the velocity loops [s].
     narrow : bool
         Whether the smaller bounds and limits of both directions hold in both.
     rests : bool
@@ -66,6 +68,7 @@ class Task:
     options: dict[str, Any]
     clearance: PathCheck | None
     friction: Friction
+    lag: FloatArray
     narrow: bool = False
     rests: bool = False
 
@@ -116,7 +119,7 @@ class Task:
     @cached_property
     def resistance(self) -> FloatArray:
         """The kernels' `Resistance`."""
-        return resistance(self.crane, self.friction)
+        return resistance(self.crane, self.friction, self.lag)
 
     @property
     def record(self) -> FloatArray:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from scipy.linalg import solve_discrete_are
 
 from segfmu.crane.checks import (
+    lags_of,
     require_not_negative,
     require_positive,
     require_weights,
@@ -23,7 +24,6 @@ from segfmu.crane.checks import (
 from segfmu.crane.linear import (
     ROWS,
     lagged,
-    lags_of,
     linearised,
     moved_masses,
     sampled,

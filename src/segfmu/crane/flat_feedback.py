@@ -15,9 +15,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.crane.checks import require_not_negative, require_positive
+from segfmu.crane.checks import lags_of, require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
-from segfmu.crane.linear import ROWS, lags_of, scheduled_lengths
+from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
 from segfmu.kernels.control.design import largest_angle, largest_hoist_angle

@@ -70,7 +70,7 @@ class Found:
 
 def look(task: Task, trajectory: Trajectory, *, exact: bool) -> Found:
     """What a plan uses of the bounds: at its exact peaks, or among samples."""
-    contacts = Contacts(task.crane, task.friction, trajectory)
+    contacts = Contacts(task.crane, task.friction, trajectory, task.lag)
     peaks, times = np.zeros((2, 2, Demand.SIZE))
     measure = backend.demand_peaks if exact else backend.demand_samples
     measure(

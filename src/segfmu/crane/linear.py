@@ -7,10 +7,8 @@ the sign of the sway angle is such that the load is at position + l * angle.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.linalg import expm
 
-from segfmu.crane.checks import require_not_negative, sized
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -98,21 +96,6 @@ def lagged(
         inputs[:own, axis] = 0.0
         inputs[own + axis, axis] = 1.0
     return extended, inputs
-
-
-def lags_of(name: str, lag: ArrayLike) -> FloatArray:
-    """Lags of the three drives [s] from one or three values.
-
-    Raises
-    ------
-    InputError
-        For other numbers of values and for negative ones.
-    """
-    value = np.asarray(lag, dtype=np.float64)
-    found = np.full(Axes.SIZE, float(value)) if value.ndim == 0 else sized(name, lag, 3).copy()
-    for entry in found.tolist():
-        require_not_negative(name, entry)
-    return found
 
 
 def scheduled_lengths(shortest: float, longest: float, rows: int = ROWS) -> FloatArray:

@@ -407,7 +407,7 @@ def _require_plan(
     """Refuse a plan that does not keep what plans for commands keep."""
     require_rope(crane, plan)
     clearance.require(plan, crane.gravity)
-    for use in bound_uses(bounds, *peaks(crane, plan, friction)):
+    for use in bound_uses(bounds, *peaks(crane, plan, friction, bounds.lag)):
         if use.use > KEPT:
             raise InfeasibleError(
                 f"start: the plan uses {100.0 * use.use:.4g} % of the bound of the {use.name}; "
@@ -420,7 +420,7 @@ def _known(
 ) -> FloatArray:
     """The record `Known`, without options."""
     known = np.zeros((Known.SIZE, Known.COLUMNS))
-    given = resistance(crane, friction)
+    given = resistance(crane, friction, bounds.lag)
     known[Known.CRANE, : given.size] = given
     known[Known.ROPE, : RopeBounds.SIZE] = filled(RopeBounds, crane.values().__getitem__)
     known[Known.BOUNDS, : bounds.record.size] = bounds.record

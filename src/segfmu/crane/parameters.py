@@ -101,7 +101,7 @@ class Crane:
         packed = np.zeros(Plant.SIZE)
         packed[Plant.BRIDGE_MASS : Plant.VISCOUS] = self.masses
         packed[Plant.MODE] = DriveMode.VELOCITY if driven else DriveMode.FORCE
-        packed[Plant.LAG : Plant.FORCE_MAX] = lags
+        packed[Plant.LAG : Plant.LAG + 3] = lags
         return packed
 
     def values(self) -> dict[str, float]:

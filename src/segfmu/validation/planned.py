@@ -11,7 +11,7 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.crane.records import Contact
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray
-from segfmu.validation.files.crane_parameters import bounds, feedback_source
+from segfmu.validation.files.crane_parameters import feedback_source
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
 
@@ -20,8 +20,6 @@ SAMPLES, AROUND = 4001, 201
 STOPPED = ("bridge", "trolley", "rope")
 # of positions, relative
 ROUNDING = 1e-9
-# share of the tracking tolerance from which on it is said that a drive falls behind
-TOLD = 0.1
 # exponent of the growth of a deviation that force setpoints are exact enough for
 GROWN = 8.0
 
@@ -82,36 +80,6 @@ def _farthest(
     closer = inverse.evaluate(near)[:, inverse.model.columns.position][:, axis]
     best = int((sign * closer).argmax())
     return float(near[best]), float(closer[best])
-
-
-def beyond_drives(task: Mission, trajectory: Trajectory) -> str:
-    """The drive that falls behind most as its setpoints exceed its greatest velocity; else empty.
-
-    Velocity drives with lag are told v + lag v'. So a plan within their bounds may ask for more.
-    By the excess times the lag, about, the load misses its place.
-    """
-    if (task.simulation.drive or task.simulated.drive) != "velocity":
-        return ""
-    times = _samples(trajectory)
-    inverse = FlatInverse(task.build_crane(), trajectory)
-    values, columns = inverse.evaluate(times), inverse.model.columns
-    lags = np.array([getattr(task.crane, drive).lag or 0.0 for drive in DRIVES])
-    known = bounds(task.crane)
-    setpoints = values[:, columns.velocity] + lags * values[:, columns.drive_acceleration]
-    both = np.minimum([known.velocity, known.lower("velocity")], 1e99)
-    needs = np.array([setpoints, -setpoints])
-    missed = lags * (needs - both[:, None])
-    side, row, worst = np.unravel_index(missed.argmax(), missed.shape)
-    if missed[side, row, worst] <= TOLD * task.simulation.tracking_tolerance:
-        return ""
-    sign = (1.0, -1.0)[side] if both[0, worst] != both[1, worst] else 1.0
-    return (
-        f"the {DRIVES[worst]} falls behind the plan: its setpoint, velocity + lag * acceleration, "
-        f"reaches {sign * needs[side, row, worst]:.4g} m/s at {times[row]:.3f} s, and its "
-        f"velocity_{'max' if sign > 0.0 else 'min'} is "
-        f"{sign * both[side, worst]:.4g} m/s; a lower acceleration in [limits] or [actuators] "
-        "avoids this"
-    )
 
 
 def sticking(task: Mission, trajectory: Trajectory) -> str:

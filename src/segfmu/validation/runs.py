@@ -25,7 +25,6 @@ from segfmu.validation.files.mission import Mission, Source, load_mission
 from segfmu.validation.frames import frame
 from segfmu.validation.output import about, file_path, folder, note, stride, thinned
 from segfmu.validation.planned import (
-    beyond_drives,
     planned,
     require_memory,
     sticking,
@@ -236,8 +235,5 @@ def simulate(
         rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
         task.build_bounds(),
     )
-    notes = (
-        archives.note, beyond_drives(task, trajectory), sticking(task, trajectory),
-        unknown_wind(task),
-    )
+    notes = archives.note, sticking(task, trajectory), unknown_wind(task)
     return Run(task, trajectory, rows, found, tuple(filter(None, notes)))

@@ -19,6 +19,7 @@ from tests.fmu.gantry_feedforward.test_drive_bounds import (
     changed,
     demands,
     initialised,
+    lag_values,
 )
 
 KINDS = [("native", 2), ("native", 3), ("python", 2)]
@@ -32,10 +33,12 @@ def archive(request, native_fmus, fmus):
     return native_fmus[fmi][0] if kind == "native" else fmus[0]
 
 
-def problem(rng, size: str, share: float = 1.0) -> tuple[dict[str, Any], dict[str, Any]]:
+def problem(
+    rng, size: str, share: float = 1.0, lag: float = 0.0
+) -> tuple[dict[str, Any], dict[str, Any]]:
     """Parameters of a random change, and the arguments of `plan_actuated` that say the same.
 
-    share: of the bounds in the negative direction.
+    share: of the bounds in the negative direction; lag: of the velocity loops [s].
     """
     values, trajectory, masses = changed(rng, size)
     given, magnitudes = bound_values(size)
@@ -43,8 +46,9 @@ def problem(rng, size: str, share: float = 1.0) -> tuple[dict[str, Any], dict[st
     force, velocity, acceleration, power = magnitudes[:12].reshape(4, 3)
     bounds = segfmu.ActuatorBounds(
         force, velocity, acceleration, magnitudes[12:], power,
-        velocity_min=-share * velocity, acceleration_min=-share * acceleration,
+        velocity_min=-share * velocity, acceleration_min=-share * acceleration, lag=lag,
     )
+    values |= lag_values(lag)
     if share != 1.0:
         record = bounds.record.tolist()
         values |= {name: record[place] for place, name, _ in DriveBounds.feeds()}
@@ -55,13 +59,13 @@ def problem(rng, size: str, share: float = 1.0) -> tuple[dict[str, Any], dict[st
     return values, arguments
 
 
-@pytest.mark.parametrize("share", [1.0, 0.6])
+@pytest.mark.parametrize(("share", "lag"), [(1.0, 0.0), (0.6, 0.2)])
 @pytest.mark.parametrize("size", CRANES)
-def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float) -> None:
+def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float, lag: float) -> None:
     rng = np.random.default_rng(8)
     planned = refused = 0
     for _ in range(100 if os.environ.get("SEGFMU_SOAK") else 6):
-        values, arguments = problem(rng, size, share)
+        values, arguments = problem(rng, size, share, lag)
         found = initialised(native_fmus[2][0], values)
         try:
             own = segfmu.plan_actuated(**arguments)
@@ -71,7 +75,8 @@ def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float) -
             continue
         assert isinstance(found, dict), found
         assert found["plan.duration"] == pytest.approx(own.trajectory.duration, rel=1e-9)
-        shares = demands(own.trajectory, (*CRANES[size][0][:2], arguments["crane"].payload_mass))
+        masses = (*CRANES[size][0][:2], arguments["crane"].payload_mass)
+        shares = demands(own.trajectory, masses, lag)
         uses = [v for n, v in found.items() if n.startswith("plan.use.") and "_time" not in n]
         assert 1.0 - 1e-6 <= max(uses) <= 1.0 + 1e-9
         # the larger bounds are in the positive direction

@@ -22,7 +22,7 @@ def plant(driven: bool) -> np.ndarray:
     parameters = np.zeros(Plant.SIZE)
     parameters[: len(MASSES)] = MASSES
     parameters[Plant.MODE] = driven
-    parameters[Plant.LAG : Plant.FORCE_MAX] = LAG
+    parameters[Plant.LAG : Plant.LAG + 3] = LAG
     return parameters
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from segfmu import ActuatorBounds, Crane, Limits, Trajectory, Waypoint, plan
 from segfmu.crane import Friction
-from segfmu.crane.contacts import NONE, resistance
+from segfmu.crane.contacts import IDEAL, NONE, resistance
 from segfmu.crane.demand import demands, peaks
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Demand
@@ -18,6 +18,8 @@ from tests.campaign import campaign
 
 LAB = Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
 PORT = Crane(bridge_mass=800e3, trolley_mass=30e3, payload_mass=40e3)
+# of the velocity loops [s]; ideal drives, and slow ones
+LAGS = np.array([IDEAL, [0.1, 0.2, 0.3]])
 SIZES = {"lab": (LAB, 0.5, 0.4), "port": (PORT, 20.0, 3.0)}
 
 
@@ -28,16 +30,17 @@ def moved(rng: np.random.Generator, rope: float, fast: float, smoothness: int = 
     return plan([Waypoint(p) for p in way], limits, smoothness=smoothness)
 
 
-def known_of(crane: Crane, friction: Friction = NONE) -> np.ndarray:
+def known_of(crane: Crane, friction: Friction = NONE, lag: np.ndarray = IDEAL) -> np.ndarray:
     known = np.zeros((Known.SIZE, Known.COLUMNS))
-    given = resistance(crane, friction)
+    given = resistance(crane, friction, lag)
     known[Known.CRANE, : given.size] = given
     return known
 
 
+@pytest.mark.parametrize("lag", LAGS, ids=["ideal", "slow"])
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("smoothness", [4, 6])
-def test_ranges_contain_all_demands(size: str, smoothness: int) -> None:
+def test_ranges_contain_all_demands(size: str, smoothness: int, lag: np.ndarray) -> None:
     crane, rope, fast = SIZES[size]
     rng = np.random.default_rng(1)
     found = moved(rng, rope, fast, smoothness)
@@ -49,11 +52,11 @@ def test_ranges_contain_all_demands(size: str, smoothness: int) -> None:
             last = begin + (end - begin) / parts
             assert write_reach(
                 begin, last, found.timing, found.coefficients, found.offsets,
-                known_of(crane)[Known.CRANE], work,
+                known_of(crane, lag=lag)[Known.CRANE], work,
             )
             ranges = work[OperationWork.REACH + Reach.DEMAND :][: Demand.SIZE]
             centre, radius = ranges[:, Range.CENTRE], ranges[:, Range.RADIUS]
-            told = demands(crane, found, np.linspace(begin, last, 23))
+            told = demands(crane, found, np.linspace(begin, last, 23), lag=lag)
             rounding = 1e-9 * (np.abs(centre) + radius) + 1e-12
             assert (np.abs(told - centre) <= radius + rounding).all()
             widths.append(radius.copy())
@@ -68,16 +71,16 @@ def test_proofs_agree_with_exact_peaks(size: str, count: int) -> None:
     crane, rope, fast = SIZES[size]
     rng = np.random.default_rng(2)
     work = np.zeros((OperationWork.SIZE, OperationWork.COLUMNS))
-    for _ in range(count):
-        found = moved(rng, rope, fast)
-        most = peaks(crane, found)[0]
+    for i in range(count):
+        found, lag = moved(rng, rope, fast), LAGS[i % 2]
+        most = peaks(crane, found, lag=lag)[0]
         drive = int(rng.integers(3))
         name = str(rng.choice(["force", "velocity", "acceleration", "power"]))
         first = getattr(Demand, name.upper())
         for share, keeps in ((1.005, True), (0.999, False)):
             bound = np.full(3, np.inf)
             bound[drive] = share * most[:, first + drive].max()
-            known = known_of(crane)
+            known = known_of(crane, lag=lag)
             record = ActuatorBounds(**{name: bound}).record
             known[Known.BOUNDS, : record.size] = record
             assert backend.keeps_drives(

@@ -17,9 +17,9 @@ from dataclasses import astuple, dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.crane.checks import require_positive, require_weights
+from segfmu.crane.checks import lags_of, require_positive, require_weights
 from segfmu.crane.hook.parameters import HookCrane
-from segfmu.crane.linear import lags_of, scheduled_lengths
+from segfmu.crane.linear import scheduled_lengths
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Axes, Plant

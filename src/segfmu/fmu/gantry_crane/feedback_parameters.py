@@ -244,7 +244,7 @@ def tracking_from(
     """
     plant, design, own = (filled(r, value) for r in (Plant, TrackingDesign, Tracking))
     least, greatest = _setpoints(plant)
-    bridge, trolley, hoist = plant[Plant.LAG : Plant.FORCE_MAX].tolist()
+    bridge, trolley, hoist = plant[Plant.LAG : Plant.LAG + Axes.SIZE].tolist()
     age = backend.signal_age(
         float(design[TrackingDesign.DEAD_TIME]), float(design[TrackingDesign.SAMPLING]),
         feedback.sample_time,
@@ -298,7 +298,7 @@ def _strongest(plant: FloatArray) -> FloatArray:
 
 def _lateness(value: Value, plant: FloatArray) -> tuple[FloatArray, float]:
     """Lags of the drives, and what signals and drives are late by [s]; `value` gives parameters."""
-    lags = plant[Plant.LAG : Plant.FORCE_MAX]
+    lags = plant[Plant.LAG : Plant.LAG + Axes.SIZE]
     return lags, float(value("sensor.dead_time")) + max(dead_times(plant))
 
 

@@ -177,7 +177,8 @@ class FeedforwardSlave(SpecSlave):
         timing = {name: options.pop(name) for name in ("sample_time", "duration")}
         caps = np.hstack([self._table(), self._least()])
         task = Task(
-            crane, points, self.filled(DriveBounds), caps, {}, options, _Path(self), friction
+            crane, points, self.filled(DriveBounds), caps, {}, options, _Path(self), friction,
+            self._lags,
         )
         try:
             found = self._search(task, timing)
@@ -227,7 +228,7 @@ class FeedforwardSlave(SpecSlave):
         bounds, uses = self.filled(DriveBounds), np.zeros(BoundUses.SIZE)
         found, times = np.zeros((2, 2, Demand.SIZE))
         if bounds.any():
-            found, times = peaks(crane, trajectory, friction)
+            found, times = peaks(crane, trajectory, friction, self._lags)
         fault = np.zeros(BoundFault.SIZE)
         return backend.bound_uses(found, times, bounds, uses, fault), uses, fault
 
@@ -289,6 +290,11 @@ class FeedforwardSlave(SpecSlave):
         return float(backend.begin_time(given, self.start_time))
 
     @property
+    def _lags(self) -> FloatArray:
+        """Of the velocity loops [s], shape (3,)."""
+        return self.filled(Compensation)[Compensation.LAG : Compensation.DEAD_TIME]
+
+    @property
     def _ahead(self) -> float:
         """By how much the reference is ahead of the simulation's clock [s]."""
         lead = 0.0 if self._initialising else float(self.value("setpoint.lead"))
@@ -301,8 +307,7 @@ class FeedforwardSlave(SpecSlave):
         if self._commands is not None and self._commands.acts:
             self._show_commanded(time, self._commands, inverse)
             return
-        known = self.filled(Compensation)
-        lags = known[Compensation.LAG : Compensation.DEAD_TIME]
+        known, lags = self.filled(Compensation), self._lags
         dead = known[Compensation.DEAD_TIME :].tolist()
         start = self._begin - self._ahead
         t = time - start
@@ -331,8 +336,7 @@ class FeedforwardSlave(SpecSlave):
         start = motion.begins - self._ahead
         for axis, (x, v) in enumerate(zip(values[POSITION], values[VELOCITY], strict=True)):
             values[axis] += inverse.contacts.friction(axis, time - start, x, v)
-        lags = self.filled(Compensation)[Compensation.LAG : Compensation.DEAD_TIME]
-        setpoints = values[VELOCITY] + lags * values[DRIVE_ACCELERATION]
+        setpoints = values[VELOCITY] + self._lags * values[DRIVE_ACCELERATION]
         self.show(Feedforward, np.concatenate([values, setpoints]))
         self.show(LoadMotion, load.ravel())
         end = commands.stops - self._ahead

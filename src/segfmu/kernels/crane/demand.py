@@ -1,7 +1,7 @@
 """What a motion of the load asks of the drives."""
 
 from segfmu.kernels.crane.contact import planned_friction
-from segfmu.kernels.crane.records import Demand, DemandWork, MostSeries, State
+from segfmu.kernels.crane.records import Demand, DemandWork, MostSeries, Resistance, State
 from segfmu.kernels.crane.suspension import crane_inverse
 
 
@@ -16,8 +16,9 @@ def drive_demands(
     """Demands of a plan at times, a `Demand` per row.
 
     flat[row, d, i] is the d-th derivative of the load's position in axis i; resistance:
-    `Resistance`; contacts: the plan's `Contact` rows of each axis; work: `DemandWork`. The power is
-    force times velocity: positive where the drive does work.
+    `Resistance`; contacts: the plan's `Contact` rows of each axis; work: `DemandWork`. The velocity
+    is that of the setpoint, which leads a lag by lag times acceleration: the drive cuts it at its
+    bound. The power is force times the drive's own velocity: positive where the drive does work.
     """
     for i in range(flat.shape[0]):
         motion_demand(flat[i], times[i], resistance, contacts, work, demands[i])
@@ -43,8 +44,9 @@ def motion_demand(
             resistance, k, time, work[DemandWork.STATE, State.POSITION + k], velocity, contacts[k],
         )
         demand[Demand.FORCE + k] = force
-        demand[Demand.VELOCITY + k] = velocity
-        demand[Demand.ACCELERATION + k] = work[DemandWork.ACCELERATION, k]
+        acceleration = work[DemandWork.ACCELERATION, k]
+        demand[Demand.VELOCITY + k] = velocity + resistance[Resistance.LAG + k] * acceleration
+        demand[Demand.ACCELERATION + k] = acceleration
         demand[Demand.POWER + k] = force * velocity
     for k in range(2):
         demand[Demand.SWAY + k] = work[DemandWork.STATE, State.ANGLE + k]

@@ -138,7 +138,7 @@ class Masses(Record):
 
 
 class Resistance(Masses):
-    """Masses, and the friction of the axes; 0 where an effect is absent."""
+    """Masses, friction of the axes and lags of their drives; 0 where an effect is absent."""
 
     VISCOUS = _of_drives("viscous friction", "N.s/m", "friction.{}.viscous")
     COULOMB = _of_drives("Coulomb friction", "N", "friction.{}.coulomb")
@@ -153,6 +153,7 @@ class Resistance(Masses):
     PRESLIDING = field(
         "displacement at which a contact slides", "m", variables=("friction.presliding",)
     )
+    LAG = _of_drives("time constants of the velocity loops", "s", "drive.{}.lag")
     SUSPENSION = field("what is between rope and load, by the code of a model; 0: nothing")
     TACKLE_MASS = field("its mass", "kg")
     SLING = field("its length, of the sling from the rope's end to the load", "m")
@@ -162,7 +163,6 @@ class Plant(Resistance):
     """Parameters of the crane with its drives; 0 where a bound or an effect is absent."""
 
     MODE = field("what the drives follow, see DriveMode", variables=("drive.mode",), base=1)
-    LAG = _of_drives("time constants of the velocity loops", "s", "drive.{}.lag")
     FORCE_MAX = _of_drives("largest forces of the drives", "N", "drive.{}.force_max")
     FORCE_MIN = _of_drives(
         "least forces, below 0; 0: minus the largest ones", "N", "drive.{}.force_min"
@@ -261,8 +261,8 @@ class Demand(Record):
     """What a motion asks of the drives, and how far the rope sways in it."""
 
     FORCE = field("forces of the drives; the hoist's is negative under tension", "N", size=3)
-    VELOCITY = field("velocities of bridge, trolley and rope", "m/s", size=3)
-    ACCELERATION = field("their accelerations", "m/s2", size=3)
+    VELOCITY = field("velocity setpoints of bridge, trolley and rope", "m/s", size=3)
+    ACCELERATION = field("accelerations of bridge, trolley and rope", "m/s2", size=3)
     POWER = field("powers of the drives, positive when they do work", "W", size=3)
     SWAY = field("sway angles", "rad", size=2)
 

@@ -186,6 +186,15 @@ def write_forces(crane: 'float[:]', reach: 'float[:,:]') -> None:
         )
 
 
+def lead_velocities(crane: 'float[:]', reach: 'float[:,:]') -> None:
+    """Put the setpoints in place of the drives' velocities: they lead by lag times acceleration."""
+    for drive in range(3):
+        add_range(
+            crane[Resistance.LAG + drive], reach[Reach.DEMAND + Demand.ACCELERATION + drive, :],
+            reach[Reach.DEMAND + Demand.VELOCITY + drive, :],
+        )
+
+
 def write_sway(reach: 'float[:,:]') -> None:
     """Write the sway angles: both change less than q_x and q_y do."""
     q_x = reach[Reach.SLOPE, :]
@@ -230,5 +239,6 @@ def write_reach(
         reach[Reach.STRETCH_CHANGE, :], reach,
     )
     write_forces(crane, reach)
+    lead_velocities(crane, reach)
     write_sway(reach)
     return True

@@ -114,7 +114,7 @@ def nominal(crane: CraneFile) -> AnyCrane:
 
 
 def bounds(crane: CraneFile) -> ActuatorBounds:
-    """Bounds of the drives and of the sway; infinite where the file has none."""
+    """Bounds of the drives and of the sway, infinite where the file has none; lags."""
     drives = [getattr(crane, name) for name in DRIVES]
     given: dict[str, Any] = {
         name: [getattr(drive, f"{name}_max") or np.inf for drive in drives]
@@ -122,7 +122,8 @@ def bounds(crane: CraneFile) -> ActuatorBounds:
     }
     given |= {f"{name}_min": [getattr(d, f"{name}_min") for d in drives] for name in DIRECTED}
     sway = None if crane.sway_max is None else np.deg2rad(crane.sway_max)
-    return ActuatorBounds(**given, sway_angle=sway)
+    lag = [drive.lag or 0.0 for drive in drives]
+    return ActuatorBounds(**given, sway_angle=sway, lag=lag)
 
 
 def friction(crane: CraneFile) -> Friction:

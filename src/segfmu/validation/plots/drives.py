@@ -35,7 +35,8 @@ def plot_drives(
     """Velocity, acceleration, force and power of the drives, and the sway; bounds dashed."""
     figure, panels = stack(len(PANELS))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
-    draw_demands(panels, times, demands(crane, trajectory, times, friction), bounds, crane)
+    needs = demands(crane, trajectory, times, friction, bounds.lag)
+    draw_demands(panels, times, needs, bounds, crane)
     return finish(figure, panels, trajectory.waypoint_times, title)
 
 
