@@ -77,9 +77,8 @@ def lags_of(name: str, lag: ArrayLike) -> FloatArray:
     InputError
         For other numbers of values and for negative ones.
     """
-    value = np.asarray(lag, dtype=np.float64)
-    one = value.ndim == 0
-    found = np.full(Axes.SIZE, float(value)) if one else sized(name, lag, Axes.SIZE).copy()
+    given = finite_vector(name, lag)
+    found = sized(name, np.repeat(given, Axes.SIZE) if given.size == 1 else given, Axes.SIZE)
     for entry in found.tolist():
         require_not_negative(name, entry)
     return found
