@@ -449,6 +449,7 @@ static void write_stretch(array_double_2d reach);
 static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach);
 static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach);
 static void write_forces(array_double_1d crane, array_double_2d reach);
+static void lead_velocities(array_double_1d crane, array_double_2d reach);
 static void write_sway(array_double_2d reach);
 static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
 static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2d work);
@@ -4755,8 +4756,8 @@ static void gather_hook(array_double_1d plant, array_double_1d state, array_doub
     {
         (*cspan_at(&masses, i)) = (*cspan_at(&plant, i));
     }
-    (*cspan_at(&masses, INT64_C(4))) = (*cspan_at(&plant, INT64_C(19)));
-    (*cspan_at(&masses, INT64_C(5))) = (*cspan_at(&plant, INT64_C(20)));
+    (*cspan_at(&masses, INT64_C(4))) = (*cspan_at(&plant, INT64_C(22)));
+    (*cspan_at(&masses, INT64_C(5))) = (*cspan_at(&plant, INT64_C(23)));
 }
 static void scatter_hook(array_double_2d work, array_double_1d derivative)
 {
@@ -4806,7 +4807,7 @@ static double hooked_mass(array_double_1d plant, array_double_1d state)
     double turned;
     double cosine;
     payload = (*cspan_at(&plant, INT64_C(2)));
-    hook = (*cspan_at(&plant, INT64_C(19)));
+    hook = (*cspan_at(&plant, INT64_C(22)));
     phi_x = (*cspan_at(&state, INT64_C(3)));
     psi_x = (*cspan_at(&state, INT64_C(16)));
     turned = cos((*cspan_at(&state, INT64_C(3) + INT64_C(1))) - (*cspan_at(&state, INT64_C(16) + INT64_C(1))));
@@ -4816,12 +4817,12 @@ static double hooked_mass(array_double_1d plant, array_double_1d state)
 static bool has_tackle(array_double_1d resistance)
 {
     bool result;
-    result = (*cspan_at(&resistance, INT64_C(18))) > 0.0;
+    result = (*cspan_at(&resistance, INT64_C(21))) > 0.0;
     return result;
 }
 static void suspended_rhs(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         hooked_rhs(plant, state, work, derivative);
     }
@@ -4832,7 +4833,7 @@ static void suspended_rhs(array_double_1d plant, array_double_1d state, array_do
 }
 static void suspended_driven(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative)
 {
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         hooked_driven(plant, state, work, derivative);
     }
@@ -4843,7 +4844,7 @@ static void suspended_driven(array_double_1d plant, array_double_1d state, array
 }
 static void suspended_load(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_2d load)
 {
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         hooked_load(plant, state, work, load);
     }
@@ -4854,7 +4855,7 @@ static void suspended_load(array_double_1d plant, array_double_1d state, array_d
 }
 static void suspended_energy(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d energy)
 {
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         hooked_energy(plant, state, work, energy);
     }
@@ -4866,7 +4867,7 @@ static void suspended_energy(array_double_1d plant, array_double_1d state, array
 static double suspended_mass(array_double_1d plant, array_double_1d state)
 {
     double result;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
     {
         result = hooked_mass(plant, state);
         return result;
@@ -4876,7 +4877,7 @@ static double suspended_mass(array_double_1d plant, array_double_1d state)
 }
 int64_t segfmu_flat_orders(array_double_1d resistance)
 {
-    if ((int64_t)((*cspan_at(&resistance, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&resistance, INT64_C(21)))) == INT64_C(1))
     {
         return INT64_C(7);
     }
@@ -4884,9 +4885,9 @@ int64_t segfmu_flat_orders(array_double_1d resistance)
 }
 static void crane_inverse(array_double_2d flat, array_double_1d resistance, array_double_2d series, array_double_1d force, array_double_1d state, array_double_1d acceleration)
 {
-    if ((int64_t)((*cspan_at(&resistance, INT64_C(18)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&resistance, INT64_C(21)))) == INT64_C(1))
     {
-        write_sling(flat, INT64_C(5), resistance, (*cspan_at(&resistance, INT64_C(19))), (*cspan_at(&resistance, INT64_C(20))), series);
+        write_sling(flat, INT64_C(5), resistance, (*cspan_at(&resistance, INT64_C(22))), (*cspan_at(&resistance, INT64_C(23))), series);
         suspension_derivatives(INT64_C(0), resistance, series, force, state, acceleration);
     }
     else
@@ -5126,7 +5127,7 @@ static void limit_accelerations(array_double_1d plant, array_double_1d state, ar
 static double hanging_mass(array_double_1d resistance)
 {
     double result;
-    result = (*cspan_at(&resistance, INT64_C(2))) + (*cspan_at(&resistance, INT64_C(19)));
+    result = (*cspan_at(&resistance, INT64_C(2))) + (*cspan_at(&resistance, INT64_C(22)));
     return result;
 }
 static bool at_velocity_bound(array_double_1d plant, int64_t axis, array_double_1d state)
@@ -5356,7 +5357,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     double angle;
     double weight;
     array_double_1d hoist;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1);
     gravity = (*cspan_at(&plant, INT64_C(3)));
     slope = 2.0 * damping * bandwidth;
     square = bandwidth * bandwidth;
@@ -5402,7 +5403,7 @@ void segfmu_feedback_gains(array_double_1d plant, double length, double bandwidt
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            lead_gains(i, (*cspan_at(&plant, INT64_C(22) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
+            lead_gains(i, (*cspan_at(&plant, INT64_C(18) + i)), length, gravity, span_row(&gains, INT64_C(1) + i));
         }
     }
 }
@@ -6053,8 +6054,8 @@ static void kalman_model(int64_t axis, array_double_1d plant, double length, arr
     int64_t j;
     mass = carriage_mass(plant, axis);
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    lag = (*cspan_at(&plant, INT64_C(22) + axis));
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
+    lag = (*cspan_at(&plant, INT64_C(18) + axis));
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1);
     matrix_set(INT64_C(8), 0.0, model);
     (*cspan_at(&model, INT64_C(6), INT64_C(7))) = 1.0;
     (*cspan_at(&model, INT64_C(0), INT64_C(2))) = 1.0;
@@ -6330,9 +6331,9 @@ static double acts_late(array_double_1d plant, array_double_1d design)
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         dead = span_max(dead, (*cspan_at(&plant, INT64_C(46) + axis)));
-        lag = span_max(lag, (*cspan_at(&plant, INT64_C(22) + axis)));
+        lag = span_max(lag, (*cspan_at(&plant, INT64_C(18) + axis)));
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) != INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) != INT64_C(1))
     {
         lag = 0.0;
     }
@@ -6730,7 +6731,7 @@ double segfmu_drive_bound(array_double_1d plant, int64_t axis, double sign)
     double by_force;
     double bound;
     bound = static_bound(plant, axis, sign);
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1))
     {
         moved = carriage_mass(plant, axis) + (*cspan_at(&plant, INT64_C(2)));
         by_force = bound / moved;
@@ -6763,7 +6764,7 @@ static double drive_strength(array_double_1d plant, int64_t axis)
     double weight;
     double weaker;
     weight = (*cspan_at(&plant, INT64_C(3)));
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(0))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(0))
     {
         weight = weight * carriage_mass(plant, axis);
     }
@@ -6780,7 +6781,7 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
 {
     int64_t axis;
     double greatest;
-    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(21)));
+    (*cspan_at(&tracking, INT64_C(0))) = (*cspan_at(&plant, INT64_C(24)));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(0))) = carriage_mass(plant, INT64_C(0));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(1))) = carriage_mass(plant, INT64_C(1));
     (*cspan_at(&tracking, INT64_C(3) + INT64_C(2))) = (*cspan_at(&plant, INT64_C(2)));
@@ -6794,7 +6795,7 @@ void segfmu_set_drives(array_double_1d plant, array_double_1d tracking)
         (*cspan_at(&tracking, INT64_C(36) + axis)) = (*cspan_at(&plant, INT64_C(43) + axis));
     }
     greatest = 0.0;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1))
     {
         greatest = span_min(0.9 * (*cspan_at(&plant, INT64_C(3))), (*cspan_at(&tracking, INT64_C(15) + INT64_C(2))));
     }
@@ -6903,7 +6904,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     double velocity;
     sign = 1.0 - 2.0 * axis;
     scale = 1.0;
-    driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
+    driven = (int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1);
     if ((axis == INT64_C(2)) && (!driven))
     {
         scale = 1.0 / (*cspan_at(&plant, INT64_C(2)));
@@ -6918,7 +6919,7 @@ static void axis_gains(int64_t axis, array_double_1d plant, double length, array
     velocity = scheduled_gain(length, axis, INT64_C(5) + axis, table);
     (*cspan_at(&gains, INT64_C(0))) = scale * place;
     (*cspan_at(&gains, INT64_C(2))) = scale * velocity;
-    if (driven && ((*cspan_at(&plant, INT64_C(22) + axis)) <= 0.0))
+    if (driven && ((*cspan_at(&plant, INT64_C(18) + axis)) <= 0.0))
     {
         (*cspan_at(&gains, INT64_C(2))) = scale * velocity + command;
     }
@@ -7021,8 +7022,8 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     (*cspan_at(&fault, INT64_C(3))) = 1.0 + 1e-06;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        driven = (int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1);
-        lagging = driven && ((*cspan_at(&plant, INT64_C(22) + axis)) > 0.0);
+        driven = (int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1);
+        lagging = driven && ((*cspan_at(&plant, INT64_C(18) + axis)) > 0.0);
         delay = (*cspan_at(&plant, INT64_C(46) + axis)) / period;
         if (predicted == INT64_C(1))
         {
@@ -9018,7 +9019,7 @@ int64_t segfmu_contact_history(int64_t axis, array_double_2d timing, array_doubl
     double velocity;
     int64_t row;
     int64_t count;
-    for (i = INT64_C(0); i < INT64_C(21); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(24); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(27), i)) = (*cspan_at(&resistance, i));
     }
@@ -9100,6 +9101,7 @@ static void motion_demand(array_double_2d flat, double time, array_double_1d res
     int64_t k;
     double velocity;
     double force;
+    double acceleration;
     series = span_rows(&work, INT64_C(3), INT64_C(3) + INT64_C(23));
     crane_inverse(flat, resistance, series, span_row(&work, INT64_C(0)), span_row(&work, INT64_C(1)), span_row(&work, INT64_C(2)));
     for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
@@ -9107,8 +9109,9 @@ static void motion_demand(array_double_2d flat, double time, array_double_1d res
         velocity = (*cspan_at(&work, INT64_C(1), INT64_C(5) + k));
         force = (*cspan_at(&work, INT64_C(0), k)) + segfmu_planned_friction(resistance, k, time, (*cspan_at(&work, INT64_C(1), INT64_C(0) + k)), velocity, span_matrix(&contacts, k));
         (*cspan_at(&demand, INT64_C(0) + k)) = force;
-        (*cspan_at(&demand, INT64_C(3) + k)) = velocity;
-        (*cspan_at(&demand, INT64_C(6) + k)) = (*cspan_at(&work, INT64_C(2), k));
+        acceleration = (*cspan_at(&work, INT64_C(2), k));
+        (*cspan_at(&demand, INT64_C(3) + k)) = velocity + (*cspan_at(&resistance, INT64_C(18) + k)) * acceleration;
+        (*cspan_at(&demand, INT64_C(6) + k)) = acceleration;
         (*cspan_at(&demand, INT64_C(9) + k)) = force * velocity;
     }
     for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
@@ -9313,7 +9316,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         demand = (*cspan_at(&work, INT64_C(18), i));
-        if ((*cspan_at(&plant, INT64_C(22) + i)) > 0.0)
+        if ((*cspan_at(&plant, INT64_C(18) + i)) > 0.0)
         {
             bound = velocity_bound(plant, i, demand);
             if (exceeds(demand, bound))
@@ -9321,7 +9324,7 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
                 demand = limited(demand, bound);
                 (*cspan_at(&action, INT64_C(3) + i)) = 1.0;
             }
-            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(22) + i));
+            demand = (demand - axis_velocity(state, i)) / (*cspan_at(&plant, INT64_C(18) + i));
         }
         bound = acceleration_bound(plant, i, demand);
         if (exceeds(demand, bound))
@@ -10472,7 +10475,7 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
         torque = (-(*cspan_at(&plant, INT64_C(49)))) * (*cspan_at(&state, INT64_C(8) + i));
         (*cspan_at(&work, INT64_C(13), INT64_C(3) + i)) = torque;
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1))
     {
         driven_derivative(plant, state, work, derivative);
     }
@@ -10738,7 +10741,7 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
 static double hook_unit(int64_t axis, array_double_1d plant)
 {
     double result;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1))
     {
         return 1.0;
     }
@@ -10753,9 +10756,9 @@ static double hook_unit(int64_t axis, array_double_1d plant)
 static double hook_lag(int64_t axis, array_double_1d plant)
 {
     double result;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1))
     {
-        result = (*cspan_at(&plant, INT64_C(22) + axis));
+        result = (*cspan_at(&plant, INT64_C(18) + axis));
         return result;
     }
     return 0.0;
@@ -10772,7 +10775,7 @@ static void hook_model(int64_t axis, array_double_1d plant, double length, array
     double pulled;
     array_double_1d rate;
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    hook = (*cspan_at(&plant, INT64_C(19)));
+    hook = (*cspan_at(&plant, INT64_C(22)));
     total = hanging_mass(plant);
     lag = hook_lag(axis, plant);
     matrix_set(INT64_C(9), 0.0, model);
@@ -10793,7 +10796,7 @@ static void hook_model(int64_t axis, array_double_1d plant, double length, array
     {
         return;
     }
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(0))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(0))
     {
         (*cspan_at(&change, INT64_C(1))) = total * gravity / carriage_mass(plant, axis);
     }
@@ -10808,8 +10811,8 @@ static void hook_model(int64_t axis, array_double_1d plant, double length, array
     rate = span_row(&model, INT64_C(4));
     (*cspan_at(&rate, INT64_C(1))) = (*cspan_at(&rate, INT64_C(1))) - restoring / length;
     (*cspan_at(&rate, INT64_C(2))) = pulled / length;
-    (*cspan_at(&model, INT64_C(5), INT64_C(1))) = restoring / (*cspan_at(&plant, INT64_C(20)));
-    (*cspan_at(&model, INT64_C(5), INT64_C(2))) = (-restoring) / (*cspan_at(&plant, INT64_C(20)));
+    (*cspan_at(&model, INT64_C(5), INT64_C(1))) = restoring / (*cspan_at(&plant, INT64_C(23)));
+    (*cspan_at(&model, INT64_C(5), INT64_C(2))) = (-restoring) / (*cspan_at(&plant, INT64_C(23)));
 }
 static void hook_moved(double sample_time, array_double_2d work)
 {
@@ -10868,7 +10871,7 @@ static void hook_gains(int64_t axis, array_double_1d plant, double length, array
     spread = span_rows(&work, INT64_C(48), INT64_C(56));
     kept = span_rows(&work, INT64_C(0), INT64_C(8));
     information = span_rows(&work, INT64_C(8), INT64_C(16));
-    whole = length + (*cspan_at(&plant, INT64_C(20)));
+    whole = length + (*cspan_at(&plant, INT64_C(23)));
     per_rate = whole / (*cspan_at(&plant, INT64_C(3)));
     n = INT64_C(8);
     unit = hook_unit(axis, plant);
@@ -10959,7 +10962,7 @@ static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, 
     spread = span_rows(&work, INT64_C(48), INT64_C(56));
     information = span_rows(&work, INT64_C(8), INT64_C(16));
     gravity = (*cspan_at(&plant, INT64_C(3)));
-    whole = length + (*cspan_at(&plant, INT64_C(20)));
+    whole = length + (*cspan_at(&plant, INT64_C(23)));
     time = sqrt(whole / gravity);
     n = INT64_C(8);
     matrix_set(n, 0.0, spread);
@@ -10967,7 +10970,7 @@ static void hook_watch(int64_t axis, array_double_1d plant, double sample_time, 
     (*cspan_at(&spread, INT64_C(3), INT64_C(3))) = push * push;
     if (axis != INT64_C(2))
     {
-        swing = (*cspan_at(&weights, INT64_C(7))) * gravity / (*cspan_at(&plant, INT64_C(20)));
+        swing = (*cspan_at(&weights, INT64_C(7))) * gravity / (*cspan_at(&plant, INT64_C(23)));
         (*cspan_at(&spread, INT64_C(3), INT64_C(4))) = (-push) * push / length;
         (*cspan_at(&spread, INT64_C(4), INT64_C(3))) = (-push) * push / length;
         (*cspan_at(&spread, INT64_C(4), INT64_C(4))) = push * push / (length * length);
@@ -11265,7 +11268,7 @@ void segfmu_hook_outputs(array_double_2d memory, array_double_1d outputs)
     (*cspan_at(&outputs, INT64_C(10))) = (*cspan_at(&memory, INT64_C(8), INT64_C(7)));
     (*cspan_at(&outputs, INT64_C(11))) = 0.0;
     (*cspan_at(&outputs, INT64_C(11) + INT64_C(1))) = 0.0;
-    if ((*cspan_at(&memory, INT64_C(5), INT64_C(20))) > 0.0)
+    if ((*cspan_at(&memory, INT64_C(5), INT64_C(23))) > 0.0)
     {
         gather_hook(span_row(&memory, INT64_C(5)), state, work);
         segfmu_hook_frequencies((*cspan_at(&state, INT64_C(0) + INT64_C(2))), span_row(&work, INT64_C(24)), span_piece(&outputs, INT64_C(11), INT64_C(11) + INT64_C(2)));
@@ -15528,6 +15531,14 @@ static void write_forces(array_double_1d crane, array_double_2d reach)
         add_range_product(1.0, span_row(&reach, INT64_C(27) + INT64_C(0) + drive), span_row(&reach, INT64_C(27) + INT64_C(3) + drive), power);
     }
 }
+static void lead_velocities(array_double_1d crane, array_double_2d reach)
+{
+    int64_t drive;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        add_range((*cspan_at(&crane, INT64_C(18) + drive)), span_row(&reach, INT64_C(27) + INT64_C(6) + drive), span_row(&reach, INT64_C(27) + INT64_C(3) + drive));
+    }
+}
 static void write_sway(array_double_2d reach)
 {
     array_double_1d q_x;
@@ -15564,6 +15575,7 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
     }
     write_drive(INT64_C(2), 0.0, span_row(&reach, INT64_C(22)), span_row(&reach, INT64_C(23)), span_row(&reach, INT64_C(24)), reach);
     write_forces(crane, reach);
+    lead_velocities(crane, reach);
     write_sway(reach);
     return 1;
 }
@@ -32554,7 +32566,7 @@ static void update_signals(array_double_2d settings, double time, array_double_2
 static bool is_driven(array_double_2d memory)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(21)))) == INT64_C(1);
+    result = (int64_t)((*cspan_at(&memory, INT64_C(5), INT64_C(24)))) == INT64_C(1);
     return result;
 }
 static double setpoint_at(array_double_1d setpoints, int64_t i, double share, array_double_2d memory)
@@ -32903,7 +32915,7 @@ static void late_commands(array_double_2d settings, double length, array_double_
             command_place(&row, &column, number, delayed);
             after = time - (*cspan_at(&delayed, row, column + INT64_C(0)));
             shifted_command(&value, &slope, &square, &cube, i, after, column, span_row(&delayed, row));
-            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(22) + i)) == 0.0))
+            if (is_driven(memory) && ((*cspan_at(&memory, INT64_C(5), INT64_C(18) + i)) == 0.0))
             {
                 end = value + length * (slope + length * (square + length * cube));
                 follow_velocity(i, end, square, cube, length, memory);
@@ -32926,7 +32938,7 @@ static void start_planned(array_double_1d setpoints, array_double_2d memory)
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         value = (*cspan_at(&setpoints, INT64_C(3) + i));
-        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(22) + i));
+        lag = (*cspan_at(&memory, INT64_C(5), INT64_C(18) + i));
         (*cspan_at(&planned, INT64_C(0) + i)) = value;
         if (lag > 0.0)
         {
@@ -32948,7 +32960,7 @@ static void follow_setpoint(int64_t axis, double setpoint, double slope, double 
     double gained;
     double most;
     planned = span_row(&memory, INT64_C(10));
-    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(22) + axis));
+    lag = (*cspan_at(&memory, INT64_C(5), INT64_C(18) + axis));
     if (lag <= 0.0)
     {
         (*cspan_at(&planned, INT64_C(3) + axis)) = slope;
@@ -33153,7 +33165,7 @@ static void command_velocities(array_double_1d setpoints, double duration, doubl
         setpoint_rates(&slope, &square, &cube, setpoints, velocity, done / duration, duration, memory);
         (*cspan_at(&memory, INT64_C(9), i)) = added + correction * length;
         set_command(i, command, slope + correction, square, cube, memory);
-        if ((*cspan_at(&memory, INT64_C(5), INT64_C(22) + i)) == 0.0)
+        if ((*cspan_at(&memory, INT64_C(5), INT64_C(18) + i)) == 0.0)
         {
             end = setpoint_at(setpoints, velocity, until / duration, memory);
             follow_velocity(i, end + (*cspan_at(&memory, INT64_C(9), i)), square, cube, length, memory);
@@ -33330,7 +33342,7 @@ static double first_command(int64_t axis, array_double_1d setpoints, array_doubl
         return velocity;
     }
     velocity = (*cspan_at(&setpoints, INT64_C(3) + axis));
-    if ((*cspan_at(&plant, INT64_C(22) + axis)) > 0.0)
+    if ((*cspan_at(&plant, INT64_C(18) + axis)) > 0.0)
     {
         return velocity;
     }
@@ -33718,7 +33730,7 @@ static bool demand_partials(array_double_1d plant, array_double_1d state, array_
     action = span_row(&rig, INT64_C(14));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        lag = (*cspan_at(&plant, INT64_C(22) + i));
+        lag = (*cspan_at(&plant, INT64_C(18) + i));
         largest = force_bound(plant, i, (*cspan_at(&action, INT64_C(0) + i)), (*cspan_at(&state, INT64_C(5) + i)));
         demand = (*cspan_at(&command, i));
         fastest = velocity_bound(plant, i, demand);
@@ -33978,11 +33990,11 @@ int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, array_double_
     int64_t axis;
     double lag;
     (*cspan_at(&fault, INT64_C(3))) = 1e-05;
-    if ((int64_t)((*cspan_at(&plant, INT64_C(21)))) == INT64_C(1))
+    if ((int64_t)((*cspan_at(&plant, INT64_C(24)))) == INT64_C(1))
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            lag = (*cspan_at(&plant, INT64_C(22) + axis));
+            lag = (*cspan_at(&plant, INT64_C(18) + axis));
             (*cspan_at(&fault, INT64_C(1))) = axis;
             (*cspan_at(&fault, INT64_C(2))) = lag;
             if ((lag == 0.0) && (exchange == INT64_C(1)))

@@ -919,7 +919,7 @@ static PyObject *call_flat_orders(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)) {
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)) {
         answer = PyLong_FromLongLong(segfmu_flat_orders(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}}));
     }
@@ -1687,7 +1687,7 @@ static PyObject *call_resists(
     if (take_count(&call, count, 2)
         && (in_resistance = take_array(&call, 0, 1, 'd', false)) != NULL
         && take_int(&call, 1, &in_axis)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)) {
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)) {
         answer = PyBool_FromLong(segfmu_resists(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
             in_axis));
@@ -1716,7 +1716,7 @@ static PyObject *call_planned_friction(
         && take_float(&call, 4, &in_velocity)
         && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)) {
         answer = PyFloat_FromDouble(segfmu_planned_friction(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
@@ -1760,9 +1760,9 @@ static PyObject *call_contact_history(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "work", 0, in_work->shape[0], 35)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 21)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 24)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_contact_history(
@@ -1827,7 +1827,7 @@ static PyObject *call_drive_demands(
         && has_extent(&call, "times", 0, in_times->shape[0], in_flat->shape[0])
         && has_extent(&call, "demands", 0, in_demands->shape[0], in_flat->shape[0])
         && has_at_least(&call, "flat", 2, in_flat->shape[2], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 26)
@@ -1900,7 +1900,7 @@ static PyObject *call_friction_derivative(
         && (in_contacts = take_array(&call, 5, 2, 'd', false)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 1)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "motion", 0, in_motion->shape[0], (in_order + 2))
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 9)
@@ -1950,7 +1950,7 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 100)
@@ -2008,7 +2008,7 @@ static PyObject *call_demand_samples(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 3)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "contacts", 0, in_contacts->shape[0], 3)
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 100)
@@ -2163,7 +2163,7 @@ static PyObject *call_plant_advance(
         && has_at_least(&call, "components", 1, in_components->shape[1], 8)
         && has_at_least(&call, "state", 0, in_state->shape[0], 23)
         && has_at_least(&call, "work", 0, in_work->shape[0], 26)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 23)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 24)
         && has_at_least(&call, "report", 0, in_report->shape[0], 14)) {
         answer = PyLong_FromLongLong(segfmu_plant_advance(
             (array_double_1d){in_plant->buf, {in_plant->shape[0]}},
@@ -2517,7 +2517,7 @@ static PyObject *call_write_axes(
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
         && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
         && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
         segfmu_write_axes(
@@ -2661,7 +2661,7 @@ static PyObject *call_write_starts(
         && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
         && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
@@ -3299,7 +3299,7 @@ static PyObject *call_keeps_drives(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
         && has_at_least(&call, "work", 0, in_work->shape[0], 156)
         && has_at_least(&call, "work", 1, in_work->shape[1], 64)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
@@ -3337,7 +3337,7 @@ static PyObject *call_foresee_emergency(
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
         && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
@@ -3386,7 +3386,7 @@ static PyObject *call_take_over_state(
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
         && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
@@ -3974,7 +3974,7 @@ static PyObject *call_operate(
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 23)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
         && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
@@ -4027,7 +4027,7 @@ static PyObject *call_check_ready(
         && take_int(&call, 2, &in_pieces)
         && (in_fault = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "compensation", 0, in_compensation->shape[0], 6)
-        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 21)
+        && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 2)) {
         answer = PyLong_FromLongLong(segfmu_check_ready(
             (array_double_1d){in_compensation->buf, {in_compensation->shape[0]}},
