@@ -818,16 +818,17 @@ static double try_level(int64_t order, double level, double least, array_double_
 static double try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool leads_in(double time, array_double_2d lead);
 static int64_t first_free_stage(int64_t order);
-static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
 static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool permits_levels(int64_t order, array_double_2d lead);
-static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
@@ -26106,6 +26107,12 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
         }
     }
 }
+static bool leads_in(double time, array_double_2d lead)
+{
+    bool result;
+    result = (0.0 <= (*cspan_at(&lead, INT64_C(15), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) <= time);
+    return result;
+}
 static int64_t first_free_stage(int64_t order)
 {
     if (order == INT64_C(1))
@@ -26114,7 +26121,7 @@ static int64_t first_free_stage(int64_t order)
     }
     return order;
 }
-static void improve_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
     int64_t first_free;
@@ -26134,6 +26141,10 @@ static void improve_ends(int64_t order, array_double_1d limits, array_double_2d 
                 {
                     follow_profile(order, stage, limits, lead, timing, coefficients);
                 }
+                if (leads_in(within_0001, lead))
+                {
+                    return;
+                }
                 search_end(order, stage, limits, lead, timing, coefficients);
             }
         }
@@ -26143,7 +26154,7 @@ static void improve_ends(int64_t order, array_double_1d limits, array_double_2d 
         }
     }
 }
-static void search_ends(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t i;
     soonest_ends(order, lead);
@@ -26154,7 +26165,7 @@ static void search_ends(int64_t order, array_double_1d limits, array_double_2d l
     try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     if (!is_settled(lead))
     {
-        improve_ends(order, limits, lead, timing, coefficients);
+        improve_ends(order, within_0001, limits, lead, timing, coefficients);
     }
 }
 static double near_zero(double i)
@@ -26334,7 +26345,7 @@ static bool permits_levels(int64_t order, array_double_2d lead)
     resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
     return (order == INT64_C(1)) || resting;
 }
-static void search_stages(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double steep;
     int64_t i;
@@ -26358,7 +26369,11 @@ static void search_stages(int64_t order, array_double_1d limits, array_double_2d
                 break;
             }
         }
-        search_ends(order, limits, lead, timing, coefficients);
+        search_ends(order, within_0001, limits, lead, timing, coefficients);
+        if (leads_in(within_0001, lead))
+        {
+            break;
+        }
         steep = 10.0 * steep;
     }
     if (((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0) && (!is_settled(lead)))
@@ -26366,7 +26381,7 @@ static void search_stages(int64_t order, array_double_1d limits, array_double_2d
         search_pairs(order, limits, lead, timing, coefficients);
         if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
         {
-            improve_ends(order, limits, lead, timing, coefficients);
+            improve_ends(order, within_0001, limits, lead, timing, coefficients);
         }
     }
 }
@@ -26525,7 +26540,7 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
                 }
                 if (start_search(shape, limits, lead))
                 {
-                    search_stages(order, limits, lead, timing, coefficients);
+                    search_stages(order, within_0001, limits, lead, timing, coefficients);
                     improve_lead(order, within_0001, limits, lead, timing, coefficients);
                 }
                 for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
@@ -26556,7 +26571,7 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     {
         if (start_search(shape, limits, lead))
         {
-            search_stages(order, limits, lead, timing, coefficients);
+            search_stages(order, within_0001, limits, lead, timing, coefficients);
             (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
             follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
             improve_lead(order, within_0001, limits, lead, timing, coefficients);

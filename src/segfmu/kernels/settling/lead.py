@@ -95,8 +95,9 @@ def find_lead(
     absent.
     The plan to follow has no pieces where there is none; its times count from now on.
 
-    A lead that takes longer than `within` [s], to the target, is searched for over levels as well.
-    With the order 2 the target is where that one ends; nothing is left to be slowed down.
+    The search ends with a lead that takes `within` [s] at most, to the target. One that takes
+    longer is searched for over levels as well. With the order 2 the target is where that one ends;
+    nothing is left to be slowed down.
 
     With 1 in LeadTask.BRAKES, a state that cannot keep the limits is brought inside first
     (brake.py).
@@ -113,7 +114,7 @@ def find_lead(
     shape = int(lead[LeadWork.TASK, LeadTask.SHAPE])
     if not brakes or not is_outside(limits, lead):
         if start_search(shape, limits, lead):
-            search_stages(order, limits, lead, timing, coefficients)
+            search_stages(order, within, limits, lead, timing, coefficients)
             lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
             follow_plan(
                 order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
@@ -176,7 +177,7 @@ def search_braked(
                 for i in range(Chain.SIZE):
                     lead[LeadWork.NOW, i] = lead[LeadWork.BRAKED, i]
                 if start_search(shape, limits, lead):
-                    search_stages(order, limits, lead, timing, coefficients)
+                    search_stages(order, within, limits, lead, timing, coefficients)
                     improve_lead(order, within, limits, lead, timing, coefficients)
                 for i in range(Chain.SIZE):
                     lead[LeadWork.NOW, i] = lead[LeadWork.GIVEN, i]

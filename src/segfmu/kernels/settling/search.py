@@ -87,8 +87,14 @@ def follow_profile(
             break
 
 
+def leads_in(time: float, lead: 'float[:,:]') -> bool:
+    """Whether there is a lead that takes `time` [s] at most."""
+    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
+
+
 def search_ends(
     order: int,
+    within: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
@@ -100,7 +106,7 @@ def search_ends(
         lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
     try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
     if not is_settled(lead):
-        improve_ends(order, limits, lead, timing, coefficients)
+        improve_ends(order, within, limits, lead, timing, coefficients)
 
 
 def first_free_stage(order: int) -> int:
@@ -112,12 +118,13 @@ def first_free_stage(order: int) -> int:
 
 def improve_ends(
     order: int,
+    within: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """Search for better ends of the stages, one after the other."""
+    """Search for better ends of the stages, one after the other, until one takes `within` [s]."""
     smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     first_free = first_free_stage(order)
     for sweep in range(2):
@@ -126,6 +133,8 @@ def improve_ends(
             if stage < smoothness:
                 if i == 0:
                     follow_profile(order, stage, limits, lead, timing, coefficients)
+                if leads_in(within, lead):
+                    return
                 search_end(order, stage, limits, lead, timing, coefficients)
         if first_free + 2 >= smoothness:
             break
@@ -270,12 +279,13 @@ def permits_levels(order: int, lead: 'float[:,:]') -> bool:
 
 def search_stages(
     order: int,
+    within: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """Search for the best lead from the row START by the ends of stages.
+    """Search for a lead of `within` [s] at most, else the best, from START by the ends of stages.
 
     Derivatives that nothing limits are raised as long as that shortens it by more than 1 %.
     """
@@ -291,9 +301,11 @@ def search_stages(
             # before a gap of durations the best ends move: they are searched for once more
             if i > 1 and lead[LeadWork.BEST, Lead.TIME] == before:
                 break
-        search_ends(order, limits, lead, timing, coefficients)
+        search_ends(order, within, limits, lead, timing, coefficients)
+        if leads_in(within, lead):
+            break
         steep = 10.0 * steep
     if lead[LeadWork.BEST, Lead.TIME] < 0.0 and not is_settled(lead):
         search_pairs(order, limits, lead, timing, coefficients)
         if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
-            improve_ends(order, limits, lead, timing, coefficients)
+            improve_ends(order, within, limits, lead, timing, coefficients)
