@@ -181,6 +181,12 @@ def operation_calls() -> dict[str, Call]:
     )
     offsets[: Slot.OFFSETS] = found.offsets
     work = zeros(OperationWork.SIZE, OperationWork.COLUMNS)
+    swinging = operation.copy()
+    swinging[Operation.COMMAND, Command.MEASURED : Command.SIZE] = [
+        0.1, 0.2, 0.5, 0.1,
+        -0.1,
+        0.1, 0.0, 0.05, 0.2, 0.1,
+    ]
     return {
         "begin_operation": (0.0, operation.copy()),
         "operate": (
@@ -189,9 +195,8 @@ def operation_calls() -> dict[str, Call]:
             zeros(LeadWork.SIZE, LeadWork.COLUMNS), work.copy(),
             zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
         ),
-        "take_over_state": (
-            np.array([0.1, 0.2, 0.5, 0.1, -0.1, 0.1, 0.0, 0.05, 0.2, 0.1]), operation.copy(),
-            known, timing.copy(), coefficients.copy(), offsets.copy(), work.copy(),
+        "take_over_measured": (
+            swinging, known, timing.copy(), coefficients.copy(), offsets.copy(), work.copy(),
             zeros(Stack.ROWS, Span.SIZE, 2 * width - 3),
         ),
         "foresee_emergency": (operation, known, timing, coefficients, offsets, work.copy()),

@@ -62,15 +62,15 @@ class OperatedMotion:
         backend.begin_operation(time, self.record)
         return True
 
-    def begin_swinging(self, state: FloatArray) -> int:
-        """Begin at time 0 in a state of the crane (10,), which is brought to rest.
+    def take_over(self, time: float) -> int:
+        """Begin in the measured state of the command at a time [s], and come to rest.
 
-        Returns an `OperationStatus`; only if that is TAKEN, there is a motion.
+        Returns an `OperationStatus`; only if that is TAKEN, there is another motion.
         """
-        backend.begin_operation(0.0, self.record)
-        return backend.take_over_state(
-            state, self.record, self.known, self._timing, self._coefficients, self._offsets,
-            self._work, self._stack,
+        self.command[Command.TIME] = time
+        return backend.take_over_measured(
+            self.record, self.known, self._timing, self._coefficients, self._offsets, self._work,
+            self._stack,
         )
 
     @property

@@ -6,24 +6,25 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, require_bounds
-from segfmu.crane.bounds import uses as bound_uses
-from segfmu.crane.contacts import NONE, resistance
-from segfmu.crane.demand import peaks
+from segfmu.crane.contacts import NONE
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import require_gantry
 from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE
-from segfmu.crane.limit_search import KEPT
 from segfmu.crane.operation import OperatedMotion
+from segfmu.crane.operation_start import (
+    known_of,
+    require_hanging,
+    require_plan,
+    resting,
+    triple,
+)
 from segfmu.crane.parameters import Crane
-from segfmu.crane.rope import require_rope
-from segfmu.crane.variables import filled
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
-from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
-from segfmu.kernels.crane.records import Axes, DriveBounds, RopeBounds, State
+from segfmu.kernels.crane.records import DriveBounds, State
 from segfmu.kernels.crane.records import FlatInverse as Results
 from segfmu.kernels.operation.records import (
     Command,
@@ -35,9 +36,8 @@ from segfmu.kernels.operation.records import (
     Swing,
     Tries,
 )
-from segfmu.kernels.planner.records import Lower, PlanOptions
-from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import FloatArray, as_index, finite_number, finite_vector, shown
+from segfmu.kernels.planner.records import PlanOptions
+from segfmu.planning.arrays import FloatArray, as_index, finite_number, shown
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
@@ -49,8 +49,6 @@ MODES = tuple(name.lower() for name in OperationMode.items())
 STATUSES = tuple(name.lower() for name in OperationStatus.items())
 UNBOUNDED = ActuatorBounds()
 FREE = Clearance()
-# an end of the workspace [m] that is none
-FAR = 1e9
 # how long a velocity is held beyond the next command [s]
 HOLD = 0.1
 
@@ -139,11 +137,11 @@ class Operator:
             kind = type(clearance).__name__
             raise InputError(f"clearance must be a segfmu.Clearance, got {kind}")
         if isinstance(start, Trajectory):
-            _require_plan(crane, start, bounds, clearance, friction)
+            require_plan(crane, start, bounds, clearance, friction)
         given = finite_number("hold", hold)
         if given <= 0.0:
             raise InputError(f"hold must be a time > 0 s, got {shown(hold)}")
-        known = _known(crane, limits, bounds, clearance, friction)
+        known = known_of(crane, limits, bounds, clearance, friction)
         asked = checked_request(
             [Waypoint(np.zeros(3))] * 2, limits, smoothness, shape, synchronize, None, None, None,
         ).problem.options
@@ -159,12 +157,14 @@ class Operator:
     def _begin(self, start: ArrayLike | Trajectory, smoothness: int) -> None:
         """Begin with the plan; or at rest, where a stop shows whether that is allowed."""
         if not isinstance(start, Trajectory) and np.size(start) == State.SIZE:
-            self._begin_swinging(finite_vector("start", start))
+            backend.begin_operation(0.0, self._motion.record)
+            self._motion.command[Command.MODE] = OperationMode.STOP
+            self._take_over("start", start)
             return
         if isinstance(start, Trajectory):
             pieces = start.timing, start.coefficients, start.offsets
         else:
-            pieces = _resting(start, smoothness)
+            pieces = resting(start, smoothness)
         if not self._motion.begin(0.0, *pieces):
             raise InputError(
                 f"start has {int(pieces[2][-1])} polynomial pieces, too many to be followed; plan "
@@ -180,20 +180,34 @@ class Operator:
                 )
         self._motion.command[Command.MODE] = OperationMode.MISSION
 
-    def _begin_swinging(self, state: FloatArray) -> None:
-        """Begin with a plan that brings a measured state to rest."""
+    def take_over(self, state: ArrayLike) -> None:
+        """Begin anew in a measured state, from now on, and bring the load to rest.
+
+        Parameters
+        ----------
+        state : array_like, shape (10,)
+            As `FlatInverse.state`. Commands follow when the load rests; only a target is gone to
+            at once, where there is a way.
+
+        Raises
+        ------
+        InputError
+            If that is no state of a load below its crane, or the acceleration of a drive has no
+            bound.
+        InfeasibleError
+            If no way from there to rest keeps the bounds; what was followed before goes on.
+        """
+        self._take_over("state", state)
+
+    def _take_over(self, name: str, state: ArrayLike) -> None:
+        measured = require_hanging(name, state)
         self._require_brakes("a swing that is taken over")
-        if state[Axes.ROPE] <= 0.0 or np.abs(state[State.ANGLE : State.VELOCITY]).max() >= 1.5:
-            raise InputError(
-                f"start: a rope of {state[Axes.ROPE]:.4g} m and angles up to "
-                f"{np.abs(state[State.ANGLE : State.VELOCITY]).max():.4g} rad are no state of a "
-                "load below its crane; give positions, rope, angles and their rates, shape (10,)"
-            )
-        status = STATUSES[self._motion.begin_swinging(state)]
+        self._motion.command[Command.MEASURED : Command.SIZE] = measured
+        status = STATUSES[self._motion.take_over(self._time)]
         if status != "taken":
             raise InfeasibleError(
-                f"start: no way from that state to rest keeps {status}; widen that, or let the "
-                "swing decay"
+                f"{name}: no way from there to rest keeps {status}; widen that, or let the swing "
+                "decay"
             )
 
     def __repr__(self) -> str:
@@ -249,7 +263,7 @@ class Operator:
             ("distance", distance, Command.DISTANCE),
         ):
             if value is not None:
-                command[place : place + 3] = _triple(name, value, alike=name == "distance")
+                command[place : place + 3] = triple(name, value, alike=name == "distance")
         command[Command.MODE] = MODES.index(mode)
         command[Command.GO] = float(mode == "target")
 
@@ -384,62 +398,3 @@ class Operator:
             self.load, self._masses, found[FORCE], found[STATE], found[ACCELERATION]
         )
         return found
-
-
-def _resting(start: ArrayLike, smoothness: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
-    """A plan that rests in a place."""
-    coefficients = np.zeros((3, 2 * smoothness))
-    coefficients[:, 0] = _triple("start", start)
-    return np.zeros((3, Timing.SIZE)), coefficients, np.arange(4, dtype=np.int64)
-
-
-def _triple(name: str, value: ArrayLike, *, alike: bool = False) -> FloatArray:
-    vector = finite_vector(name, value)
-    if vector.size != 3 and not (alike and vector.size == 1):
-        raise InputError(f"{name} must have 3 values, got {vector.size}")
-    return np.broadcast_to(vector, (3,))
-
-
-def _require_plan(
-    crane: Crane, plan: Trajectory, bounds: ActuatorBounds, clearance: Clearance,
-    friction: Friction,
-) -> None:
-    """Refuse a plan that does not keep what plans for commands keep."""
-    require_rope(crane, plan)
-    clearance.require(plan, crane.gravity)
-    for use in bound_uses(bounds, *peaks(crane, plan, friction, bounds.lag)):
-        if use.use > KEPT:
-            raise InfeasibleError(
-                f"start: the plan uses {100.0 * use.use:.4g} % of the bound of the {use.name}; "
-                "plan it within the bounds"
-            )
-
-
-def _known(
-    crane: Crane, limits: Limits, bounds: ActuatorBounds, clearance: Clearance, friction: Friction
-) -> FloatArray:
-    """The record `Known`, without options."""
-    known = np.zeros((Known.SIZE, Known.COLUMNS))
-    given = resistance(crane, friction, bounds.lag)
-    known[Known.CRANE, : given.size] = given
-    known[Known.ROPE, : RopeBounds.SIZE] = filled(RopeBounds, crane.values().__getitem__)
-    known[Known.BOUNDS, : bounds.record.size] = bounds.record
-    known[Known.LOWER : Known.OBSTACLES, : Lower.SIZE] = limits.lower(3)
-    space = known[Known.SPACE]
-    space[Space.GRAVITY] = crane.gravity
-    for place, value in (
-        (Space.WORKSPACE_MIN, clearance.minimum), (Space.WORKSPACE_MAX, clearance.maximum),
-        (Space.LOAD_SIZE, clearance.load_size), (Space.LOAD_CENTRE, clearance.load_centre),
-    ):
-        space[place : place + 3] = np.clip(value, -FAR, FAR)
-    if len(clearance.obstacles) > SpaceLimits.OBSTACLES:
-        raise InputError(
-            f"clearance has {len(clearance.obstacles)} obstacles, at most {SpaceLimits.OBSTACLES} "
-            "can be kept off while running; join some of them"
-        )
-    space[Space.OBSTACLES] = len(clearance.obstacles)
-    for i, box in enumerate(clearance.obstacles):
-        known[Known.OBSTACLES + i, : ObstacleRow.SIZE] = [
-            *box.minimum, *box.maximum, box.margin, box.rope
-        ]
-    return known

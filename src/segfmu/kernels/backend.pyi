@@ -878,8 +878,7 @@ def foresee_emergency(
     /,
 ) -> bool: ...
 
-def take_over_state(
-    state: Floats,
+def take_over_measured(
     operation: Floats,
     known: Floats,
     timing: Floats,

@@ -381,8 +381,10 @@ ENTRY_POINTS = (
         offsets=Slot.COUNT * Slot.OFFSETS, work=(OperationWork.SIZE, OperationWork.COLUMNS),
     ),
     entry(
-        "operation.takeover", "take_over_state", state=State.SIZE,
-        operation=(Operation.SIZE, Operation.COLUMNS), known=(Known.SIZE, Known.COLUMNS),
+        "operation.measured",
+        "take_over_measured",
+        operation=(Operation.SIZE, Operation.COLUMNS),
+        known=(Known.SIZE, Known.COLUMNS),
         timing=(Slot.COUNT, OperationRows.ALL, Timing.SIZE),
         coefficients=(Slot.COUNT, OperationRows.ALL, "width"),
         offsets=Slot.COUNT * Slot.OFFSETS, work=(OperationWork.SIZE, OperationWork.COLUMNS),

@@ -25,7 +25,7 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.limits.records import LimitFault, LimitStatus
 from segfmu.kernels.numerics.records import AccessFault, AccessStatus, RangeFault, RangeStatus
-from segfmu.kernels.operation.records import ReadyFault, ReadyStatus
+from segfmu.kernels.operation.records import OperationStatus, ReadyFault, ReadyStatus
 from segfmu.kernels.planner.records import PlanStatus, Refusal
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import (
@@ -277,6 +277,22 @@ READY = Messages(
     {"DRIVE": DRIVES},
 )
 
+# of a measured state in which a motion is to begin
+TAKEOVER = Messages(
+    "takeover", ReadyFault,
+    {
+        OperationStatus.ROPE: "command.take_over: measured.* is no state of a load below its "
+        "crane, or the way from there to rest leaves the range of the rope; give all ten values, "
+        "or widen crane.rope_min and crane.rope_max",
+        OperationStatus.WORKSPACE: "command.take_over: the way from the measured state to rest "
+        "leaves the workspace; widen workspace.*, or let the swing decay",
+        OperationStatus.OBSTACLE: "command.take_over: the way from the measured state to rest "
+        "meets an obstacle; move that, or let the swing decay",
+        OperationStatus.DRIVES: "command.take_over: the drives cannot bring the load to rest from "
+        "the measured state; give drive.*.acceleration_max, more of it, or let the swing decay",
+    },
+)
+
 SETUP = Messages(
     "setup", SetupFault,
     {
@@ -358,4 +374,6 @@ START = Messages(
     {"PLACE": tuple(v for f in State.FIELDS.values() for v in f.variables)},
 )
 
-TABLES = (PLAN, ROPE, LIMIT, BOUND, PATH, SPACE, READY, PLANT, SETUP, RANGE, ACCESS, START)
+TABLES = (
+    PLAN, ROPE, LIMIT, BOUND, PATH, SPACE, READY, TAKEOVER, PLANT, SETUP, RANGE, ACCESS, START,
+)

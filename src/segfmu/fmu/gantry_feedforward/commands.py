@@ -14,8 +14,15 @@ from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
 from segfmu.kernels.crane.records import Compensation, DriveBounds, Resistance, RopeBounds
 from segfmu.kernels.limits.records import LimitRow, PlanLimits
-from segfmu.kernels.messages import READY
-from segfmu.kernels.operation.records import Command, Known, OperationMode, ReadyFault, ReadyStatus
+from segfmu.kernels.messages import READY, TAKEOVER
+from segfmu.kernels.operation.records import (
+    Command,
+    Known,
+    OperationMode,
+    OperationStatus,
+    ReadyFault,
+    ReadyStatus,
+)
 from segfmu.kernels.planner.records import Lower, PlanOptions
 from segfmu.planning import Trajectory
 
@@ -46,7 +53,16 @@ class Commands:
         self.motion.begin(start, plan.timing, plan.coefficients, plan.offsets)
         self._fill_known()
         # whether there was a command, so that the present plan is that of the motion
-        self.acts = False
+        self.acts = bool(value("command.take_over"))
+        if self.acts:
+            self._begin_measured(start)
+
+    def _begin_measured(self, start: float) -> None:
+        """Begin in the measured state instead of with the plan, at a time [s]."""
+        Command.fill(self.motion.command, self._value)
+        status = self.motion.take_over(start)
+        if status != OperationStatus.TAKEN:
+            raise InfeasibleError(TAKEOVER.text(status, np.zeros(ReadyFault.SIZE)))
 
     def _fill_known(self) -> None:
         known = self.motion.known
@@ -62,8 +78,11 @@ class Commands:
 
     def follow(self, time: float, step: float) -> None:
         """Follow the command at a time of the plan's clock [s], with the next a step [s] later."""
-        Command.fill(self.motion.command, self._value)
-        if not self.acts and self.motion.command[Command.MODE] == OperationMode.MISSION:
+        command = self.motion.command
+        Command.fill(command, self._value)
+        command[Command.LEAD] = self._value("setpoint.lead")
+        waits = command[Command.MODE] == OperationMode.MISSION and not command[Command.TAKE_OVER]
+        if not self.acts and waits:
             return
         self.acts = True
         self.motion.operate(time, step)

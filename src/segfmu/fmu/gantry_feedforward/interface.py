@@ -33,7 +33,7 @@ from segfmu.fmu.standard.spec import (
     parameter,
     triple_parameter,
 )
-from segfmu.kernels.operation.records import Tries
+from segfmu.kernels.operation.records import MEASURED, Tries
 
 __all__ = [
     "FAR", "LIMITS", "MODES", "MOST_WAYPOINTS", "POINTS", "SHAPES", "SYNCHRONIZATIONS",
@@ -56,6 +56,32 @@ def _answers() -> list[Variable]:
             output(
                 f"plan.{name}", None, f"{meaning}; 0: taken, 1: reduced, 2: limits, 3: rope, 4: "
                 "workspace, 5: obstacle, 6: drives, 7: pending", kind="Integer",
+            )
+        )
+    return rows
+
+
+def _measured() -> list[Variable]:
+    """The state of the crane that a motion can begin in."""
+    rows = [
+        command(
+            "command.take_over",
+            False,
+            None,
+            "begin in the measured state and bring the load to "
+            "rest, or to the target; each time that it becomes true, and at the start",
+            kind="Boolean",
+        )
+    ]
+    units = {"position": "m", "length": "m", "angle": "rad", "velocity": "m/s", "rate": "rad/s"}
+    for name in MEASURED:
+        unit = units[name.rpartition(".")[2]]
+        rows.append(
+            command(
+                f"measured.{name}",
+                1.0 if name == "rope.length" else 0.0,
+                unit,
+                f"measured {name}, for command.take_over",
             )
         )
     return rows
@@ -123,6 +149,7 @@ def spec(most: int = WAYPOINTS) -> Spec:
             *bounds(),
             *space(),
             *_commands(),
+            *_measured(),
             *friction_parameters(),
             *waypoints(most),
         ),

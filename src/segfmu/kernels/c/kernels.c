@@ -366,8 +366,10 @@ static double low_end(int64_t axis, array_double_2d known);
 static double high_end(int64_t axis, array_double_2d known);
 static void write_push(double scale, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static double limited_velocity(double velocity, double scale, double limit, double lower);
+static void write_target(double scale, array_double_1d aim, array_double_1d command);
 static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known);
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool is_aim(int64_t row, array_double_2d operation);
 static int64_t most_attempts(void);
 static int64_t first_stop(void);
 static double pace_of(int64_t attempt);
@@ -381,13 +383,14 @@ static double most_change(int64_t axis, double sense, double share, double inter
 static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work);
 static void decline_line(int64_t axis, array_double_2d work);
 static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
-static double condition_slope(int64_t j, int64_t i, array_double_2d work);
-static double condition_left(int64_t j, double aim, int64_t axis, array_double_2d work);
+static void write_conditions(double interval, array_double_2d work);
+static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work);
+static double place_left(double aim, int64_t axis, double interval, array_double_2d work);
 static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
-static void solve_barrier(array_double_2d work);
-static double join_changes(double first, double second, array_double_2d work);
+static void solve_barrier(int64_t first, int64_t last, array_double_2d work);
+static double join_changes(int64_t first, int64_t last, array_double_2d work);
 static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
-static bool find_centre(int64_t axis, double share, double interval, double first, double second, array_double_2d known, array_double_2d work);
+static bool find_centre(int64_t axis, double share, double interval, int64_t first, int64_t last, array_double_1d aims, array_double_2d known, array_double_2d work);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
 static double shifted_root(double value, int64_t power, double shift);
 static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis);
@@ -431,7 +434,7 @@ static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_
 static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static double swing_frequency(double gravity, array_double_1d swing);
 static void set_control_start(double interval, array_double_1d swing, array_double_2d work);
-static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d work);
+static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d control);
 static void begin_controlled(array_double_2d operation);
 static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work);
 static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull);
@@ -466,9 +469,10 @@ static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_
 static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
 static double used_share(void);
 static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work);
+static void set_way(int64_t axis, array_double_2d operation, array_double_2d work);
 static int64_t most_runs(void);
 static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work);
-static double least_time(double share, array_double_2d operation, array_double_2d known);
+static double least_time(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
 static int64_t most_growths(void);
 static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
 static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
@@ -484,11 +488,21 @@ static void cover_swing(array_double_2d operation, array_double_2d known, array_
 static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool is_calming(array_double_2d operation);
+static bool aims_elsewhere(array_double_2d operation);
 static void note_calming(array_double_2d operation);
 static double next_calm(array_double_2d operation);
 static bool wants_calm(array_double_2d operation);
-static void try_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static void write_calm_aim(array_double_2d operation);
+static void follow_calm(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool try_calm(bool rests, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static void put_aside(array_double_2d operation);
+static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void bring_back(array_double_2d operation);
+static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static bool is_hanging(array_double_1d command);
+static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static double side_limit(int64_t order, double sign, array_double_1d axis);
 static double own_side(int64_t order, double sign, array_double_1d axis);
 static void set_lower(array_double_1d lower, array_double_1d axis);
@@ -934,7 +948,6 @@ static bool plan_target(array_double_2d limits, array_double_2d lower, array_dou
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void begin_swing(array_double_2d operation);
-static bool is_aim(int64_t row, array_double_2d operation);
 static bool is_stop(array_double_1d aim);
 static void note_taken(int64_t attempt, array_double_2d operation);
 static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
@@ -13293,6 +13306,27 @@ static double limited_velocity(double velocity, double scale, double limit, doub
     }
     return 0.0;
 }
+static void write_target(double scale, array_double_1d aim, array_double_1d command)
+{
+    int64_t axis;
+    if ((!((*cspan_at(&command, INT64_C(9))) > 0.5)) || (!(scale > 0.0)))
+    {
+        return;
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        if (!(fabs((*cspan_at(&command, INT64_C(6) + axis))) < 1e+300))
+        {
+            return;
+        }
+    }
+    (*cspan_at(&aim, INT64_C(0))) = 1.0;
+    (*cspan_at(&aim, INT64_C(4))) = scale;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&aim, INT64_C(1) + axis)) = (*cspan_at(&command, INT64_C(6) + axis));
+    }
+}
 static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known)
 {
     int64_t axis;
@@ -13311,21 +13345,9 @@ static void write_wish(int64_t mode, double scale, array_double_1d aim, array_do
             (*cspan_at(&aim, INT64_C(1) + axis)) = limited_velocity((*cspan_at(&command, INT64_C(3) + axis)), scale, (*cspan_at(&limits, axis, INT64_C(0))), lower);
         }
     }
-    else if ((mode == INT64_C(1)) && ((*cspan_at(&command, INT64_C(9))) > 0.5) && (scale > 0.0))
+    else if (mode == INT64_C(1))
     {
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            if (!(fabs((*cspan_at(&command, INT64_C(6) + axis))) < 1e+300))
-            {
-                return;
-            }
-        }
-        (*cspan_at(&aim, INT64_C(0))) = 1.0;
-        (*cspan_at(&aim, INT64_C(4))) = scale;
-        for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-        {
-            (*cspan_at(&aim, INT64_C(1) + axis)) = (*cspan_at(&command, INT64_C(6) + axis));
-        }
+        write_target(scale, aim, command);
     }
 }
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
@@ -13355,6 +13377,18 @@ static void write_aim(array_double_2d operation, array_double_2d limits, array_d
         }
     }
     (*cspan_at(&operation, INT64_C(4), INT64_C(5))) = mode;
+}
+static bool is_aim(int64_t row, array_double_2d operation)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        if ((*cspan_at(&operation, INT64_C(1), i)) != (*cspan_at(&operation, row, i)))
+        {
+            return 0;
+        }
+    }
+    return 1;
 }
 static int64_t most_attempts(void)
 {
@@ -13495,24 +13529,23 @@ static double most_speed(int64_t axis, double sense, double share, double interv
     double result;
     most = most_change(axis, 1.0, share, interval, known);
     most = most + most_change(axis, -1.0, share, interval, known);
-    most = fabs((*cspan_at(&work, INT64_C(138) + axis, INT64_C(1)))) + INT64_C(64) * most;
+    most = fabs((*cspan_at(&work, INT64_C(138) + axis, INT64_C(1)))) + INT64_C(102) * most;
     result = control_bound(INT64_C(3) + axis, sense, share, most, known);
     return result;
 }
 static void decline_line(int64_t axis, array_double_2d work)
 {
     array_double_1d points;
-    double start;
+    int64_t begin;
     int64_t last;
     int64_t i;
     points = span_row(&work, INT64_C(138) + axis);
-    start = (*cspan_at(&points, INT64_C(1)));
-    last = INT64_C(62);
-    for (i = INT64_C(1); i < last + INT64_C(1); i += INT64_C(1))
+    begin = INT64_C(3) - INT64_C(1);
+    last = INT64_C(99);
+    for (i = INT64_C(3); i < INT64_C(102); i += INT64_C(1))
     {
-        (*cspan_at(&points, i)) = start * (last - i) / (last - INT64_C(1));
+        (*cspan_at(&points, i)) = (*cspan_at(&points, begin)) * span_max_int(last - i, INT64_C(0)) / (last - begin);
     }
-    (*cspan_at(&points, last + INT64_C(1))) = 0.0;
 }
 static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work)
 {
@@ -13522,42 +13555,62 @@ static bool is_inside_bounds(int64_t axis, double share, double interval, array_
     double rise;
     double fall;
     int64_t i;
-    bool result;
     points = span_row(&work, INT64_C(138) + axis);
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
     fall = most_change(axis, -1.0, share, interval, known);
-    for (i = INT64_C(0); i < INT64_C(62); i += INT64_C(1))
+    for (i = INT64_C(3); i < INT64_C(99) + INT64_C(1); i += INT64_C(1))
     {
-        if (!((-slowest < (*cspan_at(&points, i + INT64_C(2)))) && ((*cspan_at(&points, i + INT64_C(2))) < fastest)))
+        if (!((-slowest < (*cspan_at(&points, i))) && ((*cspan_at(&points, i)) < fastest)))
         {
             return 0;
         }
-        if (!((-fall < (*cspan_at(&points, i + INT64_C(2))) - (*cspan_at(&points, i + INT64_C(1)))) && ((*cspan_at(&points, i + INT64_C(2))) - (*cspan_at(&points, i + INT64_C(1))) < rise)))
+        if (!((-fall < (*cspan_at(&points, i)) - (*cspan_at(&points, i - INT64_C(1)))) && ((*cspan_at(&points, i)) - (*cspan_at(&points, i - INT64_C(1))) < rise)))
         {
             return 0;
         }
     }
-    result = (-fall < (*cspan_at(&points, INT64_C(1))) - (*cspan_at(&points, INT64_C(0)))) && ((*cspan_at(&points, INT64_C(1))) - (*cspan_at(&points, INT64_C(0))) < rise);
-    return result;
+    return 1;
 }
-static double condition_slope(int64_t j, int64_t i, array_double_2d work)
+static void write_conditions(double interval, array_double_2d work)
 {
-    double result;
-    result = (*cspan_at(&work, INT64_C(141) + j, i - INT64_C(1))) - (*cspan_at(&work, INT64_C(141) + j, i));
-    return result;
+    int64_t i;
+    int64_t j;
+    array_double_1d moment;
+    for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
+        {
+            moment = span_row(&work, INT64_C(141) + j);
+            (*cspan_at(&work, INT64_C(143) + j, i)) = (*cspan_at(&moment, i - INT64_C(1))) - (*cspan_at(&moment, i));
+        }
+        (*cspan_at(&work, INT64_C(143) + INT64_C(2), i)) = interval;
+    }
 }
-static double condition_left(int64_t j, double aim, int64_t axis, array_double_2d work)
+static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work)
 {
     int64_t i;
     double change;
     double left;
     left = aim;
-    for (i = INT64_C(0); i < INT64_C(62) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(102) - INT64_C(1); i += INT64_C(1))
     {
         change = (*cspan_at(&work, INT64_C(138) + axis, i + INT64_C(1))) - (*cspan_at(&work, INT64_C(138) + axis, i));
         left = left - (*cspan_at(&work, INT64_C(141) + j, i)) * change;
+    }
+    return left;
+}
+static double place_left(double aim, int64_t axis, double interval, array_double_2d work)
+{
+    array_double_1d points;
+    int64_t i;
+    double left;
+    points = span_row(&work, INT64_C(138) + axis);
+    left = aim - interval * ((*cspan_at(&points, INT64_C(0))) + 12.0 * (*cspan_at(&points, INT64_C(1))) + 23.0 * (*cspan_at(&points, INT64_C(2)))) / 24.0;
+    for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
+    {
+        left = left - interval * (*cspan_at(&points, i));
     }
     return left;
 }
@@ -13575,7 +13628,6 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
     double under;
     double slope_behind;
     double curve_behind;
-    int64_t j;
     points = span_row(&work, INT64_C(138) + axis);
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
@@ -13583,7 +13635,7 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
     fall = most_change(axis, -1.0, share, interval, known);
     slope = 0.0;
     curve = 0.0;
-    for (i = INT64_C(1); i < INT64_C(62); i += INT64_C(1))
+    for (i = INT64_C(3) - INT64_C(1); i < INT64_C(99); i += INT64_C(1))
     {
         over = 1.0 / (rise - (*cspan_at(&points, i + INT64_C(1))) + (*cspan_at(&points, i)));
         under = 1.0 / (fall + (*cspan_at(&points, i + INT64_C(1))) - (*cspan_at(&points, i)));
@@ -13591,89 +13643,101 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
         curve_behind = over * over + under * under;
         over = 1.0 / (fastest - (*cspan_at(&points, i)));
         under = 1.0 / (slowest + (*cspan_at(&points, i)));
-        (*cspan_at(&work, INT64_C(145), i)) = slope_behind - slope - over + under;
-        (*cspan_at(&work, INT64_C(143), i)) = curve + curve_behind + over * over + under * under;
-        (*cspan_at(&work, INT64_C(144), i)) = -curve_behind;
-        for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(145) + INT64_C(1) + j, i)) = condition_slope(j, i, work);
-        }
+        (*cspan_at(&work, INT64_C(149), i)) = slope_behind - slope - over + under;
+        (*cspan_at(&work, INT64_C(146), i)) = curve + curve_behind + over * over + under * under;
+        (*cspan_at(&work, INT64_C(147), i)) = -curve_behind;
         slope = slope_behind;
         curve = curve_behind;
     }
 }
-static void solve_barrier(array_double_2d work)
+static void solve_barrier(int64_t first, int64_t last, array_double_2d work)
 {
+    array_double_2d change;
     int64_t i;
-    double ratio;
     int64_t j;
+    double ratio;
     int64_t k;
-    double found;
-    for (i = INT64_C(3); i < INT64_C(62); i += INT64_C(1))
+    double coupling;
+    change = span_rows(&work, INT64_C(149), INT64_C(153));
+    for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
     {
-        ratio = (*cspan_at(&work, INT64_C(144), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(143), i - INT64_C(1)));
-        (*cspan_at(&work, INT64_C(143), i)) = (*cspan_at(&work, INT64_C(143), i)) - ratio * (*cspan_at(&work, INT64_C(144), i - INT64_C(1)));
-        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        for (j = first; j < last; j += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(145) + j, i)) = (*cspan_at(&work, INT64_C(145) + j, i)) - ratio * (*cspan_at(&work, INT64_C(145) + j, i - INT64_C(1)));
+            (*cspan_at(&change, INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(143) + j, i));
         }
     }
-    for (k = INT64_C(2); k < INT64_C(62); k += INT64_C(1))
+    for (i = INT64_C(3) + INT64_C(1); i < INT64_C(99); i += INT64_C(1))
     {
-        i = INT64_C(62) + INT64_C(1) - k;
-        for (j = INT64_C(0); j < INT64_C(3); j += INT64_C(1))
+        ratio = (*cspan_at(&work, INT64_C(147), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(146), i - INT64_C(1)));
+        (*cspan_at(&work, INT64_C(146), i)) = (*cspan_at(&work, INT64_C(146), i)) - ratio * (*cspan_at(&work, INT64_C(147), i - INT64_C(1)));
+        (*cspan_at(&change, INT64_C(0), i)) = (*cspan_at(&change, INT64_C(0), i)) - ratio * (*cspan_at(&change, INT64_C(0), i - INT64_C(1)));
+        for (j = first; j < last; j += INT64_C(1))
         {
-            found = (*cspan_at(&work, INT64_C(145) + j, i));
-            if (k > INT64_C(2))
-            {
-                found = found - (*cspan_at(&work, INT64_C(144), i)) * (*cspan_at(&work, INT64_C(145) + j, i + INT64_C(1)));
-            }
-            (*cspan_at(&work, INT64_C(145) + j, i)) = found / (*cspan_at(&work, INT64_C(143), i));
+            (*cspan_at(&change, INT64_C(1) + j, i)) = (*cspan_at(&change, INT64_C(1) + j, i)) - ratio * (*cspan_at(&change, INT64_C(1) + j, i - INT64_C(1)));
+        }
+    }
+    for (k = INT64_C(3); k < INT64_C(99); k += INT64_C(1))
+    {
+        i = INT64_C(99) + INT64_C(3) - INT64_C(1) - k;
+        coupling = (*cspan_at(&work, INT64_C(147), i));
+        if (k == INT64_C(3))
+        {
+            coupling = 0.0;
+        }
+        (*cspan_at(&change, INT64_C(0), i)) = ((*cspan_at(&change, INT64_C(0), i)) - coupling * (*cspan_at(&change, INT64_C(0), i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(146), i));
+        for (j = first; j < last; j += INT64_C(1))
+        {
+            (*cspan_at(&change, INT64_C(1) + j, i)) = ((*cspan_at(&change, INT64_C(1) + j, i)) - coupling * (*cspan_at(&change, INT64_C(1) + j, i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(146), i));
         }
     }
 }
-static double join_changes(double first, double second, array_double_2d work)
+static double join_changes(int64_t first, int64_t last, array_double_2d work)
 {
-    double a;
-    double b;
-    double d;
+    array_double_2d change;
+    array_double_2d schur;
+    array_double_2d lack;
+    int64_t j;
+    array_double_1d slopes;
+    int64_t k;
     int64_t i;
-    double row;
-    double other;
-    double determinant;
-    double share_first;
-    double share_second;
     double largest;
-    a = 0.0;
-    b = 0.0;
-    d = 0.0;
-    for (i = INT64_C(2); i < INT64_C(62); i += INT64_C(1))
+    change = span_rows(&work, INT64_C(149), INT64_C(153));
+    schur = span_rows(&work, INT64_C(153), INT64_C(156));
+    lack = span_rows(&work, INT64_C(156), INT64_C(159));
+    for (j = first; j < last; j += INT64_C(1))
     {
-        row = condition_slope(INT64_C(0), i, work);
-        other = condition_slope(INT64_C(1), i, work);
-        first = first - row * (*cspan_at(&work, INT64_C(145), i));
-        second = second - other * (*cspan_at(&work, INT64_C(145), i));
-        a = a + row * (*cspan_at(&work, INT64_C(145) + INT64_C(1), i));
-        b = b + row * (*cspan_at(&work, INT64_C(145) + INT64_C(2), i));
-        d = d + other * (*cspan_at(&work, INT64_C(145) + INT64_C(2), i));
+        slopes = span_row(&work, INT64_C(143) + j);
+        for (k = first; k < last; k += INT64_C(1))
+        {
+            (*cspan_at(&schur, j - first, k - first)) = 0.0;
+        }
+        for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
+        {
+            (*cspan_at(&lack, j - first, INT64_C(0))) = (*cspan_at(&lack, j - first, INT64_C(0))) - (*cspan_at(&slopes, i)) * (*cspan_at(&change, INT64_C(0), i));
+            for (k = first; k < last; k += INT64_C(1))
+            {
+                (*cspan_at(&schur, j - first, k - first)) = (*cspan_at(&schur, j - first, k - first)) + (*cspan_at(&slopes, i)) * (*cspan_at(&change, INT64_C(1) + k, i));
+            }
+        }
     }
-    determinant = a * d - b * b;
-    share_first = (d * first - b * second) / determinant;
-    share_second = (a * second - b * first) / determinant;
-    if (!(fabs(share_first) + fabs(share_second) < 1e+300))
-    {
-        return 1e+300;
-    }
+    matrix_solve(last - first, INT64_C(1), schur, lack);
     largest = 0.0;
-    for (i = INT64_C(2); i < INT64_C(62); i += INT64_C(1))
+    for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(145), i)) = (*cspan_at(&work, INT64_C(145), i)) + share_first * (*cspan_at(&work, INT64_C(145) + INT64_C(1), i)) + share_second * (*cspan_at(&work, INT64_C(145) + INT64_C(2), i));
-        largest = span_max(largest, fabs((*cspan_at(&work, INT64_C(145), i))));
+        for (j = first; j < last; j += INT64_C(1))
+        {
+            (*cspan_at(&change, INT64_C(0), i)) = (*cspan_at(&change, INT64_C(0), i)) + (*cspan_at(&lack, j - first, INT64_C(0))) * (*cspan_at(&change, INT64_C(1) + j, i));
+        }
+        if (!(fabs((*cspan_at(&change, INT64_C(0), i))) < 1e+300))
+        {
+            return 1e+300;
+        }
+        largest = span_max(largest, fabs((*cspan_at(&change, INT64_C(0), i))));
     }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(145), i)) = 0.0;
-        (*cspan_at(&work, INT64_C(145), INT64_C(62) + i)) = 0.0;
+        (*cspan_at(&change, INT64_C(0), i)) = 0.0;
+        (*cspan_at(&change, INT64_C(0), INT64_C(99) + i)) = 0.0;
     }
     return largest;
 }
@@ -13690,13 +13754,13 @@ static double way_to_bounds(int64_t axis, double share, double interval, array_d
     double moved;
     double step;
     points = span_row(&work, INT64_C(138) + axis);
-    change = span_row(&work, INT64_C(145));
+    change = span_row(&work, INT64_C(149));
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
     fall = most_change(axis, -1.0, share, interval, known);
     inverse = 0.0;
-    for (i = INT64_C(1); i < INT64_C(62); i += INT64_C(1))
+    for (i = INT64_C(3) - INT64_C(1); i < INT64_C(99); i += INT64_C(1))
     {
         moved = (*cspan_at(&change, i + INT64_C(1))) - (*cspan_at(&change, i));
         step = (*cspan_at(&points, i + INT64_C(1))) - (*cspan_at(&points, i));
@@ -13711,9 +13775,10 @@ static double way_to_bounds(int64_t axis, double share, double interval, array_d
     }
     return 1e+300;
 }
-static bool find_centre(int64_t axis, double share, double interval, double first, double second, array_double_2d known, array_double_2d work)
+static bool find_centre(int64_t axis, double share, double interval, int64_t first, int64_t last, array_double_1d aims, array_double_2d known, array_double_2d work)
 {
     int64_t Dummy_0000;
+    int64_t j;
     double largest;
     double step;
     int64_t i;
@@ -13723,20 +13788,32 @@ static bool find_centre(int64_t axis, double share, double interval, double firs
     {
         return 0;
     }
+    write_conditions(interval, work);
     met = 0;
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < most_newton(); Dummy_0000 += INT64_C(1))
     {
         write_barrier(axis, share, interval, known, work);
-        solve_barrier(work);
-        largest = join_changes(condition_left(INT64_C(0), first, axis, work), condition_left(INT64_C(1), second, axis, work), work);
+        solve_barrier(first, last, work);
+        for (j = first; j < last; j += INT64_C(1))
+        {
+            if (j < INT64_C(2))
+            {
+                (*cspan_at(&work, INT64_C(156) + j - first, INT64_C(0))) = swing_left(j, (*cspan_at(&aims, j)), axis, work);
+            }
+            else
+            {
+                (*cspan_at(&work, INT64_C(156) + j - first, INT64_C(0))) = place_left((*cspan_at(&aims, j)), axis, interval, work);
+            }
+        }
+        largest = join_changes(first, last, work);
         step = span_min(0.9 * way_to_bounds(axis, share, interval, known, work), 1.0);
         if ((!(step > 0.0001)) || (!(largest < 1e+300)))
         {
             return 0;
         }
-        for (i = INT64_C(2); i < INT64_C(62); i += INT64_C(1))
+        for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(138) + axis, i)) = (*cspan_at(&work, INT64_C(138) + axis, i)) + step * (*cspan_at(&work, INT64_C(145), i));
+            (*cspan_at(&work, INT64_C(138) + axis, i)) = (*cspan_at(&work, INT64_C(138) + axis, i)) + step * (*cspan_at(&work, INT64_C(149), i));
         }
         if (step == 1.0)
         {
@@ -14778,7 +14855,12 @@ static double length_term(int64_t order, array_double_1d swing)
         result = 0.5 * (*cspan_at(&swing, INT64_C(8) + INT64_C(2)));
         return result;
     }
-    result = (*cspan_at(&swing, INT64_C(11) + INT64_C(2))) / 6.0;
+    if (order == INT64_C(3))
+    {
+        result = (*cspan_at(&swing, INT64_C(11) + INT64_C(2))) / 6.0;
+        return result;
+    }
+    result = (*cspan_at(&swing, INT64_C(14) + INT64_C(2))) / 24.0;
     return result;
 }
 static void write_square(array_double_1d swing, array_double_1d square)
@@ -14789,9 +14871,9 @@ static void write_square(array_double_1d swing, array_double_1d square)
     {
         (*cspan_at(&square, i)) = 0.0;
     }
-    for (i = INT64_C(0); i < INT64_C(3) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(4) + INT64_C(1); i += INT64_C(1))
     {
-        for (j = INT64_C(0); j < INT64_C(3) + INT64_C(1); j += INT64_C(1))
+        for (j = INT64_C(0); j < INT64_C(4) + INT64_C(1); j += INT64_C(1))
         {
             (*cspan_at(&square, i + j)) = (*cspan_at(&square, i + j)) + length_term(i, swing) * length_term(j, swing);
         }
@@ -14813,6 +14895,10 @@ static double suspension_pull(int64_t axis, int64_t order, double gravity, array
     {
         found = (*cspan_at(&swing, INT64_C(11) + axis));
     }
+    else if ((order == INT64_C(2)) && (axis < INT64_C(2)))
+    {
+        found = 0.5 * (*cspan_at(&swing, INT64_C(14) + axis));
+    }
     return found;
 }
 static void expand_swing(double gravity, array_double_1d swing, array_double_2d work)
@@ -14831,8 +14917,8 @@ static void expand_swing(double gravity, array_double_1d swing, array_double_2d 
     write_square(swing, square);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(17) + axis));
-        (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(20) + axis));
+        (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(20) + axis));
+        (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(23) + axis));
     }
     pull = span_row(&work, INT64_C(134));
     for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
@@ -14840,7 +14926,7 @@ static void expand_swing(double gravity, array_double_1d swing, array_double_2d 
         found = (-0.5) * (k + INT64_C(1)) * (k + INT64_C(2)) * (*cspan_at(&square, k + INT64_C(2)));
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            for (i = INT64_C(0); i < span_min_int(k, INT64_C(1)) + INT64_C(1); i += INT64_C(1))
+            for (i = INT64_C(0); i < span_min_int(k, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
             {
                 found = found - suspension_pull(axis, i, gravity, swing) * (*cspan_at(&series, axis, k - i));
             }
@@ -14878,19 +14964,19 @@ static void tighten_rope(array_double_1d swing)
     square = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        square = square + (*cspan_at(&swing, INT64_C(17) + axis)) * (*cspan_at(&swing, INT64_C(17) + axis));
+        square = square + (*cspan_at(&swing, INT64_C(20) + axis)) * (*cspan_at(&swing, INT64_C(20) + axis));
     }
     ratio = length / sqrt(square);
     stray = (-length) * (*cspan_at(&swing, INT64_C(5) + INT64_C(2)));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) * ratio;
-        stray = stray + (*cspan_at(&swing, INT64_C(17) + axis)) * (*cspan_at(&swing, INT64_C(20) + axis));
+        (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&swing, INT64_C(20) + axis)) * ratio;
+        stray = stray + (*cspan_at(&swing, INT64_C(20) + axis)) * (*cspan_at(&swing, INT64_C(23) + axis));
     }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        along = stray * (*cspan_at(&swing, INT64_C(17) + axis)) / (length * length);
-        (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&swing, INT64_C(20) + axis)) - along;
+        along = stray * (*cspan_at(&swing, INT64_C(20) + axis)) / (length * length);
+        (*cspan_at(&swing, INT64_C(23) + axis)) = (*cspan_at(&swing, INT64_C(23) + axis)) - along;
     }
 }
 static void move_swing(double step, array_double_1d swing, array_double_2d work)
@@ -14901,6 +14987,7 @@ static void move_swing(double step, array_double_1d swing, array_double_2d work)
     double rate;
     int64_t j;
     int64_t i;
+    double snap;
     double jerk;
     double acceleration;
     double mean;
@@ -14915,20 +15002,23 @@ static void move_swing(double step, array_double_1d swing, array_double_2d work)
             rate = rate * step + place;
             place = place * step + (*cspan_at(&series, i));
         }
-        (*cspan_at(&swing, INT64_C(17) + axis)) = place;
-        (*cspan_at(&swing, INT64_C(20) + axis)) = rate;
+        (*cspan_at(&swing, INT64_C(20) + axis)) = place;
+        (*cspan_at(&swing, INT64_C(23) + axis)) = rate;
+        snap = (*cspan_at(&swing, INT64_C(14) + axis));
         jerk = (*cspan_at(&swing, INT64_C(11) + axis));
         acceleration = (*cspan_at(&swing, INT64_C(8) + axis));
-        mean = (*cspan_at(&swing, INT64_C(5) + axis)) + (0.5 * acceleration + jerk * step / 6.0) * step;
+        mean = (*cspan_at(&swing, INT64_C(5) + axis)) + (0.5 * acceleration + (jerk / 6.0 + snap * step / 24.0) * step) * step;
         (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&swing, INT64_C(2) + axis)) + mean * step;
-        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (acceleration + 0.5 * jerk * step) * step;
-        (*cspan_at(&swing, INT64_C(8) + axis)) = acceleration + jerk * step;
-        (*cspan_at(&swing, INT64_C(14) + axis)) = span_max((*cspan_at(&swing, INT64_C(14) + axis)) - step, 0.0);
-        if ((*cspan_at(&swing, INT64_C(14) + axis)) == 0.0)
+        (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (acceleration + (0.5 * jerk + snap * step / 6.0) * step) * step;
+        (*cspan_at(&swing, INT64_C(8) + axis)) = acceleration + (jerk + 0.5 * snap * step) * step;
+        (*cspan_at(&swing, INT64_C(11) + axis)) = jerk + snap * step;
+        (*cspan_at(&swing, INT64_C(17) + axis)) = span_max((*cspan_at(&swing, INT64_C(17) + axis)) - step, 0.0);
+        if ((*cspan_at(&swing, INT64_C(17) + axis)) == 0.0)
         {
             (*cspan_at(&swing, INT64_C(5) + axis)) = 0.0;
             (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
             (*cspan_at(&swing, INT64_C(11) + axis)) = 0.0;
+            (*cspan_at(&swing, INT64_C(14) + axis)) = 0.0;
         }
     }
     tighten_rope(swing);
@@ -14941,7 +15031,7 @@ static double swing_step(double longest, array_double_1d swing)
     found = longest;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        left = (*cspan_at(&swing, INT64_C(14) + axis));
+        left = (*cspan_at(&swing, INT64_C(17) + axis));
         if ((0.0 < left) && (left < found))
         {
             found = left;
@@ -14962,7 +15052,7 @@ static double stand_time(array_double_1d swing)
     latest = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        latest = span_max(latest, (*cspan_at(&swing, INT64_C(14) + axis)));
+        latest = span_max(latest, (*cspan_at(&swing, INT64_C(17) + axis)));
     }
     return latest;
 }
@@ -14981,16 +15071,16 @@ static double sway_amplitude(double gravity, array_double_1d swing)
     int64_t Dummy_0000;
     double middle;
     length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
-    x = (*cspan_at(&swing, INT64_C(17)));
-    y = (*cspan_at(&swing, INT64_C(17) + INT64_C(1)));
-    low = (x * x + y * y) / (length * (length - (*cspan_at(&swing, INT64_C(17) + INT64_C(2)))));
+    x = (*cspan_at(&swing, INT64_C(20)));
+    y = (*cspan_at(&swing, INT64_C(20) + INT64_C(1)));
+    low = (x * x + y * y) / (length * (length - (*cspan_at(&swing, INT64_C(20) + INT64_C(2)))));
     squares = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        squares = squares + (*cspan_at(&swing, INT64_C(20) + axis)) * (*cspan_at(&swing, INT64_C(20) + axis));
+        squares = squares + (*cspan_at(&swing, INT64_C(23) + axis)) * (*cspan_at(&swing, INT64_C(23) + axis));
     }
     energy = low + squares / (2.0 * gravity * length);
-    moment = x * (*cspan_at(&swing, INT64_C(20) + INT64_C(1))) - y * (*cspan_at(&swing, INT64_C(20)));
+    moment = x * (*cspan_at(&swing, INT64_C(23) + INT64_C(1))) - y * (*cspan_at(&swing, INT64_C(23)));
     least = moment * moment / (2.0 * gravity * length * length * length);
     high = span_min(energy, 2.0);
     for (Dummy_0000 = INT64_C(0); Dummy_0000 < INT64_C(60); Dummy_0000 += INT64_C(1))
@@ -15039,6 +15129,7 @@ static void write_swing_piece(int64_t axis, int64_t row, double before, array_do
         (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(1))) + (*cspan_at(&swing, INT64_C(5) + axis));
         (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(2))) + 0.5 * (*cspan_at(&swing, INT64_C(8) + axis));
         (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(3))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(3))) + (*cspan_at(&swing, INT64_C(11) + axis)) / 6.0;
+        (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(4))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(4))) + (*cspan_at(&swing, INT64_C(14) + axis)) / 24.0;
     }
     for (i = INT64_C(0); i < width - INT64_C(1); i += INT64_C(1))
     {
@@ -15078,7 +15169,7 @@ static void write_swing(double least, array_double_2d operation, array_double_2d
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
     swing = span_row(&operation, INT64_C(26));
     ahead = span_row(&operation, INT64_C(27));
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
     }
@@ -15114,41 +15205,51 @@ static double swing_frequency(double gravity, array_double_1d swing)
 static void set_control_start(double interval, array_double_1d swing, array_double_2d work)
 {
     int64_t axis;
-    double half;
+    double change;
+    double bend;
+    int64_t i;
+    double since;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        half = 0.5 * interval * (*cspan_at(&swing, INT64_C(8) + axis));
-        (*cspan_at(&work, INT64_C(138) + axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(5) + axis)) - half;
-        (*cspan_at(&work, INT64_C(138) + axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(5) + axis)) + half;
+        change = interval * (*cspan_at(&swing, INT64_C(8) + axis));
+        bend = interval * interval * (*cspan_at(&swing, INT64_C(11) + axis));
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            since = i - 1.0;
+            (*cspan_at(&work, INT64_C(138) + axis, i)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
+        }
     }
 }
-static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d work)
+static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d control)
 {
     int64_t axis;
     array_double_1d points;
     double before;
+    double here;
     double behind;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        points = span_row(&work, INT64_C(138) + axis);
-        before = (*cspan_at(&points, k + INT64_C(1))) - (*cspan_at(&points, k));
-        behind = (*cspan_at(&points, k + INT64_C(2))) - (*cspan_at(&points, k + INT64_C(1)));
-        (*cspan_at(&ahead, INT64_C(5) + axis)) = 0.5 * ((*cspan_at(&points, k)) + (*cspan_at(&points, k + INT64_C(1))));
-        (*cspan_at(&ahead, INT64_C(8) + axis)) = before / interval;
-        (*cspan_at(&ahead, INT64_C(11) + axis)) = (behind - before) / (interval * interval);
+        points = span_row(&control, axis);
+        before = ((*cspan_at(&points, k + INT64_C(1))) - (*cspan_at(&points, k))) / interval;
+        here = ((*cspan_at(&points, k + INT64_C(2))) - (*cspan_at(&points, k + INT64_C(1)))) / interval;
+        behind = ((*cspan_at(&points, k + INT64_C(3))) - (*cspan_at(&points, k + INT64_C(2)))) / interval;
+        (*cspan_at(&ahead, INT64_C(5) + axis)) = ((*cspan_at(&points, k)) + 4.0 * (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)))) / 6.0;
+        (*cspan_at(&ahead, INT64_C(8) + axis)) = 0.5 * (before + here);
+        (*cspan_at(&ahead, INT64_C(11) + axis)) = (here - before) / interval;
+        (*cspan_at(&ahead, INT64_C(14) + axis)) = (behind - 2.0 * here + before) / (interval * interval);
     }
 }
 static void begin_controlled(array_double_2d operation)
 {
     int64_t i;
     int64_t axis;
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
     {
         (*cspan_at(&operation, INT64_C(27), i)) = (*cspan_at(&operation, INT64_C(26), i));
     }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(27), INT64_C(14) + axis)) = 1e+300;
+        (*cspan_at(&operation, INT64_C(27), INT64_C(17) + axis)) = 1e+300;
     }
 }
 static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work)
@@ -15158,14 +15259,16 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
     double shortest;
     int64_t k;
     array_double_1d points;
+    double inner;
     double phase;
     swing = span_row(&operation, INT64_C(26));
     length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
     shortest = length;
-    for (k = INT64_C(0); k < INT64_C(62); k += INT64_C(1))
+    for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
         points = span_row(&work, INT64_C(138) + INT64_C(2));
-        length = length + interval * ((*cspan_at(&points, k)) + 4.0 * (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)))) / 6.0;
+        inner = (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)));
+        length = length + interval * ((*cspan_at(&points, k)) + 11.0 * inner + (*cspan_at(&points, k + INT64_C(3)))) / 24.0;
         shortest = span_min(shortest, length);
     }
     if (!(shortest > 0.0))
@@ -15186,6 +15289,7 @@ static void add_moments(int64_t knot, double since, double step, double interval
     int64_t i;
     double whole;
     double late;
+    double later;
     double place;
     double rate;
     int64_t j;
@@ -15200,6 +15304,7 @@ static void add_moments(int64_t knot, double since, double step, double interval
     }
     whole = 0.0;
     late = 0.0;
+    later = 0.0;
     place = 0.0;
     rate = 0.0;
     for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
@@ -15207,13 +15312,18 @@ static void add_moments(int64_t knot, double since, double step, double interval
         i = INT64_C(14) - INT64_C(1) - j;
         whole = whole * step + (*cspan_at(&free, i)) / (i + INT64_C(1));
         late = late * step + (*cspan_at(&free, i)) / (i + INT64_C(2));
+        later = later * step + (*cspan_at(&free, i)) / (i + INT64_C(3));
         rate = rate * step + place;
         place = place * step + (*cspan_at(&free, i));
     }
     whole = whole * step;
-    late = (since * whole + late * step * step) / interval;
-    (*cspan_at(&moment, knot)) = (*cspan_at(&moment, knot)) + (whole - late) / interval;
-    (*cspan_at(&moment, knot + INT64_C(1))) = (*cspan_at(&moment, knot + INT64_C(1))) + late / interval;
+    late = late * step * step;
+    later = later * step * step * step;
+    later = (since * since * whole + 2.0 * since * late + later) / (interval * interval);
+    late = (since * whole + late) / interval;
+    (*cspan_at(&moment, knot)) = (*cspan_at(&moment, knot)) + (0.5 * whole - late + 0.5 * later) / interval;
+    (*cspan_at(&moment, knot + INT64_C(1))) = (*cspan_at(&moment, knot + INT64_C(1))) + (0.5 * whole + late - later) / interval;
+    (*cspan_at(&moment, knot + INT64_C(2))) = (*cspan_at(&moment, knot + INT64_C(2))) + 0.5 * later / interval;
     (*cspan_at(&free, INT64_C(0))) = place;
     (*cspan_at(&free, INT64_C(1))) = rate;
 }
@@ -15237,7 +15347,7 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     begin_controlled(operation);
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
-        for (k = INT64_C(0); k < INT64_C(64); k += INT64_C(1))
+        for (k = INT64_C(0); k < INT64_C(102); k += INT64_C(1))
         {
             (*cspan_at(&work, INT64_C(141) + j, k)) = 0.0;
         }
@@ -15246,9 +15356,9 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     }
     parts = interval_parts(0.3, interval, operation, gravity, work);
     step = interval / parts;
-    for (k = INT64_C(0); k < INT64_C(62); k += INT64_C(1))
+    for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        set_knot(k, interval, ahead, work);
+        set_knot(k, interval, ahead, span_rows(&work, INT64_C(138), INT64_C(141)));
         for (i = INT64_C(0); i < parts; i += INT64_C(1))
         {
             expand_swing(gravity, ahead, work);
@@ -15267,8 +15377,8 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     found = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
-        away = (*cspan_at(&ahead, INT64_C(17) + axis));
-        rate = (*cspan_at(&ahead, INT64_C(20) + axis)) / frequency;
+        away = (*cspan_at(&ahead, INT64_C(20) + axis));
+        rate = (*cspan_at(&ahead, INT64_C(23) + axis)) / frequency;
         found = found + away * away + rate * rate;
     }
     result = sqrt(found) / (*cspan_at(&ahead, INT64_C(2) + INT64_C(2)));
@@ -15279,7 +15389,7 @@ static bool fits_plan(double interval, array_double_2d operation, array_double_2
     double gravity;
     bool result;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    result = interval_parts(0.2, interval, operation, gravity, work) <= INT64_C(6);
+    result = interval_parts(0.2, interval, operation, gravity, work) <= INT64_C(4);
     return result;
 }
 static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
@@ -15296,14 +15406,14 @@ static void write_controlled(double interval, array_double_2d operation, array_d
     int64_t row;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
     ahead = span_row(&operation, INT64_C(27));
-    parts = span_min_int(interval_parts(0.05, interval, operation, gravity, work), INT64_C(6));
+    parts = span_min_int(INT64_C(2) + interval_parts(0.05, interval, operation, gravity, work), INT64_C(4));
     begin_controlled(operation);
     step = interval / parts;
-    rows = INT64_C(62) * INT64_C(6);
+    rows = INT64_C(99) * INT64_C(4);
     count = INT64_C(0);
-    for (k = INT64_C(0); k < INT64_C(62); k += INT64_C(1))
+    for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        set_knot(k, interval, ahead, work);
+        set_knot(k, interval, ahead, span_rows(&work, INT64_C(138), INT64_C(141)));
         for (i = INT64_C(0); i < parts; i += INT64_C(1))
         {
             expand_swing(gravity, ahead, work);
@@ -15559,7 +15669,7 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
     array_double_1d pull;
     int64_t axis;
     write_load(begin, end, timing, coefficients, offsets, work);
-    reach = span_rows(&work, INT64_C(90), INT64_C(156));
+    reach = span_rows(&work, INT64_C(90), INT64_C(167));
     pull = span_row(&reach, INT64_C(15));
     set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
     add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
@@ -15829,14 +15939,24 @@ static bool brake_hoist(double share, double interval, array_double_2d known, ar
     double rise;
     bool result;
     points = span_row(&work, INT64_C(138) + INT64_C(2));
-    for (i = INT64_C(2); i < INT64_C(64); i += INT64_C(1))
+    for (i = INT64_C(3); i < INT64_C(102); i += INT64_C(1))
     {
         fall = most_change(INT64_C(2), -1.0, share, interval, known);
         rise = most_change(INT64_C(2), 1.0, share, interval, known);
         (*cspan_at(&points, i)) = (*cspan_at(&points, i - INT64_C(1))) + span_min(span_max(-(*cspan_at(&points, i - INT64_C(1))), -fall), rise);
     }
-    result = (*cspan_at(&points, INT64_C(62))) == 0.0;
+    result = (*cspan_at(&points, INT64_C(99))) == 0.0;
     return result;
+}
+static void set_way(int64_t axis, array_double_2d operation, array_double_2d work)
+{
+    double sense;
+    sense = 1.0;
+    if (axis == INT64_C(2))
+    {
+        sense = -1.0;
+    }
+    (*cspan_at(&work, INT64_C(148), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(26), INT64_C(2) + axis));
 }
 static int64_t most_runs(void)
 {
@@ -15845,6 +15965,8 @@ static int64_t most_runs(void)
 static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work)
 {
     array_double_1d swing;
+    array_double_1d aims;
+    int64_t last;
     double interval;
     double frequency;
     int64_t axis;
@@ -15852,14 +15974,25 @@ static bool calms_within(double duration, double share, array_double_2d operatio
     int64_t Dummy_0000;
     double angle;
     swing = span_row(&operation, INT64_C(26));
-    interval = duration / INT64_C(62);
+    aims = span_row(&work, INT64_C(148));
+    last = INT64_C(2);
+    interval = duration / INT64_C(99);
     frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
     set_control_start(interval, swing, work);
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
         decline_line(axis, work);
     }
-    if (!brake_hoist(share, interval, known, work))
+    if ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5)
+    {
+        last = INT64_C(3);
+        set_way(INT64_C(2), operation, work);
+        if (!find_centre(INT64_C(2), share, interval, INT64_C(2), last, aims, known, work))
+        {
+            return 0;
+        }
+    }
+    else if (!brake_hoist(share, interval, known, work))
     {
         return 0;
     }
@@ -15878,7 +16011,10 @@ static bool calms_within(double duration, double share, array_double_2d operatio
         before = angle;
         for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
         {
-            if (!find_centre(axis, share, interval, (*cspan_at(&swing, INT64_C(20) + axis)), (-frequency) * (*cspan_at(&swing, INT64_C(17) + axis)), known, work))
+            set_way(axis, operation, work);
+            (*cspan_at(&aims, INT64_C(0))) = (*cspan_at(&swing, INT64_C(23) + axis));
+            (*cspan_at(&aims, INT64_C(0) + INT64_C(1))) = (-frequency) * (*cspan_at(&swing, INT64_C(20) + axis));
+            if (!find_centre(axis, share, interval, INT64_C(0), last, aims, known, work))
             {
                 return 0;
             }
@@ -15886,7 +16022,7 @@ static bool calms_within(double duration, double share, array_double_2d operatio
     }
     return 0;
 }
-static double least_time(double share, array_double_2d operation, array_double_2d known)
+static double least_time(double share, array_double_2d operation, array_double_2d known, array_double_2d work)
 {
     array_double_1d swing;
     double frequency;
@@ -15895,6 +16031,8 @@ static double least_time(double share, array_double_2d operation, array_double_2
     double velocity;
     double place;
     double rate;
+    double way;
+    double fastest;
     double found;
     swing = span_row(&operation, INT64_C(26));
     frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
@@ -15905,11 +16043,21 @@ static double least_time(double share, array_double_2d operation, array_double_2
         velocity = fabs((*cspan_at(&swing, INT64_C(5) + axis)));
         if (axis < INT64_C(2))
         {
-            place = frequency * (*cspan_at(&swing, INT64_C(17) + axis));
-            rate = (*cspan_at(&swing, INT64_C(20) + axis));
+            place = frequency * (*cspan_at(&swing, INT64_C(20) + axis));
+            rate = (*cspan_at(&swing, INT64_C(23) + axis));
             velocity = span_max(velocity, sqrt(place * place + rate * rate));
         }
         found = span_max(found, velocity / least);
+        if ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5)
+        {
+            set_way(axis, operation, work);
+            way = (*cspan_at(&work, INT64_C(148), INT64_C(2)));
+            fastest = control_bound(INT64_C(3) + axis, way, share, 0.0, known);
+            if (fastest > 0.0)
+            {
+                found = span_max(found, fabs(way) / fastest);
+            }
+        }
     }
     return found;
 }
@@ -15923,7 +16071,7 @@ static double seek_calm(double share, array_double_2d operation, array_double_2d
     double missed;
     int64_t count;
     double found;
-    tried = least_time(share, operation, known);
+    tried = least_time(share, operation, known, work);
     missed = tried;
     count = INT64_C(0);
     while(!calms_within(tried, share, operation, known, work))
@@ -15978,7 +16126,7 @@ static int64_t plan_calm(array_double_2d operation, array_double_2d known, array
         {
             return INT64_C(6);
         }
-        write_controlled(duration / INT64_C(62), operation, known, timing, coefficients, offsets, work);
+        write_controlled(duration / INT64_C(99), operation, known, timing, coefficients, offsets, work);
         status = prove_crane(INT64_C(12), known, timing, coefficients, offsets, work, stack);
         if (status != INT64_C(6))
         {
@@ -15990,7 +16138,7 @@ static int64_t plan_calm(array_double_2d operation, array_double_2d known, array
 }
 static void invert_flat(array_double_2d known, array_double_2d work)
 {
-    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(148), INT64_C(153)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(153)), span_row(&work, INT64_C(154)), span_row(&work, INT64_C(155)));
+    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(159), INT64_C(164)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(164)), span_row(&work, INT64_C(165)), span_row(&work, INT64_C(166)));
 }
 static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work)
 {
@@ -15999,7 +16147,7 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
     int64_t axis;
     int64_t order;
     array_double_1d state;
-    flat = span_rows(&work, INT64_C(148), INT64_C(153));
+    flat = span_rows(&work, INT64_C(159), INT64_C(164));
     swing = span_row(&operation, INT64_C(26));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -16009,17 +16157,17 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
         }
     }
     invert_flat(known, work);
-    state = span_row(&work, INT64_C(154));
+    state = span_row(&work, INT64_C(165));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
         (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&state, INT64_C(5) + axis));
-        (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&flat, INT64_C(0), axis));
-        (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&flat, INT64_C(1), axis));
+        (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&flat, INT64_C(0), axis));
+        (*cspan_at(&swing, INT64_C(23) + axis)) = (*cspan_at(&flat, INT64_C(1), axis));
         if (axis < INT64_C(2))
         {
-            (*cspan_at(&swing, INT64_C(17) + axis)) = (*cspan_at(&swing, INT64_C(17) + axis)) - (*cspan_at(&swing, INT64_C(2) + axis));
-            (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&swing, INT64_C(20) + axis)) - (*cspan_at(&swing, INT64_C(5) + axis));
+            (*cspan_at(&swing, INT64_C(20) + axis)) = (*cspan_at(&swing, INT64_C(20) + axis)) - (*cspan_at(&swing, INT64_C(2) + axis));
+            (*cspan_at(&swing, INT64_C(23) + axis)) = (*cspan_at(&swing, INT64_C(23) + axis)) - (*cspan_at(&swing, INT64_C(5) + axis));
         }
     }
 }
@@ -16035,6 +16183,7 @@ static void set_brakes(double share, array_double_1d swing, array_double_2d know
         (*cspan_at(&swing, INT64_C(8) + axis)) = 0.0;
         (*cspan_at(&swing, INT64_C(11) + axis)) = 0.0;
         (*cspan_at(&swing, INT64_C(14) + axis)) = 0.0;
+        (*cspan_at(&swing, INT64_C(17) + axis)) = 0.0;
         if (fabs(velocity) > 0.0)
         {
             side = INT64_C(0);
@@ -16043,7 +16192,7 @@ static void set_brakes(double share, array_double_1d swing, array_double_2d know
                 side = INT64_C(1);
             }
             most = share * bound_magnitude(INT64_C(6) + axis, side, span_row(&known, INT64_C(2)));
-            (*cspan_at(&swing, INT64_C(14) + axis)) = fabs(velocity) / most;
+            (*cspan_at(&swing, INT64_C(17) + axis)) = fabs(velocity) / most;
             (*cspan_at(&swing, INT64_C(8) + axis)) = (1.0 - 2.0 * side) * most;
         }
     }
@@ -16073,11 +16222,11 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     {
         return 0;
     }
-    if (!((*cspan_at(&swing, INT64_C(17) + INT64_C(2))) < 0.0))
+    if (!((*cspan_at(&swing, INT64_C(20) + INT64_C(2))) < 0.0))
     {
         return 0;
     }
-    flat = span_rows(&work, INT64_C(148), INT64_C(153));
+    flat = span_rows(&work, INT64_C(159), INT64_C(164));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         factorial = 1.0;
@@ -16096,7 +16245,7 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     invert_flat(known, work);
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        force = (*cspan_at(&work, INT64_C(153), drive));
+        force = (*cspan_at(&work, INT64_C(164), drive));
         power = force * (*cspan_at(&swing, INT64_C(5) + drive));
         if (!is_inside(force, INT64_C(0) + drive, known))
         {
@@ -16122,7 +16271,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     swing = span_row(&operation, INT64_C(26));
     ahead = span_row(&operation, INT64_C(27));
     set_brakes(share, swing, known);
-    for (i = INT64_C(0); i < INT64_C(26); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
     }
@@ -16131,7 +16280,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     {
         return 0;
     }
-    (*cspan_at(&swing, INT64_C(23))) = stand;
+    (*cspan_at(&swing, INT64_C(26))) = stand;
     pieces = INT64_C(0);
     swings = INT64_C(0);
     while((stand_time(ahead) > 0.0) || (swings < INT64_C(63)))
@@ -16140,7 +16289,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
         {
             if (swings == INT64_C(0))
             {
-                (*cspan_at(&swing, INT64_C(24))) = sway_amplitude(gravity, ahead);
+                (*cspan_at(&swing, INT64_C(27))) = sway_amplitude(gravity, ahead);
             }
             swings = swings + INT64_C(1);
         }
@@ -16218,7 +16367,7 @@ static bool begin_emergency(array_double_2d operation, array_double_2d known, ar
     {
         return 0;
     }
-    if (((*cspan_at(&swing, INT64_C(23))) == 0.0) && ((*cspan_at(&swing, INT64_C(24))) < 1e-09))
+    if (((*cspan_at(&swing, INT64_C(26))) == 0.0) && ((*cspan_at(&swing, INT64_C(27))) < 1e-09))
     {
         return 0;
     }
@@ -16262,15 +16411,28 @@ bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, 
 static bool is_calming(array_double_2d operation)
 {
     bool result;
-    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(26), INT64_C(25)));
+    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(26), INT64_C(28)));
+    return result;
+}
+static bool aims_elsewhere(array_double_2d operation)
+{
+    bool result;
+    if ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5)
+    {
+        result = !is_aim(INT64_C(3), operation);
+        return result;
+    }
+    result = (*cspan_at(&operation, INT64_C(3), INT64_C(0))) > 0.5;
     return result;
 }
 static void note_calming(array_double_2d operation)
 {
     array_double_1d progress;
+    int64_t mode;
     progress = span_row(&operation, INT64_C(4));
+    mode = (int64_t)((*cspan_at(&operation, INT64_C(0), INT64_C(2))));
     (*cspan_at(&progress, INT64_C(1))) = INT64_C(1);
-    if ((int64_t)((*cspan_at(&operation, INT64_C(0), INT64_C(2)))) == INT64_C(3))
+    if ((mode == INT64_C(3)) || ((mode == INT64_C(1)) && (!aims_elsewhere(operation))))
     {
         (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
     }
@@ -16299,28 +16461,30 @@ static bool wants_calm(array_double_2d operation)
     result = (*cspan_at(&command, INT64_C(0))) >= next_calm(operation);
     return result;
 }
-static void try_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+static void write_calm_aim(array_double_2d operation)
+{
+    array_double_1d command;
+    int64_t i;
+    command = span_row(&operation, INT64_C(0));
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(1), i)) = 0.0;
+    }
+    if (((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(1)) && ((*cspan_at(&command, INT64_C(10))) >= 1.0))
+    {
+        write_target(1.0, span_row(&operation, INT64_C(1)), command);
+    }
+}
+static void follow_calm(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
 {
     array_double_1d command;
     array_double_1d progress;
     array_double_1d swing;
-    int64_t status;
-    double radian;
     int64_t axis;
     int64_t i;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
     swing = span_row(&operation, INT64_C(26));
-    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
-    status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
-    if (status != INT64_C(0))
-    {
-        (*cspan_at(&progress, INT64_C(1))) = status;
-        (*cspan_at(&progress, INT64_C(2))) = status;
-        radian = 20.0 * resolved_step((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
-        (*cspan_at(&progress, INT64_C(4))) = (*cspan_at(&command, INT64_C(0))) + radian;
-        return;
-    }
     copy_plan(INT64_C(4), INT64_C(0), timing, coefficients, offsets);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -16328,28 +16492,164 @@ static void try_calm(array_double_2d operation, array_double_2d known, array_dou
         {
             (*cspan_at(&operation, INT64_C(6) + axis, i)) = 0.0;
         }
+        for (i = INT64_C(0); i < INT64_C(102); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(29) + axis, i)) = (*cspan_at(&work, INT64_C(138) + axis, i));
+        }
     }
     (*cspan_at(&swing, INT64_C(0))) = 0.0;
-    (*cspan_at(&swing, INT64_C(25))) = (*cspan_at(&command, INT64_C(0))) + plan_end(INT64_C(0), INT64_C(0), timing, offsets);
+    (*cspan_at(&swing, INT64_C(28))) = (*cspan_at(&command, INT64_C(0))) + plan_end(INT64_C(0), INT64_C(0), timing, offsets);
     (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&command, INT64_C(0)));
     (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
     (*cspan_at(&progress, INT64_C(3))) = 0.0;
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
-    (*cspan_at(&progress, INT64_C(4))) = 0.0;
-    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(3), i)) = (*cspan_at(&operation, INT64_C(1), i));
+    }
+    if ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) < 0.5)
+    {
+        (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+    }
+    write_calm_aim(operation);
     note_calming(operation);
+}
+static bool try_calm(bool rests, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d progress;
+    array_double_1d aim;
+    double radian;
+    double retry;
+    int64_t status;
+    progress = span_row(&operation, INT64_C(4));
+    aim = span_row(&operation, INT64_C(1));
+    radian = 20.0 * resolved_step((*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(26)));
+    retry = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) + radian;
+    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
+    status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
+    if (status != INT64_C(0))
+    {
+        (*cspan_at(&progress, INT64_C(2))) = status;
+        (*cspan_at(&progress, INT64_C(4))) = retry;
+    }
+    if ((status != INT64_C(0)) && ((*cspan_at(&aim, INT64_C(0))) > 0.5) && rests)
+    {
+        (*cspan_at(&aim, INT64_C(0))) = 0.0;
+        status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
+    }
+    if (status != INT64_C(0))
+    {
+        (*cspan_at(&progress, INT64_C(1))) = status;
+        return 0;
+    }
+    follow_calm(operation, timing, coefficients, offsets, work);
+    return 1;
 }
 static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
 {
-    array_double_1d swing;
-    swing = span_row(&operation, INT64_C(26));
-    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), swing, work);
+    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(26)), work);
     cover_swing(operation, known, timing, coefficients, offsets, work);
-    try_calm(operation, known, timing, coefficients, offsets, work, stack);
+    write_calm_aim(operation);
+    try_calm(1, operation, known, timing, coefficients, offsets, work, stack);
 }
-int64_t segfmu_take_over_state(array_double_1d state, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+static void put_aside(array_double_2d operation)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(28), i)) = (*cspan_at(&operation, INT64_C(26), i));
+    }
+}
+static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
 {
     array_double_1d swing;
+    array_double_1d ahead;
+    double begin;
+    double interval;
+    int64_t k;
+    double since;
+    int64_t axis;
+    double snap;
+    double jerk;
+    swing = span_row(&operation, INT64_C(26));
+    ahead = span_row(&operation, INT64_C(27));
+    begin = (*cspan_at(&operation, INT64_C(4), INT64_C(0)));
+    interval = ((*cspan_at(&swing, INT64_C(28))) - begin) / INT64_C(99);
+    k = span_min_int(span_max_int((int64_t)(elapsed / interval), INT64_C(0)), INT64_C(99) - INT64_C(1));
+    set_knot(k, interval, ahead, span_rows(&operation, INT64_C(29), INT64_C(32)));
+    since = elapsed - k * interval;
+    note_present(elapsed, operation, timing, coefficients, offsets);
+    note_swing(operation, known, work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        snap = (*cspan_at(&ahead, INT64_C(14) + axis));
+        jerk = (*cspan_at(&ahead, INT64_C(11) + axis));
+        (*cspan_at(&swing, INT64_C(8) + axis)) = (*cspan_at(&ahead, INT64_C(8) + axis)) + (jerk + 0.5 * snap * since) * since;
+        (*cspan_at(&swing, INT64_C(11) + axis)) = jerk + snap * since;
+    }
+}
+static void bring_back(array_double_2d operation)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(26), i)) = (*cspan_at(&operation, INT64_C(28), i));
+    }
+}
+static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    bool straight;
+    write_calm_aim(operation);
+    if (!aims_elsewhere(operation))
+    {
+        note_calming(operation);
+        return 0;
+    }
+    if ((*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(4), INT64_C(4))))
+    {
+        note_calming(operation);
+        return 0;
+    }
+    put_aside(operation);
+    note_calm_state(elapsed, operation, known, timing, coefficients, offsets, work);
+    straight = (*cspan_at(&operation, INT64_C(3), INT64_C(0))) > 0.5;
+    if (try_calm(straight, operation, known, timing, coefficients, offsets, work, stack))
+    {
+        return 1;
+    }
+    bring_back(operation);
+    note_calming(operation);
+    return 0;
+}
+static bool is_hanging(array_double_1d command)
+{
+    int64_t i;
+    double length;
+    double paid_out;
+    for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
+    {
+        if (!(fabs((*cspan_at(&command, INT64_C(18) + i))) < 1e+300))
+        {
+            return 0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if (!(fabs((*cspan_at(&command, INT64_C(18) + INT64_C(3) + i))) < 1.5))
+        {
+            return 0;
+        }
+    }
+    length = (*cspan_at(&command, INT64_C(18) + INT64_C(0) + INT64_C(2)));
+    paid_out = (*cspan_at(&command, INT64_C(16))) * (*cspan_at(&command, INT64_C(18) + INT64_C(5) + INT64_C(2)));
+    return span_min(length, length + paid_out) > 0.0;
+}
+static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    array_double_1d command;
+    array_double_1d state;
+    array_double_1d swing;
+    int64_t i;
     int64_t axis;
     double length;
     double stretch;
@@ -16359,12 +16659,18 @@ int64_t segfmu_take_over_state(array_double_1d state, array_double_2d operation,
     double cos_y;
     double rate_x;
     double rate_y;
-    int64_t result;
+    command = span_row(&operation, INT64_C(0));
+    state = span_piece(&command, INT64_C(18), INT64_C(28));
     swing = span_row(&operation, INT64_C(26));
+    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    {
+        (*cspan_at(&swing, i)) = 0.0;
+    }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
         (*cspan_at(&swing, INT64_C(5) + axis)) = (*cspan_at(&state, INT64_C(5) + axis));
+        (*cspan_at(&swing, INT64_C(17) + axis)) = 1e+300;
     }
     length = (*cspan_at(&state, INT64_C(0) + INT64_C(2)));
     stretch = (*cspan_at(&state, INT64_C(5) + INT64_C(2)));
@@ -16374,15 +16680,65 @@ int64_t segfmu_take_over_state(array_double_1d state, array_double_2d operation,
     cos_y = cos((*cspan_at(&state, INT64_C(3) + INT64_C(1))));
     rate_x = (*cspan_at(&state, INT64_C(8)));
     rate_y = (*cspan_at(&state, INT64_C(8) + INT64_C(1)));
-    (*cspan_at(&swing, INT64_C(17))) = length * sin_x;
-    (*cspan_at(&swing, INT64_C(17) + INT64_C(1))) = (-length) * cos_x * sin_y;
-    (*cspan_at(&swing, INT64_C(17) + INT64_C(2))) = (-length) * cos_x * cos_y;
-    (*cspan_at(&swing, INT64_C(20))) = stretch * sin_x + length * cos_x * rate_x;
-    (*cspan_at(&swing, INT64_C(20) + INT64_C(1))) = (-stretch) * cos_x * sin_y + length * (sin_x * sin_y * rate_x - cos_x * cos_y * rate_y);
-    (*cspan_at(&swing, INT64_C(20) + INT64_C(2))) = (-stretch) * cos_x * cos_y + length * (sin_x * cos_y * rate_x + cos_x * sin_y * rate_y);
-    (*cspan_at(&operation, INT64_C(0), INT64_C(2))) = INT64_C(3);
-    try_calm(operation, known, timing, coefficients, offsets, work, stack);
-    result = (int64_t)((*cspan_at(&operation, INT64_C(4), INT64_C(1))));
+    (*cspan_at(&swing, INT64_C(20))) = length * sin_x;
+    (*cspan_at(&swing, INT64_C(20) + INT64_C(1))) = (-length) * cos_x * sin_y;
+    (*cspan_at(&swing, INT64_C(20) + INT64_C(2))) = (-length) * cos_x * cos_y;
+    (*cspan_at(&swing, INT64_C(23))) = stretch * sin_x + length * cos_x * rate_x;
+    (*cspan_at(&swing, INT64_C(23) + INT64_C(1))) = (-stretch) * cos_x * sin_y + length * (sin_x * sin_y * rate_x - cos_x * cos_y * rate_y);
+    (*cspan_at(&swing, INT64_C(23) + INT64_C(2))) = (-stretch) * cos_x * cos_y + length * (sin_x * cos_y * rate_x + cos_x * sin_y * rate_y);
+    advance_swing((*cspan_at(&command, INT64_C(16))), (*cspan_at(&known, INT64_C(0), INT64_C(3))), swing, work);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&swing, INT64_C(17) + axis)) = 0.0;
+    }
+}
+int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d progress;
+    double retry;
+    int64_t result;
+    progress = span_row(&operation, INT64_C(4));
+    (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&operation, INT64_C(0), INT64_C(17)));
+    if (!is_hanging(span_row(&operation, INT64_C(0))))
+    {
+        (*cspan_at(&progress, INT64_C(1))) = INT64_C(3);
+        (*cspan_at(&progress, INT64_C(2))) = INT64_C(3);
+        return INT64_C(3);
+    }
+    put_aside(operation);
+    write_measured(operation, known, work);
+    write_calm_aim(operation);
+    retry = (*cspan_at(&progress, INT64_C(4)));
+    if (try_calm(1, operation, known, timing, coefficients, offsets, work, stack))
+    {
+        return INT64_C(0);
+    }
+    bring_back(operation);
+    (*cspan_at(&progress, INT64_C(4))) = retry;
+    result = (int64_t)((*cspan_at(&progress, INT64_C(1))));
+    return result;
+}
+static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d command;
+    array_double_1d progress;
+    bool result;
+    command = span_row(&operation, INT64_C(0));
+    progress = span_row(&operation, INT64_C(4));
+    if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(5))
+    {
+        return 0;
+    }
+    if (!((*cspan_at(&command, INT64_C(17))) > 0.5))
+    {
+        (*cspan_at(&progress, INT64_C(10))) = 0.0;
+        return 0;
+    }
+    if ((*cspan_at(&progress, INT64_C(10))) > 0.5)
+    {
+        return 0;
+    }
+    result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == INT64_C(0);
     return result;
 }
 static double side_limit(int64_t order, double sign, array_double_1d axis)
@@ -29320,7 +29676,7 @@ void segfmu_begin_operation(double time, array_double_2d operation)
 {
     int64_t row;
     int64_t i;
-    for (row = INT64_C(1); row < INT64_C(28); row += INT64_C(1))
+    for (row = INT64_C(1); row < INT64_C(32); row += INT64_C(1))
     {
         for (i = INT64_C(0); i < operation.shape[INT64_C(1)]; i += INT64_C(1))
         {
@@ -29349,20 +29705,8 @@ static void begin_swing(array_double_2d operation)
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
     (*cspan_at(&progress, INT64_C(4))) = 0.0;
     (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
-    (*cspan_at(&operation, INT64_C(26), INT64_C(25))) = 0.0;
+    (*cspan_at(&operation, INT64_C(26), INT64_C(28))) = 0.0;
     (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
-}
-static bool is_aim(int64_t row, array_double_2d operation)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        if ((*cspan_at(&operation, INT64_C(1), i)) != (*cspan_at(&operation, row, i)))
-        {
-            return 0;
-        }
-    }
-    return 1;
 }
 static bool is_stop(array_double_1d aim)
 {
@@ -29530,6 +29874,10 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     progress = span_row(&operation, INT64_C(4));
     mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
     elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
+    if (takes_measured(operation, known, timing, coefficients, offsets, work, stack))
+    {
+        return 1;
+    }
     if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
     {
         if (!wants_calm(operation))
@@ -29555,8 +29903,8 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     }
     if (is_calming(operation))
     {
-        note_calming(operation);
-        return 0;
+        result = calm_on(elapsed, operation, known, timing, coefficients, offsets, work, stack);
+        return result;
     }
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
@@ -29656,7 +30004,7 @@ double segfmu_next_operation(array_double_2d operation)
     }
     if (is_calming(operation))
     {
-        result = (*cspan_at(&swing, INT64_C(25)));
+        result = (*cspan_at(&swing, INT64_C(28)));
         return result;
     }
     if (((*cspan_at(&progress, INT64_C(3))) > 0.0) || ((*cspan_at(&progress, INT64_C(6))) > 0.0))

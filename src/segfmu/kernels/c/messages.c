@@ -406,6 +406,37 @@ bool segfmu_ready_message(
     }
 }
 
+bool segfmu_takeover_message(
+    int64_t status, const double *report, char *text, size_t size)
+{
+    switch (status) {
+    case 3:
+        snprintf(text, size,
+            "command.take_over: measured.* is no state of a load below its crane, or the "
+            "way from there to rest leaves the range of the rope; give all ten values, "
+            "or widen crane.rope_min and crane.rope_max");
+        return true;
+    case 4:
+        snprintf(text, size,
+            "command.take_over: the way from the measured state to rest leaves the "
+            "workspace; widen workspace.*, or let the swing decay");
+        return true;
+    case 5:
+        snprintf(text, size,
+            "command.take_over: the way from the measured state to rest meets an "
+            "obstacle; move that, or let the swing decay");
+        return true;
+    case 6:
+        snprintf(text, size,
+            "command.take_over: the drives cannot bring the load to rest from the "
+            "measured state; give drive.*.acceleration_max, more of it, or let the swing "
+            "decay");
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size)
 {

@@ -23,6 +23,8 @@ SEGFMU_API bool segfmu_space_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_ready_message(
     int64_t status, const double *report, char *text, size_t size);
+SEGFMU_API bool segfmu_takeover_message(
+    int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size);
 SEGFMU_API bool segfmu_setup_message(

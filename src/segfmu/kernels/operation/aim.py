@@ -63,14 +63,29 @@ def write_wish(
             aim[Aim.VALUE + axis] = limited_velocity(
                 command[Command.VELOCITY + axis], scale, limits[axis, 0], lower
             )
-    elif mode == OperationMode.TARGET and command[Command.GO] > 0.5 and scale > 0.0:
-        for axis in range(3):
-            if not abs(command[Command.TARGET + axis]) < NEVER:
-                return
-        aim[Aim.IS_TARGET] = 1.0
-        aim[Aim.SCALE] = scale
-        for axis in range(3):
-            aim[Aim.VALUE + axis] = command[Command.TARGET + axis]
+    elif mode == OperationMode.TARGET:
+        write_target(scale, aim, command)
+
+
+def write_target(scale: float, aim: 'float[:]', command: 'float[:]') -> None:
+    """Write the aim of a target; without one it stays what it is."""
+    if not command[Command.GO] > 0.5 or not scale > 0.0:
+        return
+    for axis in range(3):
+        if not abs(command[Command.TARGET + axis]) < NEVER:
+            return
+    aim[Aim.IS_TARGET] = 1.0
+    aim[Aim.SCALE] = scale
+    for axis in range(3):
+        aim[Aim.VALUE + axis] = command[Command.TARGET + axis]
+
+
+def is_aim(row: int, operation: 'float[:,:]') -> bool:
+    """Whether the aim in a row is the present one."""
+    for i in range(Aim.SIZE):
+        if not operation[Operation.AIM, i] == operation[row, i]:
+            return False
+    return True
 
 
 def limited_velocity(velocity: float, scale: float, limit: float, lower: float) -> float:

@@ -1,10 +1,10 @@
-"""A swing that is taken over: bridge and trolley stop, and the load hangs at rest below them.
+"""A swing that is taken over: the load comes to rest, somewhere or in a target.
 
-Velocities of bridge and trolley are quadratic B-splines inside the bounds of their drives
-(centre.py); the hoist brakes as fast as it can. With the pull of the rope known, the ways that end
-the swing follow from two linear conditions an axis (controlled.py). It is first taken from a load
-that only swings on, then from the last motion, until the load hangs still. The time is the least
-for which there are such ways, by halving.
+Velocities of bridge and trolley are cubic B-splines inside the bounds of their drives (centre.py).
+With the pull of the rope known, the ways that end the swing follow from two linear conditions an
+axis (controlled.py), and those to a target from a third one. The pull is first taken from a load
+that only swings on, then from the last motion, until the load hangs still. Without a target the
+hoist brakes as fast as it can. The time is the least for which there are such ways, by halving.
 """
 
 from math import sqrt
@@ -21,6 +21,7 @@ from segfmu.kernels.operation.controlled import (
 )
 from segfmu.kernels.operation.proof import prove_crane
 from segfmu.kernels.operation.records import (
+    Aim,
     Control,
     Known,
     Operation,
@@ -38,7 +39,7 @@ def used_share() -> float:
 def brake_hoist(share: float, interval: float, known: 'float[:,:]', work: 'float[:,:]') -> bool:
     """Let the hoist brake as fast as a share of its bound permits; whether it rests at the end."""
     points = work[OperationWork.CONTROL + 2, :]
-    for i in range(2, Control.POINTS):
+    for i in range(Control.FREE, Control.POINTS):
         fall = most_change(2, -1.0, share, interval, known)
         rise = most_change(2, 1.0, share, interval, known)
         points[i] = points[i - 1] + min(max(-points[i - 1], -fall), rise)
@@ -51,15 +52,24 @@ def calms_within(
 ) -> bool:
     """Whether a share of the bounds brings the load of the state SWING to rest in a time [s].
 
+    If the AIM is a target, the load rests there.
+
     The control points of the way are in `work` then.
     """
     swing = operation[Operation.SWING, :]
+    aims = work[OperationWork.AIM, :]
+    last = int(Control.PLACE)
     interval = duration / Control.INTERVALS
     frequency = swing_frequency(known[Known.CRANE, Masses.GRAVITY], swing)
     set_control_start(interval, swing, work)
     for axis in range(2):
         decline_line(axis, work)
-    if not brake_hoist(share, interval, known, work):
+    if operation[Operation.AIM, Aim.IS_TARGET] > 0.5:
+        last = int(Control.CONDITIONS)
+        set_way(2, operation, work)
+        if not find_centre(2, share, interval, Control.PLACE, last, aims, known, work):
+            return False
+    elif not brake_hoist(share, interval, known, work):
         return False
     if not fits_plan(interval, operation, known, work):
         return False
@@ -71,12 +81,24 @@ def calms_within(
             return True
         before = angle
         for axis in range(2):
-            if not find_centre(
-                axis, share, interval, swing[Swing.RATE + axis],
-                -frequency * swing[Swing.PATH + axis], known, work,
-            ):
+            set_way(axis, operation, work)
+            aims[Control.SWING] = swing[Swing.RATE + axis]
+            aims[Control.SWING + 1] = -frequency * swing[Swing.PATH + axis]
+            if not find_centre(axis, share, interval, Control.SWING, last, aims, known, work):
                 return False
     return False
+
+
+def set_way(axis: int, operation: 'float[:,:]', work: 'float[:,:]') -> None:
+    """Set the way of a drive [m] from the state SWING to where the load is in the target."""
+    sense = 1.0
+    if axis == 2:
+        # the rope grows downwards
+        sense = -1.0
+    work[OperationWork.AIM, Control.PLACE] = (
+        sense * operation[Operation.AIM, Aim.VALUE + axis]
+        - operation[Operation.SWING, Swing.POSITION + axis]
+    )
 
 
 def most_runs() -> int:
@@ -84,7 +106,9 @@ def most_runs() -> int:
     return 30
 
 
-def least_time(share: float, operation: 'float[:,:]', known: 'float[:,:]') -> float:
+def least_time(
+    share: float, operation: 'float[:,:]', known: 'float[:,:]', work: 'float[:,:]'
+) -> float:
     """A time [s] less than any in which the load can be brought to rest, without nonlinearities.
 
     An acceleration changes the velocity of carriage and load by no more than itself.
@@ -103,6 +127,12 @@ def least_time(share: float, operation: 'float[:,:]', known: 'float[:,:]') -> fl
             rate = swing[Swing.RATE + axis]
             velocity = max(velocity, sqrt(place * place + rate * rate))
         found = max(found, velocity / least)
+        if operation[Operation.AIM, Aim.IS_TARGET] > 0.5:
+            set_way(axis, operation, work)
+            way = work[OperationWork.AIM, Control.PLACE]
+            fastest = control_bound(Demand.VELOCITY + axis, way, share, 0.0, known)
+            if fastest > 0.0:
+                found = max(found, abs(way) / fastest)
     return found
 
 
@@ -113,7 +143,7 @@ def seek_calm(
 
     The control points of the way are in `work` then.
     """
-    tried = least_time(share, operation, known)
+    tried = least_time(share, operation, known, work)
     missed = tried
     count = 0
     while not calms_within(tried, share, operation, known, work):
@@ -143,7 +173,7 @@ def plan_calm(
     operation: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]', work: 'float[:,:]', stack: 'float[:,:,:]',
 ) -> int:
-    """Plan from the state SWING to rest, into the slot TRIED: an `OperationStatus`.
+    """Plan from the state SWING to rest, by AIM, into the slot TRIED: an `OperationStatus`.
 
     Where forces or powers do not allow it, with less of the accelerations.
     """

@@ -1,4 +1,4 @@
-"""A load below carriages whose velocities are quadratic B-splines: its motion, and its pieces.
+"""A load below carriages whose velocities are cubic B-splines: its motion, and its pieces.
 
 The load's swing is integrated with its Taylor series (swing.py). Beside it two free swings are,
 with the pull s(t) of the rope in this motion: p_j'' = -s p_j, which begin with p_1 = 1, p_1' = 0
@@ -8,7 +8,7 @@ r'' = -u - s r under an acceleration u of the carriage,
     (p_j r' - p_j' r)' = -p_j u,
 
 so the load hangs at rest at the end if the integral of p_j u is p_j(0) r'(0) - p_j'(0) r(0) for
-both. u is a sum of hat functions at the knots; the integrals of p_j with each are the moments.
+both. u is a sum of quadratic B-splines; the integrals of p_j with each are the moments.
 """
 
 from math import sqrt
@@ -39,22 +39,28 @@ def swing_frequency(gravity: float, swing: 'float[:]') -> float:
 
 
 def set_control_start(interval: float, swing: 'float[:]', work: 'float[:,:]') -> None:
-    """Set the first two control points by velocities and accelerations; interval: of knots [s]."""
+    """Set the first control points by velocities and two derivatives; interval: of knots [s]."""
     for axis in range(3):
-        half = 0.5 * interval * swing[Swing.ACCELERATION + axis]
-        work[OperationWork.CONTROL + axis, 0] = swing[Swing.VELOCITY + axis] - half
-        work[OperationWork.CONTROL + axis, 1] = swing[Swing.VELOCITY + axis] + half
+        change = interval * swing[Swing.ACCELERATION + axis]
+        bend = interval * interval * swing[Swing.JERK + axis]
+        for i in range(Control.FREE):
+            since = i - 1.0
+            work[OperationWork.CONTROL + axis, i] = swing[Swing.VELOCITY + axis] + (
+                since * change + (0.5 * since * since - 1.0 / 6.0) * bend
+            )
 
 
-def set_knot(k: int, interval: float, ahead: 'float[:]', work: 'float[:,:]') -> None:
-    """Set velocities, accelerations and their rates at a knot."""
+def set_knot(k: int, interval: float, ahead: 'float[:]', control: 'float[:,:]') -> None:
+    """Set velocities, accelerations and their derivatives at a knot of the splines (3, points)."""
     for axis in range(3):
-        points = work[OperationWork.CONTROL + axis, :]
-        before = points[k + 1] - points[k]
-        behind = points[k + 2] - points[k + 1]
-        ahead[Swing.VELOCITY + axis] = 0.5 * (points[k] + points[k + 1])
-        ahead[Swing.ACCELERATION + axis] = before / interval
-        ahead[Swing.JERK + axis] = (behind - before) / (interval * interval)
+        points = control[axis, :]
+        before = (points[k + 1] - points[k]) / interval
+        here = (points[k + 2] - points[k + 1]) / interval
+        behind = (points[k + 3] - points[k + 2]) / interval
+        ahead[Swing.VELOCITY + axis] = (points[k] + 4.0 * points[k + 1] + points[k + 2]) / 6.0
+        ahead[Swing.ACCELERATION + axis] = 0.5 * (before + here)
+        ahead[Swing.JERK + axis] = (here - before) / interval
+        ahead[Swing.SNAP + axis] = (behind - 2.0 * here + before) / (interval * interval)
 
 
 def begin_controlled(operation: 'float[:,:]') -> None:
@@ -84,7 +90,7 @@ def run_controlled(
     parts = interval_parts(0.3, interval, operation, gravity, work)
     step = interval / parts
     for k in range(Control.INTERVALS):
-        set_knot(k, interval, ahead, work)
+        set_knot(k, interval, ahead, work[OperationWork.CONTROL:OperationWork.MOMENT, :])
         for i in range(parts):
             expand_swing(gravity, ahead, work)
             if not work[OperationWork.PULL, SwingTerms.CONSTANT] > 0.0:
@@ -111,7 +117,8 @@ def interval_parts(
     shortest = length
     for k in range(Control.INTERVALS):
         points = work[OperationWork.CONTROL + 2, :]
-        length = length + interval * (points[k] + 4.0 * points[k + 1] + points[k + 2]) / 6.0
+        inner = points[k + 1] + points[k + 2]
+        length = length + interval * (points[k] + 11.0 * inner + points[k + 3]) / 24.0
         shortest = min(shortest, length)
     if not shortest > 0.0:
         shortest = swing[Swing.POSITION + 2]
@@ -140,21 +147,28 @@ def add_moments(
         for i in range(k + 1):
             value = value - pull[i] * free[k - i]
         free[k + 2] = value / ((k + 1) * (k + 2))
+    # integrals of the swing, and of it times the time, and its square, since the step's start
     whole = 0.0
     late = 0.0
+    later = 0.0
     place = 0.0
     rate = 0.0
     for j in range(SwingTerms.COUNT):
         i = SwingTerms.COUNT - 1 - j
         whole = whole * step + free[i] / (i + 1)
         late = late * step + free[i] / (i + 2)
+        later = later * step + free[i] / (i + 3)
         rate = rate * step + place
         place = place * step + free[i]
-    # integrals of the swing, and of the swing times the share of the interval that is over
     whole = whole * step
-    late = (since * whole + late * step * step) / interval
-    moment[knot] = moment[knot] + (whole - late) / interval
-    moment[knot + 1] = moment[knot + 1] + late / interval
+    late = late * step * step
+    later = later * step * step * step
+    # the same since the knot, in shares of the interval
+    later = (since * since * whole + 2.0 * since * late + later) / (interval * interval)
+    late = (since * whole + late) / interval
+    moment[knot] = moment[knot] + (0.5 * whole - late + 0.5 * later) / interval
+    moment[knot + 1] = moment[knot + 1] + (0.5 * whole + late - later) / interval
+    moment[knot + 2] = moment[knot + 2] + 0.5 * later / interval
     free[SwingTerms.CONSTANT] = place
     free[SwingTerms.LINEAR] = rate
 
@@ -166,13 +180,14 @@ def write_controlled(
     """Write the pieces of the motion into the slot TRIED."""
     gravity = known[Known.CRANE, Masses.GRAVITY]
     ahead = operation[Operation.AHEAD, :]
-    parts = min(interval_parts(0.05, interval, operation, gravity, work), Control.STEPS)
+    # two more, as a jerk may rise to its largest within an interval
+    parts = min(2 + interval_parts(0.05, interval, operation, gravity, work), Control.STEPS)
     begin_controlled(operation)
     step = interval / parts
     rows = Control.INTERVALS * Control.STEPS
     count = 0
     for k in range(Control.INTERVALS):
-        set_knot(k, interval, ahead, work)
+        set_knot(k, interval, ahead, work[OperationWork.CONTROL:OperationWork.MOMENT, :])
         for i in range(parts):
             expand_swing(gravity, ahead, work)
             move_swing(0.5 * step, ahead, work)

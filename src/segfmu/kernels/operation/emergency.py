@@ -120,6 +120,7 @@ def set_brakes(share: float, swing: 'float[:]', known: 'float[:,:]') -> None:
         velocity = swing[Swing.VELOCITY + axis]
         swing[Swing.ACCELERATION + axis] = 0.0
         swing[Swing.JERK + axis] = 0.0
+        swing[Swing.SNAP + axis] = 0.0
         swing[Swing.LEFT + axis] = 0.0
         if abs(velocity) > 0.0:
             side = 0

@@ -6,7 +6,7 @@ Nothing else is ever followed. Work spaces are cleared before they are used, so 
 commands give the same plans after a state was restored.
 """
 
-from segfmu.kernels.operation.aim import write_aim
+from segfmu.kernels.operation.aim import is_aim, write_aim
 from segfmu.kernels.operation.attempts import (
     first_stop,
     is_worth,
@@ -15,6 +15,7 @@ from segfmu.kernels.operation.attempts import (
     share_of,
 )
 from segfmu.kernels.operation.emergency import begin_emergency, prolong_swing
+from segfmu.kernels.operation.measured import takes_measured
 from segfmu.kernels.operation.plans import copy_plan, note_present
 from segfmu.kernels.operation.proof import prove_plan
 from segfmu.kernels.operation.records import (
@@ -28,7 +29,7 @@ from segfmu.kernels.operation.records import (
     Slot,
     Swing,
 )
-from segfmu.kernels.operation.takeover import is_calming, note_calming, take_over, wants_calm
+from segfmu.kernels.operation.takeover import calm_on, is_calming, take_over, wants_calm
 from segfmu.kernels.operation.target import seek_target
 from segfmu.kernels.operation.velocity import holds_long_enough, prolong_holds, seek_velocity
 
@@ -44,17 +45,9 @@ def begin_operation(time: float, operation: 'float[:,:]') -> None:
 
 
 def operate(
-    operation: 'float[:,:]',
-    limits: 'float[:,:,:]',
-    known: 'float[:,:]',
-    timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
-    states: 'float[:,:,:]',
-    cells: 'float[:,:,:]',
-    lead: 'float[:,:]',
-    work: 'float[:,:]',
-    stack: 'float[:,:,:]',
+    operation: 'float[:,:]', limits: 'float[:,:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', cells: 'float[:,:,:]',
+    lead: 'float[:,:]', work: 'float[:,:]', stack: 'float[:,:,:]',
 ) -> bool:
     """Follow the command in `operation` (Operation); whether another plan is in the slot PRESENT.
 
@@ -67,6 +60,8 @@ def operate(
     progress = operation[Operation.PROGRESS, :]
     mode = int(command[Command.MODE])
     elapsed = command[Command.TIME] - progress[Progress.BEGIN]
+    if takes_measured(operation, known, timing, coefficients, offsets, work, stack):
+        return True
     if operation[Operation.SWING, Swing.ACTIVE] > 0.5:
         if not wants_calm(operation):
             return prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work)
@@ -80,8 +75,7 @@ def operate(
     if mode == OperationMode.MISSION:
         return False
     if is_calming(operation):
-        note_calming(operation)
-        return False
+        return calm_on(elapsed, operation, known, timing, coefficients, offsets, work, stack)
     for i in range(Aim.SIZE):
         operation[Operation.BEFORE, i] = operation[Operation.AIM, i]
     write_aim(operation, limits[0, :, :], known, timing, coefficients, offsets)
@@ -129,17 +123,9 @@ def begin_swing(operation: 'float[:,:]') -> None:
 
 
 def attempt_plans(
-    operation: 'float[:,:]',
-    limits: 'float[:,:,:]',
-    known: 'float[:,:]',
-    timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
-    states: 'float[:,:,:]',
-    cells: 'float[:,:,:]',
-    lead: 'float[:,:]',
-    work: 'float[:,:]',
-    stack: 'float[:,:,:]',
+    operation: 'float[:,:]', limits: 'float[:,:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', cells: 'float[:,:,:]',
+    lead: 'float[:,:]', work: 'float[:,:]', stack: 'float[:,:,:]',
 ) -> bool:
     """Try plans for the aim in turn, until one is taken; as `operate`."""
     progress = operation[Operation.PROGRESS, :]
@@ -216,14 +202,6 @@ def keeps_stopping(attempt: int, operation: 'float[:,:]') -> bool:
     if first_stop() <= stopping < most_attempts():
         return is_aim(Operation.TAKEN, operation)
     return False
-
-
-def is_aim(row: int, operation: 'float[:,:]') -> bool:
-    """Whether the aim in a row is the present one."""
-    for i in range(Aim.SIZE):
-        if not operation[Operation.AIM, i] == operation[row, i]:
-            return False
-    return True
 
 
 def take_plan(

@@ -16,6 +16,20 @@ from segfmu.kernels.planner.records import Axis, Lower, PlanOptions
 from segfmu.kernels.records import Codes, Record, field
 from segfmu.kernels.settling.records import LeadEnd
 
+# by State
+MEASURED = (
+    "bridge.position",
+    "trolley.position",
+    "rope.length",
+    "sway.x.angle",
+    "sway.y.angle",
+    "bridge.velocity",
+    "trolley.velocity",
+    "rope.velocity",
+    "sway.x.rate",
+    "sway.y.rate",
+)
+
 
 class OperationMode(Codes):
     """What the load does.
@@ -101,6 +115,16 @@ class Command(Record):
     TRIES = field(
         "plans that are tried in a step at most, one at least", variables=("command.tries",)
     )
+    LEAD = field("how much later than the measured state the present time is", "s")
+    TAKE_OVER = field(
+        "1: begin in the measured state, when it was 0 before", variables=("command.take_over",)
+    )
+    MEASURED = field(
+        "state of the crane",
+        "m, rad, m/s, rad/s",
+        size=State.SIZE,
+        variables=[f"measured.{name}" for name in MEASURED],
+    )
 
 
 class Aim(Record):
@@ -124,6 +148,7 @@ class Progress(Record):
     FAILED = field("why the last attempt before that failed, see OperationStatus")
     PLANS = field("plans taken so far")
     ATTEMPTS = field("plans tried so far")
+    TAKES = field("1: the step before took a measured state over, or tried to")
 
 
 class HeldVelocity(Record):
@@ -153,12 +178,37 @@ class Swing(Record):
     VELOCITY = field("their rates", "m/s", size=3)
     ACCELERATION = field("rates of these, until they rest", "m/s2", size=3)
     JERK = field("rates of these, in a calming motion", "m/s3", size=3)
+    SNAP = field("rates of these", "m/s4", size=3)
     LEFT = field("time until each rests", "s", size=3)
     PATH = field("from the suspension to the load", "m", size=3)
     RATE = field("its rate", "m/s", size=3)
     STAND = field("time from the stop's start until all rest", "s")
     SWAY = field("largest angle between rope and vertical from then on", "rad")
     CALM = field("when the load rests whose swing has been taken over", "s")
+
+
+class Control(Codes):
+    """A calming motion: control points of a velocity, and intervals between its knots.
+
+    FREE: the first control point that the state at the start does not set. CONDITIONS: on those of
+    an axis, of its swing and of where it rests. STEPS: most pieces of an interval, so that a plan
+    has room for all of them; MANY: far more.
+    """
+
+    POINTS = 102
+    FREE = 3
+    SWING = 0
+    PLACE = 2
+    CONDITIONS = 3
+    INTERVALS = 99
+    STEPS = 4
+    MANY = 1000
+
+
+class ControlPoints(Record):
+    """A cubic B-spline, or what belongs to each of its control points."""
+
+    VALUES = field("by control point", size=Control.POINTS)
 
 
 class Operation(Record):
@@ -180,6 +230,8 @@ class Operation(Record):
     STOP_ENDS = field("by axis: where it comes to rest from there", size=3, of=LeadEnd)
     SWING = field("an emergency stop, at the start of its pieces", of=Swing)
     AHEAD = field("the same at a later time", of=Swing)
+    ASIDE = field("the one before, while a motion from another state is tried", of=Swing)
+    SPLINE = field("velocities of a calming motion", "m/s", size=3, of=ControlPoints)
 
 
 class Known(Record):
@@ -265,24 +317,6 @@ class SwingTerms(Codes):
     LONGEST = 20000
 
 
-class Control(Codes):
-    """A calming motion: control points of a velocity, and intervals between its knots.
-
-    STEPS: most pieces of an interval, so that a plan has room for all of them; MANY: far more.
-    """
-
-    POINTS = 64
-    INTERVALS = 62
-    STEPS = 6
-    MANY = 1000
-
-
-class ControlPoints(Record):
-    """A quadratic B-spline, or what belongs to each of its control points."""
-
-    VALUES = field("by control point", size=Control.POINTS)
-
-
 class FlatOrder(Codes):
     """Derivatives of the load's position that the flat inverse uses."""
 
@@ -311,9 +345,17 @@ class OperationWork(Record):
     FREE = field("series of two free swings", size=2, of=Column)
     CONTROL = field("velocities of bridge, trolley and hoist", "m/s", size=3, of=ControlPoints)
     MOMENT = field("what a change of the velocity does to these swings", size=2, of=ControlPoints)
+    SLOPE = field(
+        "derivatives of the conditions by control point", size=Control.CONDITIONS, of=ControlPoints
+    )
     DIAGONAL = field("second derivatives of a barrier", of=ControlPoints)
     COUPLING = field("those by neighbours", of=ControlPoints)
-    CHANGE = field("Newton's steps, free and by condition", size=3, of=ControlPoints)
+    AIM = field("of the conditions", "m/s and m", of=Vector)
+    CHANGE = field(
+        "Newton's steps, free and by condition", size=1 + Control.CONDITIONS, of=ControlPoints
+    )
+    SCHUR = field("what these do to the conditions", size=Control.CONDITIONS, of=Vector)
+    LACK = field("what the conditions lack", size=Control.CONDITIONS, of=Vector)
     FLAT = field("position of the load and four derivatives", size=5, of=Vector)
     FORCE = field("forces of the drives", of=Axes)
     STATE = field("state of the crane", of=State)

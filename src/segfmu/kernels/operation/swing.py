@@ -2,9 +2,9 @@
 
 The rope's vector r from the suspension to the load keeps |r| = l, and r'' = -G - s r with the
 suspension's acceleration in G = (a_x, a_y, g); s is the rope's pull over the load's mass and the
-rope's length. As a_x and a_y are linear in time and l is cubic, both series follow term by term,
-for any angle. The motion becomes polynomial pieces around the middles of short intervals, which a
-plan consists of as well.
+rope's length. As a_x and a_y are quadratic in time and l is quartic, both series follow term by
+term, for any angle. The motion becomes polynomial pieces around the middles of short intervals,
+which a plan consists of as well.
 """
 
 from math import atan2, sqrt
@@ -35,7 +35,7 @@ def expand_swing(gravity: float, swing: 'float[:]', work: 'float[:,:]') -> None:
         # half the second derivative of the square
         found = -0.5 * (k + 1) * (k + 2) * square[k + 2]
         for axis in range(3):
-            for i in range(min(k, 1) + 1):
+            for i in range(min(k, 2) + 1):
                 found = found - suspension_pull(axis, i, gravity, swing) * series[axis, k - i]
             for i in range(k + 1):
                 product = series[axis, i + 1] * series[axis, k - i + 1]
@@ -54,20 +54,22 @@ def write_square(swing: 'float[:]', square: 'float[:]') -> None:
     """Write the series of the rope's length, squared."""
     for i in range(SwingTerms.COUNT):
         square[i] = 0.0
-    for i in range(SwingTerms.CUBIC + 1):
-        for j in range(SwingTerms.CUBIC + 1):
+    for i in range(SwingTerms.QUARTIC + 1):
+        for j in range(SwingTerms.QUARTIC + 1):
             square[i + j] = square[i + j] + length_term(i, swing) * length_term(j, swing)
 
 
 def length_term(order: int, swing: 'float[:]') -> float:
-    """Coefficient of the rope's length as a cubic of time."""
+    """Coefficient of the rope's length as a quartic of time."""
     if order == SwingTerms.CONSTANT:
         return swing[Swing.POSITION + 2]
     if order == SwingTerms.LINEAR:
         return swing[Swing.VELOCITY + 2]
     if order == SwingTerms.QUADRATIC:
         return 0.5 * swing[Swing.ACCELERATION + 2]
-    return swing[Swing.JERK + 2] / 6.0
+    if order == SwingTerms.CUBIC:
+        return swing[Swing.JERK + 2] / 6.0
+    return swing[Swing.SNAP + 2] / 24.0
 
 
 def suspension_pull(axis: int, order: int, gravity: float, swing: 'float[:]') -> float:
@@ -79,6 +81,8 @@ def suspension_pull(axis: int, order: int, gravity: float, swing: 'float[:]') ->
             found = swing[Swing.ACCELERATION + axis]
     elif order == 1 and axis < 2:
         found = swing[Swing.JERK + axis]
+    elif order == 2 and axis < 2:
+        found = 0.5 * swing[Swing.SNAP + axis]
     return found
 
 
@@ -94,19 +98,26 @@ def move_swing(step: float, swing: 'float[:]', work: 'float[:,:]') -> None:
             place = place * step + series[i]
         swing[Swing.PATH + axis] = place
         swing[Swing.RATE + axis] = rate
+        snap = swing[Swing.SNAP + axis]
         jerk = swing[Swing.JERK + axis]
         acceleration = swing[Swing.ACCELERATION + axis]
-        mean = swing[Swing.VELOCITY + axis] + (0.5 * acceleration + jerk * step / 6.0) * step
+        mean = (
+            swing[Swing.VELOCITY + axis]
+            + (0.5 * acceleration + (jerk / 6.0 + snap * step / 24.0) * step) * step
+        )
         swing[Swing.POSITION + axis] = swing[Swing.POSITION + axis] + mean * step
         swing[Swing.VELOCITY + axis] = (
-            swing[Swing.VELOCITY + axis] + (acceleration + 0.5 * jerk * step) * step
+            swing[Swing.VELOCITY + axis]
+            + (acceleration + (0.5 * jerk + snap * step / 6.0) * step) * step
         )
-        swing[Swing.ACCELERATION + axis] = acceleration + jerk * step
+        swing[Swing.ACCELERATION + axis] = acceleration + (jerk + 0.5 * snap * step) * step
+        swing[Swing.JERK + axis] = jerk + snap * step
         swing[Swing.LEFT + axis] = max(swing[Swing.LEFT + axis] - step, 0.0)
         if swing[Swing.LEFT + axis] == 0.0:
             swing[Swing.VELOCITY + axis] = 0.0
             swing[Swing.ACCELERATION + axis] = 0.0
             swing[Swing.JERK + axis] = 0.0
+            swing[Swing.SNAP + axis] = 0.0
     tighten_rope(swing)
 
 
@@ -255,6 +266,9 @@ def write_swing_piece(
         )
         coefficients[Slot.TRIED, row, SwingTerms.CUBIC] = (
             coefficients[Slot.TRIED, row, SwingTerms.CUBIC] + swing[Swing.JERK + axis] / 6.0
+        )
+        coefficients[Slot.TRIED, row, SwingTerms.QUARTIC] = (
+            coefficients[Slot.TRIED, row, SwingTerms.QUARTIC] + swing[Swing.SNAP + axis] / 24.0
         )
     # expanded around the start, by Horner's scheme
     for i in range(width - 1):

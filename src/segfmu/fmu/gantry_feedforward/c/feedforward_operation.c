@@ -96,6 +96,35 @@ static void fill_known(const feedforward *m, operation_arrays *a)
     }
 }
 
+static void note_answer(feedforward *m, const operation_arrays *a)
+{
+    const double *progress = row_of(&a->operation, OPERATION_PROGRESS);
+    for (int axis = 0; axis < AXES; axis++) {
+        const double *when = a->timing.data + (a->offsets.data[axis + 1] - 1) * TIMING_SIZE;
+        m->stops[axis] = when[TIMING_START] + when[TIMING_LENGTH];
+    }
+    m->base.integer[V_PLAN_STATUS] = (int64_t)progress[PROGRESS_STATUS];
+    m->base.integer[V_PLAN_REFUSED] = (int64_t)progress[PROGRESS_REFUSED];
+}
+
+/* Begin in the measured state instead of with the plan; false with a message where that cannot be. */
+static bool begin_measured(feedforward *m, operation_arrays *a, char message[MESSAGE])
+{
+    double fault[READY_FAULT_SIZE] = {0.0};
+    double *command = row_of(&a->operation, OPERATION_COMMAND);
+    feed_record(&feeds_command, &m->base, command);
+    command[COMMAND_TIME] = feedforward_start(m);
+    fill_known(m, a);
+    int64_t status = segfmu_take_over_measured(
+        a->operation, a->known, a->timing, a->coefficients, a->offsets, a->work, a->stack);
+    if (segfmu_takeover_message(status, fault, message, MESSAGE)) {
+        return false;
+    }
+    m->operating = 1;
+    note_answer(m, a);
+    return true;
+}
+
 bool begin_commands(feedforward *m, char message[MESSAGE])
 {
     double compensation[COMPENSATION_SIZE], resistance[RESISTANCE_SIZE] = {0.0};
@@ -117,36 +146,27 @@ bool begin_commands(feedforward *m, char message[MESSAGE])
     memcpy(a.offsets.data, plan.offsets, SLOT_OFFSETS * sizeof *plan.offsets);
     segfmu_begin_operation(feedforward_start(m), a.operation);
     m->operates = 1;
-    return true;
-}
-
-static void note_stops(feedforward *m, const operation_arrays *a)
-{
-    for (int axis = 0; axis < AXES; axis++) {
-        const double *when = a->timing.data + (a->offsets.data[axis + 1] - 1) * TIMING_SIZE;
-        m->stops[axis] = when[TIMING_START] + when[TIMING_LENGTH];
-    }
+    return !m->base.integer[V_COMMAND_TAKE_OVER] || begin_measured(m, &a, message);
 }
 
 void follow_command(feedforward *m, double step, char message[MESSAGE])
 {
     operation_arrays a = arrays_of(m);
     double *command = row_of(&a.operation, OPERATION_COMMAND);
-    double *progress = row_of(&a.operation, OPERATION_PROGRESS);
     (void)message;
     feed_record(&feeds_command, &m->base, command);
     command[COMMAND_TIME] = m->base.real[V_TIME] + ahead_of(m);
     command[COMMAND_STEP] = step;
-    if (!m->operating && command[COMMAND_MODE] == OPERATION_MODE_MISSION) {
+    command[COMMAND_LEAD] = m->base.real[V_SETPOINT_LEAD];
+    if (!m->operating && command[COMMAND_MODE] == OPERATION_MODE_MISSION
+        && command[COMMAND_TAKE_OVER] == 0.0) {
         return;
     }
     m->operating = 1;
     fill_known(m, &a);
     segfmu_operate(a.operation, a.limits, a.known, a.timing, a.coefficients, a.offsets, a.states,
                    a.cells, a.lead, a.work, a.stack);
-    note_stops(m, &a);
-    m->base.integer[V_PLAN_STATUS] = (int64_t)progress[PROGRESS_STATUS];
-    m->base.integer[V_PLAN_REFUSED] = (int64_t)progress[PROGRESS_REFUSED];
+    note_answer(m, &a);
 }
 
 double operation_begin(const feedforward *m)

@@ -1,0 +1,111 @@
+"""What an operated motion begins with: what is known of the crane, a plan, or a state."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from segfmu.crane.bounds import ActuatorBounds
+from segfmu.crane.bounds import uses as bound_uses
+from segfmu.crane.contacts import resistance
+from segfmu.crane.demand import peaks
+from segfmu.crane.equipment import Friction
+from segfmu.crane.limit_search import KEPT
+from segfmu.crane.parameters import Crane
+from segfmu.crane.rope import require_rope
+from segfmu.crane.variables import filled
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
+from segfmu.kernels.crane.records import Axes, RopeBounds, State
+from segfmu.kernels.operation.records import Known
+from segfmu.kernels.planner.records import Lower
+from segfmu.kernels.trajectory.records import Timing
+from segfmu.planning.arrays import FloatArray, finite_vector
+from segfmu.planning.clearance import Clearance
+from segfmu.planning.limits import Limits
+from segfmu.planning.trajectory import Trajectory
+
+# an end of the workspace [m] that is none
+FAR = 1e9
+
+
+def require_hanging(name: str, value: ArrayLike) -> FloatArray:
+    """The state (10,) of a load below its crane."""
+    state = finite_vector(name, value)
+    if state.size != State.SIZE:
+        raise InputError(f"{name} must have {State.SIZE} values, got {state.size}")
+    angle = np.abs(state[State.ANGLE : State.VELOCITY]).max()
+    if state[Axes.ROPE] <= 0.0 or angle >= 1.5:
+        raise InputError(
+            f"{name}: a rope of {state[Axes.ROPE]:.4g} m and angles up to {angle:.4g} rad are no "
+            "state of a load below its crane; give positions, rope, angles and their rates, shape "
+            "(10,)"
+        )
+    return state
+
+
+def resting(start: ArrayLike, smoothness: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
+    """A plan that rests in a place."""
+    coefficients = np.zeros((3, 2 * smoothness))
+    coefficients[:, 0] = triple("start", start)
+    return np.zeros((3, Timing.SIZE)), coefficients, np.arange(4, dtype=np.int64)
+
+
+def triple(name: str, value: ArrayLike, *, alike: bool = False) -> FloatArray:
+    vector = finite_vector(name, value)
+    if vector.size != 3 and not (alike and vector.size == 1):
+        raise InputError(f"{name} must have 3 values, got {vector.size}")
+    return np.broadcast_to(vector, (3,))
+
+
+def require_plan(
+    crane: Crane,
+    plan: Trajectory,
+    bounds: ActuatorBounds,
+    clearance: Clearance,
+    friction: Friction,
+) -> None:
+    """Refuse a plan that does not keep what plans for commands keep."""
+    require_rope(crane, plan)
+    clearance.require(plan, crane.gravity)
+    for use in bound_uses(bounds, *peaks(crane, plan, friction, bounds.lag)):
+        if use.use > KEPT:
+            raise InfeasibleError(
+                f"start: the plan uses {100.0 * use.use:.4g} % of the bound of the {use.name}; "
+                "plan it within the bounds"
+            )
+
+
+def known_of(
+    crane: Crane, limits: Limits, bounds: ActuatorBounds, clearance: Clearance, friction: Friction
+) -> FloatArray:
+    """The record `Known`, without options."""
+    known = np.zeros((Known.SIZE, Known.COLUMNS))
+    given = resistance(crane, friction, bounds.lag)
+    known[Known.CRANE, : given.size] = given
+    known[Known.ROPE, : RopeBounds.SIZE] = filled(RopeBounds, crane.values().__getitem__)
+    known[Known.BOUNDS, : bounds.record.size] = bounds.record
+    known[Known.LOWER : Known.OBSTACLES, : Lower.SIZE] = limits.lower(3)
+    space = known[Known.SPACE]
+    space[Space.GRAVITY] = crane.gravity
+    for place, value in (
+        (Space.WORKSPACE_MIN, clearance.minimum),
+        (Space.WORKSPACE_MAX, clearance.maximum),
+        (Space.LOAD_SIZE, clearance.load_size),
+        (Space.LOAD_CENTRE, clearance.load_centre),
+    ):
+        space[place : place + 3] = np.clip(value, -FAR, FAR)
+    if len(clearance.obstacles) > SpaceLimits.OBSTACLES:
+        raise InputError(
+            f"clearance has {len(clearance.obstacles)} obstacles, at most {SpaceLimits.OBSTACLES} "
+            "can be kept off while running; join some of them"
+        )
+    space[Space.OBSTACLES] = len(clearance.obstacles)
+    for i, box in enumerate(clearance.obstacles):
+        known[Known.OBSTACLES + i, : ObstacleRow.SIZE] = [
+            *box.minimum,
+            *box.maximum,
+            box.margin,
+            box.rope,
+        ]
+    return known
