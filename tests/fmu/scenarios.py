@@ -236,6 +236,17 @@ FEEDFORWARD |= {
     ),
     "inching": Scenario(COMMANDED | {"command.mode": "inching"}, TIMES, pushes),
 }
+# a swing that is taken over at the start
+MEASURED: Values = {
+    "command.take_over": True, "measured.bridge.position": 0.1, "measured.trolley.position": -0.1,
+    "measured.rope.length": 0.5, "measured.sway.x.angle": 0.05, "measured.sway.y.angle": -0.04,
+    "measured.bridge.velocity": 0.05, "measured.trolley.velocity": -0.05,
+    "measured.rope.velocity": 0.02, "measured.sway.x.rate": 0.1, "measured.sway.y.rate": 0.1,
+    **{f"drive.{drive}.acceleration_max": 0.9 for drive in DRIVES},
+}
+FEEDFORWARD["taken over"] = Scenario(
+    COMMANDED | {"command.mode": "stop"} | MEASURED, TIMES, still
+)
 
 
 # where a small change does nothing yet

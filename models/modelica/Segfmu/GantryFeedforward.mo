@@ -134,6 +134,17 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real command_distance_x(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, x" annotation(Dialog(tab = "command"));
   parameter Real command_distance_y(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
   parameter Real command_distance_z(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
+  parameter Boolean command_take_over = false "begin in the measured state and bring the load to rest, or to the target; each time that it becomes true, and at the start" annotation(Dialog(tab = "command"));
+  parameter Real measured_bridge_position(unit = "m") = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_trolley_position(unit = "m") = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_rope_length(unit = "m") = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_x_angle(unit = "rad", displayUnit = "deg") = 0.0 "measured sway.x.angle, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_y_angle(unit = "rad", displayUnit = "deg") = 0.0 "measured sway.y.angle, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_bridge_velocity(unit = "m/s") = 0.0 "measured bridge.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_trolley_velocity(unit = "m/s") = 0.0 "measured trolley.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_rope_velocity(unit = "m/s") = 0.0 "measured rope.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_x_rate(unit = "rad/s", displayUnit = "deg/s") = 0.0 "measured sway.x.rate, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_y_rate(unit = "rad/s", displayUnit = "deg/s") = 0.0 "measured sway.y.rate, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_static(unit = "N", min = 0.0) = 0.0 "static friction of the bridge; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
@@ -210,87 +221,87 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [321, 322, 323;
-      337, 338, 339;
-      353, 354, 355;
-      369, 370, 371;
-      385, 386, 387;
-      401, 402, 403;
-      417, 418, 419;
-      433, 434, 435;
-      449, 450, 451;
-      465, 466, 467;
-      481, 482, 483;
-      497, 498, 499;
-      513, 514, 515;
-      529, 530, 531;
-      545, 546, 547;
-      561, 562, 563];
-  constant Integer waypoint_velocity_references[16, 3] = [324, 325, 326;
-      340, 341, 342;
-      356, 357, 358;
-      372, 373, 374;
-      388, 389, 390;
-      404, 405, 406;
-      420, 421, 422;
-      436, 437, 438;
-      452, 453, 454;
-      468, 469, 470;
-      484, 485, 486;
-      500, 501, 502;
-      516, 517, 518;
-      532, 533, 534;
-      548, 549, 550;
-      564, 565, 566];
-  constant Integer waypoint_acceleration_references[16, 3] = [327, 328, 329;
-      343, 344, 345;
-      359, 360, 361;
-      375, 376, 377;
-      391, 392, 393;
-      407, 408, 409;
-      423, 424, 425;
-      439, 440, 441;
-      455, 456, 457;
-      471, 472, 473;
-      487, 488, 489;
-      503, 504, 505;
-      519, 520, 521;
-      535, 536, 537;
-      551, 552, 553;
-      567, 568, 569];
-  constant Integer waypoint_velocity_free_references[16, 3] = [330, 331, 332;
-      346, 347, 348;
-      362, 363, 364;
-      378, 379, 380;
-      394, 395, 396;
-      410, 411, 412;
-      426, 427, 428;
-      442, 443, 444;
-      458, 459, 460;
-      474, 475, 476;
-      490, 491, 492;
-      506, 507, 508;
-      522, 523, 524;
-      538, 539, 540;
-      554, 555, 556;
-      570, 571, 572];
-  constant Integer waypoint_acceleration_free_references[16, 3] = [333, 334, 335;
-      349, 350, 351;
-      365, 366, 367;
-      381, 382, 383;
-      397, 398, 399;
-      413, 414, 415;
-      429, 430, 431;
-      445, 446, 447;
-      461, 462, 463;
-      477, 478, 479;
-      493, 494, 495;
-      509, 510, 511;
-      525, 526, 527;
-      541, 542, 543;
-      557, 558, 559;
-      573, 574, 575];
-  constant Integer waypoint_dwell_references[16] = {336, 352, 368, 384, 400, 416, 432, 448, 464, 480, 496, 512, 528, 544, 560, 576};
+  constant Integer waypoint_position_references[16, 3] = [332, 333, 334;
+      348, 349, 350;
+      364, 365, 366;
+      380, 381, 382;
+      396, 397, 398;
+      412, 413, 414;
+      428, 429, 430;
+      444, 445, 446;
+      460, 461, 462;
+      476, 477, 478;
+      492, 493, 494;
+      508, 509, 510;
+      524, 525, 526;
+      540, 541, 542;
+      556, 557, 558;
+      572, 573, 574];
+  constant Integer waypoint_velocity_references[16, 3] = [335, 336, 337;
+      351, 352, 353;
+      367, 368, 369;
+      383, 384, 385;
+      399, 400, 401;
+      415, 416, 417;
+      431, 432, 433;
+      447, 448, 449;
+      463, 464, 465;
+      479, 480, 481;
+      495, 496, 497;
+      511, 512, 513;
+      527, 528, 529;
+      543, 544, 545;
+      559, 560, 561;
+      575, 576, 577];
+  constant Integer waypoint_acceleration_references[16, 3] = [338, 339, 340;
+      354, 355, 356;
+      370, 371, 372;
+      386, 387, 388;
+      402, 403, 404;
+      418, 419, 420;
+      434, 435, 436;
+      450, 451, 452;
+      466, 467, 468;
+      482, 483, 484;
+      498, 499, 500;
+      514, 515, 516;
+      530, 531, 532;
+      546, 547, 548;
+      562, 563, 564;
+      578, 579, 580];
+  constant Integer waypoint_velocity_free_references[16, 3] = [341, 342, 343;
+      357, 358, 359;
+      373, 374, 375;
+      389, 390, 391;
+      405, 406, 407;
+      421, 422, 423;
+      437, 438, 439;
+      453, 454, 455;
+      469, 470, 471;
+      485, 486, 487;
+      501, 502, 503;
+      517, 518, 519;
+      533, 534, 535;
+      549, 550, 551;
+      565, 566, 567;
+      581, 582, 583];
+  constant Integer waypoint_acceleration_free_references[16, 3] = [344, 345, 346;
+      360, 361, 362;
+      376, 377, 378;
+      392, 393, 394;
+      408, 409, 410;
+      424, 425, 426;
+      440, 441, 442;
+      456, 457, 458;
+      472, 473, 474;
+      488, 489, 490;
+      504, 505, 506;
+      520, 521, 522;
+      536, 537, 538;
+      552, 553, 554;
+      568, 569, 570;
+      584, 585, 586];
+  constant Integer waypoint_dwell_references[16] = {347, 363, 379, 395, 411, 427, 443, 459, 475, 491, 507, 523, 539, 555, 571, 587};
   constant Integer obstacle_minimum_references[16, 3] = [163, 164, 165;
       171, 172, 173;
       179, 180, 181;
@@ -329,7 +340,8 @@ protected
       65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
       109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 150, 151, 152, 153, 154,
       155, 156, 157, 158, 159, 160, 161, 293, 294, 295, 296, 297, 298, 300, 301, 303, 304, 305,
-      306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319},
+      307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324,
+      325, 326, 327, 328, 329, 330},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -357,11 +369,14 @@ protected
       load_centre_x, load_centre_y, load_centre_z, command_velocity_x, command_velocity_y,
       command_velocity_z, command_target_x, command_target_y, command_target_z, limits_scale,
       command_hold, command_distance_x, command_distance_y, command_distance_z,
-      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
-      friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
-      friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
-      friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
-      friction_presliding},
+      measured_bridge_position, measured_trolley_position, measured_rope_length,
+      measured_sway_x_angle, measured_sway_y_angle, measured_bridge_velocity,
+      measured_trolley_velocity, measured_rope_velocity, measured_sway_x_rate,
+      measured_sway_y_rate, friction_bridge_viscous, friction_bridge_coulomb,
+      friction_bridge_static, friction_bridge_drag, friction_trolley_viscous,
+      friction_trolley_coulomb, friction_trolley_static, friction_trolley_drag,
+      friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag,
+      friction_width, friction_presliding},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
@@ -369,22 +384,23 @@ protected
       FMI.rows(obstacle_minimum),
       FMI.rows(obstacle_maximum),
       obstacle_margin);
-  constant Integer integer_references[7] = {84, 85, 86, 162, 292, 302, 320};
+  constant Integer integer_references[7] = {84, 85, 86, 162, 292, 302, 331};
   final parameter Integer integers[7] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, Integer(command_mode), command_tries, waypoint_count};
-  final parameter Integer boolean_references[:] = cat(1, {89, 90, 291, 299},
+  final parameter Integer boolean_references[:] = cat(1, {89, 90, 291, 299, 306},
       FMI.references(waypoint_velocity_free_references, waypoint_count),
       FMI.references(waypoint_acceleration_free_references, waypoint_count),
       obstacle_rope_references[1:obstacle_count]);
   final parameter Integer booleans[:] = cat(1, {if planner_finds_limits then 1 else 0, if planner_slows_down then 1 else 0, if
-      command_enabled then 1 else 0, if command_go then 1 else 0},
+      command_enabled then 1 else 0, if command_go then 1 else 0, if command_take_over then 1 else
+      0},
       FMI.truths(waypoint_velocity_free),
       FMI.truths(waypoint_acceleration_free),
       FMI.truths(matrix(obstacle_rope)));
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{401e0ada-f499-92a5-b48f-f90047c7b68c}", 0);
+      "{3c096557-a9dd-9b20-37f2-f99b9de9c141}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -281,9 +281,9 @@ READY = Messages(
 TAKEOVER = Messages(
     "takeover", ReadyFault,
     {
-        OperationStatus.ROPE: "command.take_over: measured.* is no state of a load below its "
-        "crane, or the way from there to rest leaves the range of the rope; give all ten values, "
-        "or widen crane.rope_min and crane.rope_max",
+        OperationStatus.ROPE: "command.take_over: measured.* with a rope of {VALUE:g} m is no "
+        "state of a load below its crane, or the way from there to rest leaves the range of the "
+        "rope; give all ten values, or widen crane.rope_min and crane.rope_max",
         OperationStatus.WORKSPACE: "command.take_over: the way from the measured state to rest "
         "leaves the workspace; widen workspace.*, or let the swing decay",
         OperationStatus.OBSTACLE: "command.take_over: the way from the measured state to rest "

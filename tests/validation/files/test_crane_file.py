@@ -262,7 +262,7 @@ NOT_OF_MISSIONS = {
     **{
         name: "a matter of who operates the crane"
         for name in gantry_feedforward.spec().references
-        if name.startswith("command.") or name == "limits.scale"
+        if name.startswith(("command.", "measured.")) or name == "limits.scale"
     },
     **{
         name: "the mission has no obstacles"

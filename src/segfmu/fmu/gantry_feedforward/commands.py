@@ -62,7 +62,9 @@ class Commands:
         Command.fill(self.motion.command, self._value)
         status = self.motion.take_over(start)
         if status != OperationStatus.TAKEN:
-            raise InfeasibleError(TAKEOVER.text(status, np.zeros(ReadyFault.SIZE)))
+            fault = np.zeros(ReadyFault.SIZE)
+            fault[ReadyFault.VALUE] = self._value("measured.rope.length")
+            raise InfeasibleError(TAKEOVER.text(status, fault))
 
     def _fill_known(self) -> None:
         known = self.motion.known

@@ -412,9 +412,10 @@ bool segfmu_takeover_message(
     switch (status) {
     case 3:
         snprintf(text, size,
-            "command.take_over: measured.* is no state of a load below its crane, or the "
-            "way from there to rest leaves the range of the rope; give all ten values, "
-            "or widen crane.rope_min and crane.rope_max");
+            "command.take_over: measured.* with a rope of %g m is no state of a load "
+            "below its crane, or the way from there to rest leaves the range of the "
+            "rope; give all ten values, or widen crane.rope_min and crane.rope_max",
+            report[READY_FAULT_VALUE]);
         return true;
     case 4:
         snprintf(text, size,

@@ -87,7 +87,7 @@ class ReadyFault(Record):
     """What is in the way of commands."""
 
     DRIVE = field("drive, from 0")
-    VALUE = field("dead time [s], or number of pieces")
+    VALUE = field("dead time [s], number of pieces, or measured rope length [m]")
 
 
 class Command(Record):

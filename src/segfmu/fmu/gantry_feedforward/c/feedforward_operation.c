@@ -114,6 +114,7 @@ static bool begin_measured(feedforward *m, operation_arrays *a, char message[MES
     double *command = row_of(&a->operation, OPERATION_COMMAND);
     feed_record(&feeds_command, &m->base, command);
     command[COMMAND_TIME] = feedforward_start(m);
+    fault[READY_FAULT_VALUE] = m->base.real[V_MEASURED_ROPE_LENGTH];
     fill_known(m, a);
     int64_t status = segfmu_take_over_measured(
         a->operation, a->known, a->timing, a->coefficients, a->offsets, a->work, a->stack);
