@@ -3300,8 +3300,8 @@ static PyObject *call_keeps_drives(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
         && has_at_least(&call, "known", 1, in_known->shape[1], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 64)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyBool_FromLong(segfmu_keeps_drives(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -3334,8 +3334,8 @@ static PyObject *call_foresee_emergency(
         && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
         && has_at_least(&call, "known", 1, in_known->shape[1], 24)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
@@ -3344,8 +3344,8 @@ static PyObject *call_foresee_emergency(
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 64)) {
+        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 102)) {
         answer = PyBool_FromLong(segfmu_foresee_emergency(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
             (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
@@ -3358,12 +3358,11 @@ static PyObject *call_foresee_emergency(
     return answer;
 }
 
-static PyObject *call_take_over_state(
+static PyObject *call_take_over_measured(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "take_over_state", .values = values};
+    arguments call = {.function = "take_over_measured", .values = values};
     PyObject *answer = NULL;
-    Py_buffer *in_state;
     Py_buffer *in_operation;
     Py_buffer *in_known;
     Py_buffer *in_timing;
@@ -3372,19 +3371,17 @@ static PyObject *call_take_over_state(
     Py_buffer *in_work;
     Py_buffer *in_stack;
     (void)self;
-    if (take_count(&call, count, 8)
-        && (in_state = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
-        && (in_known = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 3, 3, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 4, 3, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 5, 1, 'l', true)) != NULL
-        && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && (in_stack = take_array(&call, 7, 3, 'd', true)) != NULL
+    if (take_count(&call, count, 7)
+        && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
+        && (in_known = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 3, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 3, 3, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
+        && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
         && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
-        && has_at_least(&call, "state", 0, in_state->shape[0], 10)
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
         && has_at_least(&call, "known", 1, in_known->shape[1], 24)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
@@ -3393,13 +3390,12 @@ static PyObject *call_take_over_state(
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 64)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
         && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[2]) - 3))) {
-        answer = PyLong_FromLongLong(segfmu_take_over_state(
-            (array_double_1d){in_state->buf, {in_state->shape[0]}},
+        answer = PyLong_FromLongLong(segfmu_take_over_measured(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
             (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
             (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
@@ -3927,8 +3923,8 @@ static PyObject *call_begin_operation(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_time)
         && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)) {
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)) {
         segfmu_begin_operation(
             in_time,
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}});
@@ -3969,8 +3965,8 @@ static PyObject *call_operate(
         && (in_stack = take_array(&call, 10, 3, 'd', true)) != NULL
         && has_at_least(&call, "limits", 2, in_limits->shape[2], 1)
         && has_extent(&call, "states", 2, in_states->shape[2], in_limits->shape[2])
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
@@ -3989,8 +3985,8 @@ static PyObject *call_operate(
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 156)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 64)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
         && has_at_least(&call, "stack", 2, in_stack->shape[2], ((4 * in_limits->shape[2]) - 7))) {
@@ -4048,8 +4044,8 @@ static PyObject *call_next_operation(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_operation = take_array(&call, 0, 2, 'd', false)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 28)
-        && has_at_least(&call, "operation", 1, in_operation->shape[1], 26)) {
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)) {
         answer = PyFloat_FromDouble(segfmu_next_operation(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}}));
     }
@@ -5415,7 +5411,7 @@ static PyMethodDef methods[] = {
     {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
     {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
     {"foresee_emergency", (PyCFunction)(void (*)(void))call_foresee_emergency, METH_FASTCALL, NULL},
-    {"take_over_state", (PyCFunction)(void (*)(void))call_take_over_state, METH_FASTCALL, NULL},
+    {"take_over_measured", (PyCFunction)(void (*)(void))call_take_over_measured, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
     {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
