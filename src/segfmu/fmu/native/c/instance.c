@@ -202,7 +202,8 @@ void glue_set_time(instance *c, double time)
 
 bool glue_in_range(instance *c, const variable *v, size_t element, double value, const char *what)
 {
-    char message[MESSAGE] = "", place[24] = "";
+    enum { PLACE = sizeof "[18446744073709551615]" };
+    char message[MESSAGE] = "", place[PLACE] = "";
     const label *own = glue_label(v);
     const range *within = &model_ranges[own->range];
     double most = v->counts ? (double)c->start.rows : within->most, fault[RANGE_FAULT_SIZE];
