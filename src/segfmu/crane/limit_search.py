@@ -72,11 +72,12 @@ def look(task: Task, trajectory: Trajectory, *, exact: bool) -> Found:
     """What a plan uses of the bounds: at its exact peaks, or among samples."""
     contacts = Contacts(task.crane, task.friction, trajectory, task.lag)
     peaks, times = np.zeros((2, 2, Demand.SIZE))
-    measure = backend.demand_peaks if exact else backend.demand_samples
-    measure(
-        *contacts.pieces, contacts.resistance, contacts.rows,
-        np.zeros((DemandPeaks.SIZE, DemandPeaks.COLUMNS)), peaks, times,
-    )
+    work = np.zeros((DemandPeaks.SIZE, DemandPeaks.COLUMNS))
+    plan = (*contacts.pieces, contacts.resistance, contacts.rows, work)
+    if exact:
+        backend.demand_peaks(*plan, peaks, times)
+    else:
+        backend.demand_samples(*plan, task.samples, peaks, times)
     uses = np.zeros(2 * Demand.SIZE)
     backend.write_shares(peaks, task.record, task.axes, uses)
     return Found(trajectory, uses)

@@ -9946,7 +9946,7 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
         end = next_joint(begin, duration, timing, offsets, ends, contacts);
     }
 }
-void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
+void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, int64_t samples, array_double_2d peaks, array_double_2d times)
 {
     double duration;
     double begin;
@@ -9958,7 +9958,7 @@ void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients,
     end = next_joint(begin, duration, timing, offsets, ends, contacts);
     while(end < 1e+300)
     {
-        count = INT64_C(4) + (int64_t)(64.0 * (end - begin) / duration);
+        count = samples + (int64_t)(64.0 * (end - begin) / duration);
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             note_value(begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);

@@ -1217,6 +1217,11 @@ enum {
 };
 
 enum {
+    LOOKS_GIVEN = 2,
+    LOOKS_FREE = 4
+};
+
+enum {
     STARTS_COUNT = 16
 };
 

@@ -80,16 +80,19 @@ def demand_samples(
     resistance: 'float[:]',
     contacts: 'float[:,:,:]',
     work: 'float[:,:]',
+    samples: int,
     peaks: 'float[:,:]',
     times: 'float[:,:]',
 ) -> None:
-    """As `demand_peaks`, among samples: a fast look that may miss a little of a peak."""
+    """As `demand_peaks`, among samples: a fast look that may miss a little of a peak.
+
+    samples: at least, of each interval between two joints.
+    """
     duration = clear_peaks(ends, work, peaks, times)
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
     while end < NEVER:
-        # jerk and snap of a ramp may vanish at its ends and its middle
-        count = 4 + int(64.0 * (end - begin) / duration)
+        count = samples + int(64.0 * (end - begin) / duration)
         for j in range(count):
             note_value(
                 begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance,

@@ -57,6 +57,17 @@ class AxisTask(Record):
     CAP = field("largest limits, 1e300: none", size=LimitRow.SIZE)
 
 
+class Looks(Codes):
+    """Least samples of an interval between two joints in a look for peaks.
+
+    At two, its begin and its middle, jerk and snap of a ramp may vanish. Limits alone are found as
+    well; free states, whose slopes are small, are not.
+    """
+
+    GIVEN = 2
+    FREE = 4
+
+
 class Starts(Codes):
     """COUNT: how many starts a search has."""
 

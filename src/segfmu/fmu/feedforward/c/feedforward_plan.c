@@ -100,16 +100,22 @@ static bool note_contacts(feedforward *m, char message[MESSAGE])
     return !segfmu_setup_message(status, fault, message, MESSAGE);
 }
 
-void measure(feedforward *m, bool exact, double *peaks, double *times)
+void measure(feedforward *m, int64_t samples, double *peaks, double *times)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
     double known[RESISTANCE_SIZE], work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
     crane_of(&m->base, known);
-    (exact ? segfmu_demand_peaks : segfmu_demand_samples)(
-        timing_of(&t), matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness),
-        offsets_of(&t), vector((double *)t.ends, AXES), vector(known, RESISTANCE_SIZE),
-        contacts(m), matrix(work, DEMAND_PEAKS_SIZE, DEMAND_PEAKS_COLUMNS),
-        matrix(peaks, 2, DEMAND_SIZE), matrix(times, 2, DEMAND_SIZE));
+    const array_double_2d pieces = matrix((double *)t.coefficients, t.pieces, 2 * t.smoothness);
+    const array_double_1d ends = vector((double *)t.ends, AXES), crane = vector(known, RESISTANCE_SIZE);
+    const array_double_2d space = matrix(work, DEMAND_PEAKS_SIZE, DEMAND_PEAKS_COLUMNS);
+    const array_double_2d found = matrix(peaks, 2, DEMAND_SIZE), when = matrix(times, 2, DEMAND_SIZE);
+    if (samples > 0) {
+        segfmu_demand_samples(
+            timing_of(&t), pieces, offsets_of(&t), ends, crane, contacts(m), space, samples, found, when);
+    } else {
+        segfmu_demand_peaks(
+            timing_of(&t), pieces, offsets_of(&t), ends, crane, contacts(m), space, found, when);
+    }
 }
 
 /* What demands use of the bounds of the drives; a `BoundStatus`. */
@@ -135,7 +141,7 @@ static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fa
         bounded = bounded || bounds[i] != 0.0;
     }
     if (bounded) {
-        measure(m, true, peaks, times);
+        measure(m, 0, peaks, times);
     }
     return write_uses(m, peaks, times, uses, fault);
 }
