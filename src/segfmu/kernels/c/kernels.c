@@ -15224,15 +15224,17 @@ static void set_knot(int64_t k, double interval, array_double_1d ahead, array_do
 {
     int64_t axis;
     array_double_1d points;
+    int64_t last;
     double before;
     double here;
     double behind;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         points = span_row(&control, axis);
+        last = k + INT64_C(3);
         before = ((*cspan_at(&points, k + INT64_C(1))) - (*cspan_at(&points, k))) / interval;
         here = ((*cspan_at(&points, k + INT64_C(2))) - (*cspan_at(&points, k + INT64_C(1)))) / interval;
-        behind = ((*cspan_at(&points, k + INT64_C(3))) - (*cspan_at(&points, k + INT64_C(2)))) / interval;
+        behind = ((*cspan_at(&points, last)) - (*cspan_at(&points, k + INT64_C(2)))) / interval;
         (*cspan_at(&ahead, INT64_C(5) + axis)) = ((*cspan_at(&points, k)) + 4.0 * (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)))) / 6.0;
         (*cspan_at(&ahead, INT64_C(8) + axis)) = 0.5 * (before + here);
         (*cspan_at(&ahead, INT64_C(11) + axis)) = (here - before) / interval;
@@ -15260,6 +15262,7 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
     int64_t k;
     array_double_1d points;
     double inner;
+    int64_t last;
     double phase;
     swing = span_row(&operation, INT64_C(26));
     length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
@@ -15268,7 +15271,8 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
     {
         points = span_row(&work, INT64_C(138) + INT64_C(2));
         inner = (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)));
-        length = length + interval * ((*cspan_at(&points, k)) + 11.0 * inner + (*cspan_at(&points, k + INT64_C(3)))) / 24.0;
+        last = k + INT64_C(3);
+        length = length + interval * ((*cspan_at(&points, k)) + 11.0 * inner + (*cspan_at(&points, last))) / 24.0;
         shortest = span_min(shortest, length);
     }
     if (!(shortest > 0.0))

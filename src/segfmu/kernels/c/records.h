@@ -1471,6 +1471,7 @@ enum {
 
 enum {
     CONTROL_POINTS = 102,
+    CONTROL_DEGREE = 3,
     CONTROL_FREE = 3,
     CONTROL_SWING = 0,
     CONTROL_PLACE = 2,

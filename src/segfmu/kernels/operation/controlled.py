@@ -54,9 +54,10 @@ def set_knot(k: int, interval: float, ahead: 'float[:]', control: 'float[:,:]') 
     """Set velocities, accelerations and their derivatives at a knot of the splines (3, points)."""
     for axis in range(3):
         points = control[axis, :]
+        last = k + Control.DEGREE
         before = (points[k + 1] - points[k]) / interval
         here = (points[k + 2] - points[k + 1]) / interval
-        behind = (points[k + 3] - points[k + 2]) / interval
+        behind = (points[last] - points[k + 2]) / interval
         ahead[Swing.VELOCITY + axis] = (points[k] + 4.0 * points[k + 1] + points[k + 2]) / 6.0
         ahead[Swing.ACCELERATION + axis] = 0.5 * (before + here)
         ahead[Swing.JERK + axis] = (here - before) / interval
@@ -118,7 +119,8 @@ def interval_parts(
     for k in range(Control.INTERVALS):
         points = work[OperationWork.CONTROL + 2, :]
         inner = points[k + 1] + points[k + 2]
-        length = length + interval * (points[k] + 11.0 * inner + points[k + 3]) / 24.0
+        last = k + Control.DEGREE
+        length = length + interval * (points[k] + 11.0 * inner + points[last]) / 24.0
         shortest = min(shortest, length)
     if not shortest > 0.0:
         shortest = swing[Swing.POSITION + 2]

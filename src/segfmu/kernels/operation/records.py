@@ -190,12 +190,13 @@ class Swing(Record):
 class Control(Codes):
     """A calming motion: control points of a velocity, and intervals between its knots.
 
-    FREE: the first control point that the state at the start does not set. CONDITIONS: on those of
-    an axis, of its swing and of where it rests. STEPS: most pieces of an interval, so that a plan
-    has room for all of them; MANY: far more.
+    DEGREE: of the splines. FREE: the first control point that the state at the start does not set.
+    CONDITIONS: on those of an axis, of its swing and of where it rests. STEPS: most pieces of an
+    interval, so that a plan has room for all of them; MANY: far more.
     """
 
     POINTS = 102
+    DEGREE = 3
     FREE = 3
     SWING = 0
     PLACE = 2
