@@ -41,10 +41,10 @@ def demands_in_state(
     flat = np.zeros((1, model_of(crane).orders, 3))
     known_orders = point.position, point.velocity, point.acceleration, point.jerk, point.snap
     flat[0, : len(known_orders)] = known_orders
-    known = resistance(crane, friction)
+    known, ideal = resistance(crane, friction, lag), resistance(crane, friction)
     rows = np.zeros((Axes.SIZE, 1, Contact.SIZE))
-    velocity = _of(flat, np.zeros(1), known, rows)[0, Demand.VELOCITY : Demand.ACCELERATION]
-    known = resistance(crane, friction, lag)
+    # a contact slides with the drive's own velocity, which is the setpoint of an ideal drive
+    velocity = _of(flat, np.zeros(1), ideal, rows)[0, Demand.VELOCITY : Demand.ACCELERATION]
     # far from where it turned
     rows[:, 0, Contact.POSITION] = np.where(velocity == 0.0, 0.0, -np.sign(velocity) * FAR)
     rows[velocity == 0.0, 0, Contact.RELEASED] = 1.0
