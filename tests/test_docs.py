@@ -38,7 +38,7 @@ WRITTEN = (
 )
 OTHERS = {
     "mission.toml", "crane.toml", "report.html", "./mission.schema.json", "mission.schema.json",
-    "campaign.json", "new.toml",
+    "campaign.json", "new.toml", "verdict.json",
     "gust.py", "sway_damper.py", "sway_damper.toml", "conftest.py", "test_crane.py",
     "package.mo", "MyMission.mo", "Mission.mo", "feeds.c",
     "GantryFeedforward_me_FMU.mo", "GantryCrane_me_FMU.mo", "feeds.h",

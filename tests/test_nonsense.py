@@ -71,7 +71,7 @@ def cases() -> list[Any]:
         for which, (call, usual) in CALLS.items()
         for name in signature(call).parameters
         # a truth value is taken of anything
-        if name not in ("progress", "modelica", "ssp")
+        if name not in ("progress", "modelica", "ssp", "references")
     ]
 
 

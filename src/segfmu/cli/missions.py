@@ -103,6 +103,10 @@ def build(
         bool,
         typer.Option("--ssp", help="Also write mission.ssp and, of FMI 2, OspSystemStructure.xml."),
     ] = False,
+    references: Annotated[
+        bool,
+        typer.Option("--references", help="Put an experiment, its results and the verdict inside."),
+    ] = False,
 ) -> None:
     """Build GantryFeedforward.fmu and GantryCrane.fmu.
 
@@ -115,7 +119,7 @@ def build(
         written = archives.build(
             mission, output, fmi=fmi, backend=backend, platforms=platforms, waypoints=waypoints,
             enumerations=enumerations, commands=commands, modelica=modelica, ssp=ssp,
-            progress=progress,
+            references=references, progress=progress,
         )
     warn(written.note)
     for path in (written.feedforward, written.crane):

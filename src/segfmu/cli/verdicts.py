@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from segfmu.cli.console import AsJson, console, print_document, tell
 from segfmu.cli.work import watched
+from segfmu.errors import InputError
 from segfmu.validation.output import folder, require_file, require_folder
+
+if TYPE_CHECKING:
+    from segfmu.validation.comparison import Excess
 
 # signals outside of their tubes that are listed
 MOST_SHOWN = 10
@@ -67,28 +72,84 @@ def validate(
 
 
 def compare(
-    result: Annotated[Path, typer.Argument(help="Table of a run (CSV).")],
-    reference: Annotated[Path, typer.Argument(help="Table that it is to agree with (CSV).")],
+    result: Annotated[
+        Path, typer.Argument(help="Table of a run (CSV), or an FMU with references inside.")
+    ],
+    reference: Annotated[
+        Path | None,
+        typer.Argument(help="Table that a table is to agree with (CSV); an FMU has its own."),
+    ] = None,
     tube_time: Annotated[
         float, typer.Option(help="Half the width of the tubes in time [s].", min=0.0)
     ] = 0.0,
     tube_value: Annotated[
-        float, typer.Option(help="Half the width in value, in the unit of each signal.", min=0.0)
-    ] = 0.0,
+        float | None,
+        typer.Option(
+            help="Half the width in value, in the unit of each signal; default: 0, of an FMU 1e-6 "
+            "of the peak or the unit.", min=0.0, show_default=False,
+        ),
+    ] = None,
     relative: Annotated[
         bool,
         typer.Option("--relative", help="The width in value is a share of the signal's peak."),
     ] = False,
 ) -> None:
-    """Compare a table with a reference in tubes; name the first signal that leaves its own."""
+    """Compare a table with a reference in tubes, or an FMU with the references inside of it.
+
+    The experiments of an FMU are repeated. Named are the first signals that leave their tubes.
+    """
+    archive = result.suffix.lower() == ".fmu"
+    if archive is not (reference is None):
+        raise InputError(
+            f"{result}: an FMU has its references inside; leave out {reference}" if archive
+            else f"{result}: name the table that it is to agree with"
+        )
+    if reference is None:
+        alike = _repeated(result, tube_time, tube_value, relative)
+    else:
+        alike = _compared(result, reference, tube_time, tube_value or 0.0, relative)
+    if not alike:
+        raise typer.Exit(1)
+
+
+def _compared(
+    result: Path, reference: Path, tube_time: float, tube_value: float, relative: bool
+) -> bool:
     from segfmu.validation.comparison import compare as compared
     from segfmu.validation.signal_table import read_table
 
     tables = read_table(result), read_table(reference)
     found = compared(*tables, tube_time=tube_time, tube_value=tube_value, relative=relative)
+    _tell(found, len(tables[1]) - 1)
+    return not found
+
+
+def _repeated(
+    path: Path, tube_time: float, tube_value: float | None, relative: bool
+) -> bool:
+    from segfmu.validation.references.repeat import repeat
+
+    with watched() as progress:
+        references, found = repeat(
+            path, tube_time=tube_time, tube_value=tube_value, relative=relative, progress=progress
+        )
+    for text in references.missing:
+        tell(f"not repeated: {text}")
+    for report in references.reports:
+        tell(f"inside: {report.source}: {report.description}")
+    for one in found:
+        case = one.case
+        tell(f"{case.name}: {case.start:.6g} to {case.stop:.6g} s in steps of {case.step:.6g} s")
+        if one.error:
+            tell(one.error)
+            continue
+        if one.left_out:
+            tell(f"not compared: {', '.join(one.left_out)}")
+        _tell(one.outside, one.signals)
+    return all(one.alike for one in found)
+
+
+def _tell(found: Sequence[Excess], count: int) -> None:
     for excess in found[:MOST_SHOWN]:
         tell(str(excess))
-    count = len(tables[1]) - 1
     console.print(f"{count - len(found)} of {count} signals are in their tubes", highlight=False)
-    if found:
-        raise typer.Exit(1)

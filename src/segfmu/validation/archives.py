@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from html import escape
 from pathlib import Path
 
@@ -12,7 +15,9 @@ from segfmu.fmu.build import build_all, describe
 from segfmu.fmu.choice import Choice, chosen, require_native
 from segfmu.fmu.feedforward.interface import MOST_WAYPOINTS
 from segfmu.fmu.gantry_crane.pair import GANTRY
+from segfmu.fmu.placing import placing
 from segfmu.fmu.standard.spec import Spec
+from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
 from segfmu.planning.arrays import as_index, shown
 from segfmu.validation.files import crane_parameters
@@ -71,6 +76,7 @@ def build(
     commands: str = "parameters",
     modelica: bool = False,
     ssp: bool = False,
+    references: bool = False,
     progress: Progress = quiet,
 ) -> Archives:
     """Build GantryFeedforward.fmu and GantryCrane.fmu, with a hook HookFeedforward and HookCrane.
@@ -99,6 +105,10 @@ def build(
     modelica, ssp : bool
         Whether to write a Modelica package with both FMUs, and the coupled system for importers of
         SSP (1.0; 2.0 with FMI 3) and, with FMI 2, for libcosim.
+    references : bool
+        Whether both archives get an experiment with its results, and the verdict on the mission,
+        after FMI-LS-REF, with which `segfmu compare` and other tools check what they import. The
+        FMUs run on this machine for it.
     progress : callable
         Called with what is being done and the share of it that is done.
 
@@ -114,6 +124,8 @@ def build(
         If the mission cannot be planned.
     BuildError
         If a file cannot be written or a compiler fails.
+    SimulationError
+        If an FMU that is to have references reports an error.
 
     Examples
     --------
@@ -137,19 +149,23 @@ def build(
     if ssp:
         require_native(choice, "ssp")
     task = None if mission is None else load_mission(mission)
+    if references and task is None:
+        raise InputError("references are results of a mission; name its file")
     if task is not None:
         with about(task.file):
             _require_options(task, choice)
     models = GANTRY if task is None else crane_parameters.models(task.crane)
-    title, interfaces, file = "", sized(waypoints, models), None
+    title, interfaces, file, complete = "", sized(waypoints, models), None, None
     require_folder(output, *(f"{name}.fmu" for name in models.names))
     if task is not None:
         file = task.file
         with about(file):
-            title, interfaces = task.name, specs(task, planned(task, progress), waypoints)
+            trajectory = planned(task, progress)
+            title, interfaces = task.name, specs(task, trajectory, waypoints)
+        complete = partial(_record, task, trajectory, progress) if references else None
     target = folder(output)
     with with_keys(file):
-        feedforward, crane = written(target, choice, interfaces, progress)
+        feedforward, crane = written(target, choice, interfaces, progress, complete)
     others = describe(
         target, (feedforward, crane), interfaces, title, fmi=choice.fmi, modelica=modelica, ssp=ssp
     )
@@ -173,9 +189,28 @@ def for_simulation(
 
 
 def written(
-    target: Path, choice: Choice, interfaces: Sequence[Spec], progress: Progress
+    target: Path, choice: Choice, interfaces: Sequence[Spec], progress: Progress,
+    complete: Callable[[Sequence[Path]], None] | None = None,
 ) -> tuple[Path, Path]:
-    """Build FMUs of both interfaces."""
-    paths = build_all(target, choice, interfaces, report=lambda line: progress(line, 0.0))
+    """Build FMUs of both interfaces; `complete` adds to their archives before they are there."""
+    with ExitStack() as stack:
+        place = stack.enter_context(work_folder(target)) if complete else target
+        paths = build_all(place, choice, interfaces, report=lambda line: progress(line, 0.0))
+        if complete:
+            complete(paths)
+            named = [target / path.name for path in paths]
+            with placing(named) as work:
+                for path in paths:
+                    os.replace(path, work / path.name)
+            paths = named
     feedforward, crane = paths
     return feedforward, crane
+
+
+def _record(
+    task: Mission, trajectory: Trajectory, progress: Progress, archives: Sequence[Path]
+) -> None:
+    # it runs what this module builds
+    from segfmu.validation.references.record import record
+
+    record(task, trajectory, archives, progress)

@@ -12,6 +12,9 @@ from segfmu.planning.arrays import FloatArray
 
 # s; times that differ by less are equal
 INSTANT = 1e-9
+# half the width of a tube where none is told: what digits of tables and other processors' rounding
+# make of a signal
+ALIKE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,7 @@ class Excess:
 
 def compare(
     result: Mapping[str, FloatArray], reference: Mapping[str, FloatArray], *,
-    tube_time: float, tube_value: float, relative: bool = False,
+    tube_time: float, tube_value: float | None, relative: bool = False,
 ) -> list[Excess]:
     """Signals of a result outside of tubes about those of the reference, by time.
 
@@ -59,9 +62,9 @@ def compare(
         Columns, with "time" [s]; the rows may be at other times.
     tube_time : float
         [s]
-    tube_value : float
+    tube_value : float or None
         In the unit of each signal; with `relative` a share of the reference's greatest absolute
-        value.
+        value. None: 1e-6 of this, or of the unit where that is more.
 
     Raises
     ------
@@ -69,7 +72,7 @@ def compare(
         If the result lacks a signal of the reference, or does not last as long, or tubes are
         negative.
     """
-    if not (0.0 <= tube_time < np.inf and 0.0 <= tube_value < np.inf):
+    if not (0.0 <= tube_time < np.inf and 0.0 <= (tube_value or 0.0) < np.inf):
         raise InputError(f"tubes must be at least 0, got {tube_time} s and {tube_value}")
     _require_alike(result, reference, tube_time)
     times = result["time"]
@@ -77,7 +80,10 @@ def compare(
     for name in reference:
         if name == "time":
             continue
-        wide = tube_value * (float(np.abs(reference[name]).max()) if relative else 1.0)
+        peak = float(np.abs(reference[name]).max())
+        wide = ALIKE * max(peak, 1.0) if tube_value is None else tube_value * (
+            peak if relative else 1.0
+        )
         low, high = _envelope(times, reference["time"], reference[name], tube_time)
         outside = np.maximum(low - wide - result[name], result[name] - high - wide)
         # a signal that is not a number is outside

@@ -1,0 +1,1 @@
+"""References inside of FMUs, after FMI-LS-REF: written at the build, and repeated."""
