@@ -209,3 +209,29 @@ def test_columns_with_other_names_and_two_logs() -> None:
     width = [one["trolley.lag"].high - one["trolley.lag"].low for one in (both, plain)]
     assert width[0] == pytest.approx(width[1] / np.sqrt(2.0), rel=0.1)
     assert len(both.fitted) == 2
+
+
+def test_a_log_with_a_gap_begins_anew_behind_it() -> None:
+    log = synthetic("lab", "velocity", 3, rows=300)
+    columns = {name: values.copy() for name, values in log.columns.items()}
+    # nobody knows what was there for a quarter of an hour
+    columns["time"][140:] += 1000.0
+    keys = ["bridge.lag", "trolley.dead_time", "friction.sway.viscous"]
+    found = segfmu.identify(columns, log.crane_without(*keys), fit=keys, validation=columns)
+    for key in keys:
+        assert found[key].low < log.truth[key] < found[key].high
+    behind = f"log 1 from {columns['time'][140]:.6g} s"
+    assert [part.log for part in found.fitted] == ["log 1 from 0 s", behind]
+    assert len(found.predicted) == 4
+    # held-out parts are short: noise is a tenth of what moves there
+    assert all(p.load is not None and p.load > 0.98 for p in found.predicted[2:])
+
+
+def test_a_few_rows_between_gaps_are_refused_by_their_times() -> None:
+    log = synthetic("quay", "velocity", 3)
+    columns = {name: values.copy() for name, values in log.columns.items()}
+    columns["time"][590:] += 100.0
+    begin, end = columns["time"][[590, -1]]
+    told = f"log 1: 10 rows from {begin:.6g} to {end:.6g} s, with gaps of more than the pendulum's"
+    with pytest.raises(InputError, match=told):
+        segfmu.identify(columns, log.crane)

@@ -19,7 +19,15 @@ from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.objects import plain
 from segfmu.validation.files.reading import checked, read
 from segfmu.validation.identification.fit import Fit, Problem
-from segfmu.validation.identification.log import FEWEST, OUTPUTS, ROPE, Log, LogSource, read_log
+from segfmu.validation.identification.log import (
+    FEWEST,
+    OUTPUTS,
+    ROPE,
+    Log,
+    LogSource,
+    read_log,
+    sections,
+)
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.prediction import Prediction, prediction, zeros_of
 from segfmu.validation.identification.quantities import Sizes, quantity, usual
@@ -97,7 +105,9 @@ def identify(
     if not 0.0 <= finite_number("held_out", held_out) <= 0.9:
         raise InputError(f"held_out must be from 0 to 0.9, got {held_out}")
     file, source = _crane(crane)
-    every = _logs(logs, file, columns or {})
+    whole = _logs(logs, file, columns or {})
+    period = _sizes(file, whole).period
+    every = [part for log in whole for part in sections(log, period)]
     fitted = [log.rows(0, round((1.0 - held_out) * log.times.size)) for log in every]
     model = Model(file)
     sizes = _sizes(file, fitted)
@@ -115,7 +125,7 @@ def identify(
     known, later = followed.logs(every, cut, starts)
     if validation is not None:
         unseen = read_log(validation, file.drive, columns or {}, "validation")
-        later.append(followed.unseen(unseen, sizes))
+        later += [followed.unseen(part, sizes) for part in sections(unseen, period)]
     return Identification(
         source, file, _estimates(unknowns, found), _untold(unknowns, found), tuple(known),
         tuple(later), found.converged,
@@ -148,7 +158,7 @@ class _Followed:
 
     def unseen(self, log: Log, sizes: Sizes) -> Prediction:
         """A log of which only the start is found."""
-        last = log.times[0] + PERIODS * 2.0 * np.pi * sizes.time
+        last = log.times[0] + PERIODS * sizes.period
         first = log.rows(0, max(int(np.searchsorted(log.times, last)), FEWEST))
         unknowns = Unknowns(self.model, [first], (), sizes)
         found = Problem(self.model, [first], unknowns).fit()
@@ -164,7 +174,7 @@ def _length(piece: float | None, file: CraneFile, sizes: Sizes) -> float:
         if not finite_number("piece", piece) > 0.0:
             raise InputError(f"piece must be positive, got {piece} s")
         return piece
-    return PIECE * 2.0 * np.pi * sizes.time if file.drive == "force" else np.inf
+    return PIECE * sizes.period if file.drive == "force" else np.inf
 
 
 def _pieces(log: Log, length: float) -> list[Log]:

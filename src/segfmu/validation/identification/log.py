@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -104,6 +105,35 @@ def read_log(
         np.stack([table.get(n, 0.0 * table["time"]) for n in needed], axis=1),
         np.stack([table.get(n, none) for n in OUTPUTS], axis=1),
     )
+
+
+def sections(log: Log, period: float) -> list[Log]:
+    """The log, cut where no row is for longer than a period of the pendulum [s].
+
+    Nobody knows what the drives were told and how the load swung meanwhile: what follows begins
+    anew.
+
+    Raises
+    ------
+    InputError
+        For a section of too few rows.
+    """
+    cuts = np.flatnonzero(np.diff(log.times) > period) + 1
+    ends = [0, *cuts.tolist(), log.times.size]
+    if len(ends) == 2:
+        return [log]
+    found = []
+    for first, last in pairwise(ends):
+        part = log.rows(first, last)
+        begin, end = part.times[[0, -1]]
+        if last - first < FEWEST:
+            raise InputError(
+                f"{log.name}: {last - first} rows from {begin:.6g} to {end:.6g} s, with gaps of "
+                f"more than the pendulum's period of {period:.3g} s beside them; at least {FEWEST} "
+                "are needed: leave them out, or fill the gaps"
+            )
+        found.append(replace(part, name=f"{log.name} from {begin:.6g} s"))
+    return found
 
 
 def _renamed(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import degrees, inf, sqrt
+from math import degrees, inf, pi, sqrt
 from typing import Any
 
 from segfmu.errors import InputError
@@ -40,8 +40,13 @@ class Sizes:
 
     @property
     def time(self) -> float:
-        """Of the pendulum, its period over 2 pi [s]."""
+        """That of the pendulum, its period over 2 pi [s]."""
         return sqrt(self.length / self.gravity)
+
+    @property
+    def period(self) -> float:
+        """Of the pendulum [s]."""
+        return 2.0 * pi * self.time
 
 
 @dataclass(frozen=True)
