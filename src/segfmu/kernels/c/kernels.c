@@ -13,7 +13,6 @@ static double value_about(double share, int64_t row, array_double_2d span);
 static double shared_height(double share, array_double_2d span, array_double_1d box);
 static bool is_within(double height, array_double_2d span, array_double_1d box);
 static int64_t rope_meeting(array_double_2d span, array_double_1d box);
-static bool may_meet_rope(array_double_2d span, array_double_1d box);
 static bool part_moves(int64_t part, array_double_2d span);
 static void polynomial_differentiate(array_double_1d a, int64_t count, int64_t order, array_double_1d found);
 static void polynomial_add_product(array_double_1d a, int64_t a_count, array_double_1d b, int64_t b_count, array_double_1d found);
@@ -42,6 +41,8 @@ static bool check_piece(int64_t order, int64_t row, bool joined, double length, 
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -50,7 +51,7 @@ static double first_negative(int64_t count, double length, array_double_2d work)
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span);
-static void begin_span(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span);
+static void begin_span(double time, double until, int64_t width, array_double_2d work, array_double_2d span);
 static void write_span_pull(double gravity, array_double_2d work, array_double_2d span);
 static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span);
 static void write_span_products(array_double_2d work, array_double_2d span);
@@ -62,13 +63,13 @@ static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box,
 static int64_t span_contacts(int64_t part, int64_t found, array_double_1d box, array_double_2d span, array_double_3d stack, array_double_2d times, array_double_1d place);
 static void write_room(int64_t side, int64_t row, double local, double low, double high, array_double_2d coefficients, array_double_2d work);
 static double greatest_lack(int64_t count, double length, double known, array_double_2d work);
-static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
+static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64_t count, double length, array_double_2d work);
+static void span_ranges(double length, int64_t width, array_double_2d work, array_double_2d ranges);
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
-static bool is_any_near(array_double_2d boxes, array_double_2d ranges);
+static bool is_any_near(int64_t part, array_double_2d boxes, array_double_2d ranges);
 static double touch_distance(array_double_2d ranges);
 static void shrink_box(double touch, int64_t low, int64_t high, array_double_1d box);
-static bool is_rope_near(array_double_2d span, array_double_2d boxes, array_double_2d ranges);
 static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
 static void note_first(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report);
 static void write_faces(array_double_1d space, array_double_2d boxes);
@@ -789,6 +790,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void drop_rounding(int64_t order, array_double_2d lead);
+static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double outside_by(double value, int64_t order, array_double_2d lead);
 static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -826,7 +828,9 @@ static void soonest_ends(int64_t order, array_double_2d lead);
 static double profile_time(array_double_2d lead);
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool begins_now(array_double_2d lead, array_double_2d coefficients);
+static bool is_better(double time, array_double_2d lead);
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -1410,50 +1414,6 @@ static int64_t rope_meeting(array_double_2d span, array_double_1d box)
         return INT64_C(1);
     }
     return INT64_C(2);
-}
-static bool may_meet_rope(array_double_2d span, array_double_1d box)
-{
-    double top;
-    double lowest;
-    double highest;
-    double least;
-    double most;
-    double reach;
-    int64_t axis;
-    double smallest;
-    double largest;
-    int64_t i;
-    double place;
-    double trolley;
-    top = span_min((*cspan_at(&box, INT64_C(9) + INT64_C(2))), 0.0);
-    row_range(&lowest, &highest, span, INT64_C(0) + INT64_C(2));
-    row_range(&least, &most, span, INT64_C(6) + INT64_C(2));
-    if ((lowest >= top) || (most <= 0.0))
-    {
-        return 0;
-    }
-    if (least <= 0.0)
-    {
-        return 1;
-    }
-    reach = (-lowest) / least;
-    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-    {
-        smallest = 1e+300;
-        largest = -1e+300;
-        for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            place = (*cspan_at(&span, INT64_C(0) + axis, i));
-            trolley = place + reach * (*cspan_at(&span, INT64_C(6) + axis, i));
-            smallest = span_min(smallest, span_min(place, trolley));
-            largest = span_max(largest, span_max(place, trolley));
-        }
-        if ((largest <= (*cspan_at(&box, INT64_C(6) + axis))) || (smallest >= (*cspan_at(&box, INT64_C(9) + axis))))
-        {
-            return 0;
-        }
-    }
-    return 1;
 }
 static bool part_moves(int64_t part, array_double_2d span)
 {
@@ -2233,6 +2193,71 @@ int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, 
     }
     return INT64_C(0);
 }
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    int64_t width;
+    double least;
+    double most;
+    int64_t piece;
+    int64_t i;
+    double second;
+    width = coefficients.shape[INT64_C(1)];
+    least = 1e+300;
+    most = -1e+300;
+    for (piece = (*cspan_at(&offsets, axis)); piece < (*cspan_at(&offsets, axis + INT64_C(1))); piece += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(1), i)) = share * (*cspan_at(&coefficients, piece, i));
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            second = (i + INT64_C(1)) * (i + INT64_C(2)) * (*cspan_at(&coefficients, piece, i + INT64_C(2)));
+            (*cspan_at(&work, INT64_C(1), i)) = (*cspan_at(&work, INT64_C(1), i)) + lean * second;
+        }
+        bernstein_coefficients(work, INT64_C(1), width, (*cspan_at(&timing, piece, INT64_C(1))), work);
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            least = span_min(least, (*cspan_at(&work, INT64_C(0), i)));
+            most = span_max(most, (*cspan_at(&work, INT64_C(0), i)));
+        }
+    }
+    (*result_0) = least;
+    (*result_1) = most;
+    return 0;
+}
+static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
+{
+    double lowest;
+    double highest;
+    double least;
+    double most;
+    double pull;
+    double square;
+    int64_t axis;
+    double slope;
+    bool result;
+    sum_range(&lowest, &highest, INT64_C(2), 1.0, 0.0, timing, coefficients, offsets, work);
+    sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
+    pull = (*cspan_at(&bounds, INT64_C(0))) + span_min(least, 0.0);
+    if ((highest >= 0.0) || (pull <= 0.0))
+    {
+        return 0;
+    }
+    square = 1.0;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        sum_range(&least, &most, axis, 0.0, 1.0, timing, coefficients, offsets, work);
+        slope = span_max(-least, most) / pull;
+        square = square + slope * slope;
+    }
+    if (((*cspan_at(&bounds, INT64_C(2))) > 0.0) && ((-lowest) * sqrt(square) > (*cspan_at(&bounds, INT64_C(2)))))
+    {
+        return 0;
+    }
+    result = -highest >= (*cspan_at(&bounds, INT64_C(1)));
+    return result;
+}
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets)
 {
     int64_t axis;
@@ -2455,6 +2480,10 @@ int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, 
     int64_t count;
     double share;
     int64_t failed;
+    if (is_rope_easy(timing, coefficients, offsets, bounds, work))
+    {
+        return INT64_C(0);
+    }
     none = INT64_C(4) + INT64_C(1);
     time = (*cspan_at(&timing, (*cspan_at(&offsets, INT64_C(0))), INT64_C(0)));
     until = interval_end(time, timing, offsets);
@@ -2506,17 +2535,16 @@ static void write_row(int64_t source, int64_t count, double length, int64_t row,
     }
     bernstein_coefficients(work, INT64_C(6), columns, length, part);
 }
-static void begin_span(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d span)
+static void begin_span(double time, double until, int64_t width, array_double_2d work, array_double_2d span)
 {
     double place;
     int64_t axis;
     int64_t i;
     int64_t row;
-    interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
     place = 0.0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        write_row(INT64_C(0) + axis, coefficients.shape[INT64_C(1)], until - time, INT64_C(0) + axis, work, span);
+        write_row(INT64_C(0) + axis, width, until - time, INT64_C(0) + axis, work, span);
         for (i = INT64_C(0); i < span.shape[INT64_C(1)]; i += INT64_C(1))
         {
             place = span_max(place, fabs((*cspan_at(&span, INT64_C(0) + axis, i))));
@@ -2609,7 +2637,8 @@ int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficie
     while((until > time) || (count == INT64_C(0)))
     {
         span = span_matrix(&spans, count);
-        begin_span(time, until, timing, coefficients, offsets, gravity, work, span);
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+        begin_span(time, until, coefficients.shape[INT64_C(1)], work, span);
         write_span_pull(gravity, work, span);
         write_span_products(work, span);
         count = count + INT64_C(1);
@@ -2916,39 +2945,6 @@ int64_t segfmu_path_excursion(array_double_2d led, array_double_2d positions, ar
     }
     return INT64_C(0);
 }
-static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work)
-{
-    int64_t width;
-    double least;
-    double most;
-    int64_t piece;
-    int64_t i;
-    double second;
-    width = coefficients.shape[INT64_C(1)];
-    least = 1e+300;
-    most = -1e+300;
-    for (piece = (*cspan_at(&offsets, axis)); piece < (*cspan_at(&offsets, axis + INT64_C(1))); piece += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            (*cspan_at(&work, INT64_C(1), i)) = share * (*cspan_at(&coefficients, piece, i));
-        }
-        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
-        {
-            second = (i + INT64_C(1)) * (i + INT64_C(2)) * (*cspan_at(&coefficients, piece, i + INT64_C(2)));
-            (*cspan_at(&work, INT64_C(1), i)) = (*cspan_at(&work, INT64_C(1), i)) + lean * second;
-        }
-        bernstein_coefficients(work, INT64_C(1), width, (*cspan_at(&timing, piece, INT64_C(1))), work);
-        for (i = INT64_C(0); i < width; i += INT64_C(1))
-        {
-            least = span_min(least, (*cspan_at(&work, INT64_C(0), i)));
-            most = span_max(most, (*cspan_at(&work, INT64_C(0), i)));
-        }
-    }
-    (*result_0) = least;
-    (*result_1) = most;
-    return 0;
-}
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
 {
     (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
@@ -2991,6 +2987,72 @@ void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, ar
         widen_range(INT64_C(2), axis, least, most, ranges);
     }
 }
+static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64_t count, double length, array_double_2d work)
+{
+    array_double_2d hull;
+    double least;
+    double most;
+    int64_t i;
+    hull = span_rows(&work, INT64_C(6), INT64_C(7));
+    bernstein_coefficients(work, row, count, length, hull);
+    least = (*cspan_at(&hull, INT64_C(0), INT64_C(0)));
+    most = least;
+    for (i = INT64_C(1); i < count; i += INT64_C(1))
+    {
+        least = span_min(least, (*cspan_at(&hull, INT64_C(0), i)));
+        most = span_max(most, (*cspan_at(&hull, INT64_C(0), i)));
+    }
+    (*result_0) = least;
+    (*result_1) = most;
+    return 0;
+}
+static void span_ranges(double length, int64_t width, array_double_2d work, array_double_2d ranges)
+{
+    int64_t axis;
+    int64_t row;
+    double least;
+    double most;
+    double pull;
+    double lean;
+    int64_t i;
+    double ahead;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
+        {
+            (*cspan_at(&ranges, row, axis)) = 1e+300;
+            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
+        }
+        row_bounds(&least, &most, INT64_C(0) + axis, width, length, work);
+        widen_range(INT64_C(0), axis, least, most, ranges);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+    }
+    widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
+    row_bounds(&pull, &most, INT64_C(3) + INT64_C(2), width - INT64_C(2), length, work);
+    if (pull <= 0.0)
+    {
+        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+        {
+            widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
+        }
+        return;
+    }
+    lean = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
+    for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < width; i += INT64_C(1))
+        {
+            (*cspan_at(&work, INT64_C(7), i)) = (*cspan_at(&work, INT64_C(0) + axis, i));
+        }
+        for (i = INT64_C(0); i < width - INT64_C(2); i += INT64_C(1))
+        {
+            ahead = lean * (*cspan_at(&work, INT64_C(3) + axis, i));
+            (*cspan_at(&work, INT64_C(7), i)) = (*cspan_at(&work, INT64_C(7), i)) + ahead;
+        }
+        row_bounds(&least, &most, INT64_C(7), width, length, work);
+        widen_range(INT64_C(2), axis, least, most, ranges);
+    }
+}
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
 {
     int64_t low;
@@ -3019,14 +3081,12 @@ static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges)
     }
     return 1;
 }
-static bool is_any_near(array_double_2d boxes, array_double_2d ranges)
+static bool is_any_near(int64_t part, array_double_2d boxes, array_double_2d ranges)
 {
     int64_t number;
-    array_double_1d box;
     for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
     {
-        box = span_row(&boxes, number);
-        if (is_near(INT64_C(1), box, ranges) || is_near(INT64_C(2), box, ranges))
+        if (is_near(part, span_row(&boxes, number), ranges))
         {
             return 1;
         }
@@ -3064,20 +3124,6 @@ void segfmu_shrink_boxes(double touch, array_double_2d boxes)
         shrink_box(touch, INT64_C(0), INT64_C(3), span_row(&boxes, number));
         shrink_box(touch, INT64_C(6), INT64_C(9), span_row(&boxes, number));
     }
-}
-static bool is_rope_near(array_double_2d span, array_double_2d boxes, array_double_2d ranges)
-{
-    int64_t number;
-    array_double_1d box;
-    for (number = INT64_C(0); number < boxes.shape[INT64_C(0)]; number += INT64_C(1))
-    {
-        box = span_row(&boxes, number);
-        if (is_near(INT64_C(2), box, ranges) && may_meet_rope(span, box))
-        {
-            return 1;
-        }
-    }
-    return 0;
 }
 static void prolong_contact(int64_t part, array_double_2d boxes, array_double_3d stack, array_double_2d ranges, array_double_1d report)
 {
@@ -3122,13 +3168,12 @@ int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficient
     double time;
     double until;
     bool lasts;
-    array_double_2d span;
     bool begun;
-    bool near;
+    array_double_2d span;
     bool ended;
     int64_t part;
     segfmu_shrink_boxes(touch_distance(ranges), boxes);
-    if (!is_any_near(boxes, ranges))
+    if ((!is_any_near(INT64_C(1), boxes, ranges)) && (!is_any_near(INT64_C(2), boxes, ranges)))
     {
         return INT64_C(0);
     }
@@ -3140,26 +3185,26 @@ int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficient
         lasts = 1;
         while(lasts)
         {
-            span = span_matrix(&stack, INT64_C(42));
             begun = (*cspan_at(&report, INT64_C(0))) < 1e+300;
-            begin_span(time, until, timing, coefficients, offsets, gravity, work, span);
-            near = part == INT64_C(1);
-            if (part == INT64_C(2))
+            interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
+            span_ranges(until - time, coefficients.shape[INT64_C(1)], work, ranges);
+            if (begun || is_any_near(part, boxes, ranges))
             {
-                write_span_pull(gravity, work, span);
-                near = begun || is_rope_near(span, boxes, ranges);
-                if (near)
+                span = span_matrix(&stack, INT64_C(42));
+                begin_span(time, until, coefficients.shape[INT64_C(1)], work, span);
+                if (part == INT64_C(2))
                 {
+                    write_span_pull(gravity, work, span);
                     write_span_products(work, span);
                 }
-            }
-            if (begun)
-            {
-                prolong_contact(part, boxes, stack, ranges, report);
-            }
-            else if (near)
-            {
-                note_first(part, boxes, stack, ranges, report);
+                if (begun)
+                {
+                    prolong_contact(part, boxes, stack, ranges, report);
+                }
+                else
+                {
+                    note_first(part, boxes, stack, ranges, report);
+                }
             }
             ended = ((*cspan_at(&report, INT64_C(0))) < 1e+300) && ((*cspan_at(&report, INT64_C(1))) < until * (INT64_C(1) - 1e-11));
             time = until;
@@ -25053,7 +25098,7 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     }
     problem = span_row(&lead, INT64_C(18));
     set_stage_problem(order, end, state, problem);
-    result = plain_profile(problem, chain, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25129,7 +25174,7 @@ static void drop_rounding(int64_t order, array_double_2d lead)
         }
     }
 }
-static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t smoothness;
     int64_t i;
@@ -25139,7 +25184,7 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
     {
         (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         stage = order + INT64_C(4) - INT64_C(2) * i;
         if ((stage < smoothness) && (row >= INT64_C(0)))
@@ -25147,6 +25192,19 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
             drop_rounding(order, lead);
             row = run_stage(stage, row, lead, timing, coefficients);
         }
+    }
+    if (order < smoothness)
+    {
+        drop_rounding(order, lead);
+    }
+    return row;
+}
+static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    row = settle_above(order, row, lead, timing, coefficients);
+    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))))))
+    {
+        row = run_stage(order, row, lead, timing, coefficients);
     }
     return row;
 }
@@ -25231,21 +25289,16 @@ static double part_hull(int64_t order, int64_t row, double start, double length,
 {
     array_double_2d check;
     int64_t width;
-    double factorial;
+    array_double_1d values;
     int64_t i;
-    double value;
     double largest;
     check = span_rows(&lead, INT64_C(305), INT64_C(353));
     width = coefficients.shape[INT64_C(1)];
-    factorial = 1.0;
-    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+    values = span_row(&check, INT64_C(43));
+    polynomial_differentiate(span_row(&coefficients, row), width, order, values);
+    if (start > 0.0)
     {
-        if (i > INT64_C(0))
-        {
-            factorial = factorial * i;
-        }
-        value = evaluate_piece(coefficients, row, width, start, order + i);
-        (*cspan_at(&check, INT64_C(43), i)) = value / factorial;
+        polynomial_shift(values, start, width - order);
     }
     bernstein_coefficients(check, INT64_C(43), width - order, length, check);
     largest = -1e+300;
@@ -26325,15 +26378,21 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     }
     return 1;
 }
+static bool is_better(double time, array_double_2d lead)
+{
+    double best;
+    bool result;
+    best = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(15), INT64_C(3))));
+    return result;
+}
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t first;
-    double best;
     array_double_2d check;
     array_double_1d lower;
     first = INT64_C(400);
-    best = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-    if ((best >= 0.0) && (!(time < best * (*cspan_at(&lead, INT64_C(15), INT64_C(3))))))
+    if (!is_better(time, lead))
     {
         return 0;
     }
@@ -26355,26 +26414,62 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
     return 1;
 }
-static double try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
+    int64_t order;
+    double end;
+    int64_t count;
+    array_double_2d phases;
     int64_t last;
-    double rest;
     double time;
-    last = settle(order, row, lead, timing, coefficients);
+    order = INT64_C(1);
+    row = settle_above(order, row, lead, timing, coefficients);
+    if (row < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    end = (*cspan_at(&lead, INT64_C(13), order));
+    count = stage_phases(order, end, 0, lead);
+    if (count < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8))) + total_duration(phases, count);
+    if (!is_better(time, lead))
+    {
+        return time;
+    }
+    last = append_phases(order, end, count, row, lead, timing, coefficients);
     if (last < INT64_C(0))
     {
         return 1e+300;
     }
     time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
-    if (order == INT64_C(2))
+    keep_better(last, time, limits, lead, timing, coefficients);
+    return time;
+}
+static double try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t last;
+    double rest;
+    double time;
+    if (order == INT64_C(1))
     {
-        rest = profile_time(lead);
-        if (rest < 0.0)
-        {
-            return 1e+300;
-        }
-        time = time + rest;
+        time = try_velocity(row, limits, lead, timing, coefficients);
+        return time;
     }
+    last = settle(order, row, lead, timing, coefficients);
+    if (last < INT64_C(0))
+    {
+        return 1e+300;
+    }
+    rest = profile_time(lead);
+    if (rest < 0.0)
+    {
+        return 1e+300;
+    }
+    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8))) + rest;
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }

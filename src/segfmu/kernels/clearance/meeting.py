@@ -54,32 +54,6 @@ def rope_meeting(span: 'float[:,:]', box: 'float[:]') -> int:
     return Meeting.OPEN
 
 
-def may_meet_rope(span: 'float[:,:]', box: 'float[:]') -> bool:
-    """Whether the rope may meet a box as far as load and pull tell, without their products.
-
-    The rope is at the load's place p and p + s w above it, with s of up to -z / w_z at the trolley.
-    """
-    top = min(box[Box.ROPE_HIGH + 2], 0.0)
-    lowest, highest = row_range(span, Span.LOAD + 2)
-    least, most = row_range(span, Span.PULL + 2)
-    if lowest >= top or most <= 0.0:
-        return False
-    if least <= 0.0:
-        return True
-    reach = -lowest / least
-    for axis in range(2):
-        smallest = NEVER
-        largest = -NEVER
-        for i in range(span.shape[1]):
-            place = span[Span.LOAD + axis, i]
-            trolley = place + reach * span[Span.PULL + axis, i]
-            smallest = min(smallest, min(place, trolley))
-            largest = max(largest, max(place, trolley))
-        if largest <= box[Box.ROPE_LOW + axis] or smallest >= box[Box.ROPE_HIGH + axis]:
-            return False
-    return True
-
-
 def part_moves(part: int, span: 'float[:,:]') -> bool:
     """Whether a part moves by more than rounding of positions during a span."""
     rounding = span[Span.MOMENT, Moment.ROUNDING]

@@ -1,11 +1,10 @@
 """The first contact of a path with boxes."""
 
 from segfmu.kernels.clearance.contact import span_contacts
-from segfmu.kernels.clearance.meeting import may_meet_rope
-from segfmu.kernels.clearance.ranges import is_any_near, is_near
+from segfmu.kernels.clearance.ranges import is_any_near, is_near, span_ranges
 from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Stack
 from segfmu.kernels.clearance.spans import begin_span, write_span_products, write_span_pull
-from segfmu.kernels.crane.rope import interval_end
+from segfmu.kernels.crane.rope import interval_end, interval_pieces
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.records import Timing
 
@@ -24,12 +23,12 @@ def first_contact(
     """The part (Part) that meets one of the boxes first, with a report (Collision); or CLEAR.
 
     Pieces as for `check_rope`, of `width` coefficients; work (RopeWork.SIZE, 4 width - 5 or more),
-    stack (Stack.ROWS, Span.SIZE, 2 width - 3), ranges those of `path_ranges`. boxes (.., Box) are
-    made smaller by what may be touched. The rope counts where the load meets nothing: it has to
-    follow that.
+    stack (Stack.ROWS, Span.SIZE, 2 width - 3), ranges those of `path_ranges`, which are used up.
+    boxes (.., Box) are made smaller by what may be touched. The rope counts where the load meets
+    nothing: it has to follow that.
     """
     shrink_boxes(touch_distance(ranges), boxes)
-    if not is_any_near(boxes, ranges):
+    if not is_any_near(Part.LOAD, boxes, ranges) and not is_any_near(Part.ROPE, boxes, ranges):
         return Part.CLEAR
     for part in range(Part.LOAD, Part.ROPE + 1):
         report[Collision.BEGIN] = NEVER
@@ -37,19 +36,19 @@ def first_contact(
         until = interval_end(time, timing, offsets)
         lasts = True
         while lasts:
-            span = stack[Stack.WHOLE, :, :]
             begun = report[Collision.BEGIN] < NEVER
-            begin_span(time, until, timing, coefficients, offsets, gravity, work, span)
-            near = part == Part.LOAD
-            if part == Part.ROPE:
-                write_span_pull(gravity, work, span)
-                near = begun or is_rope_near(span, boxes, ranges)
-                if near:
+            interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
+            span_ranges(until - time, coefficients.shape[1], work, ranges)
+            if begun or is_any_near(part, boxes, ranges):
+                span = stack[Stack.WHOLE, :, :]
+                begin_span(time, until, coefficients.shape[1], work, span)
+                if part == Part.ROPE:
+                    write_span_pull(gravity, work, span)
                     write_span_products(work, span)
-            if begun:
-                prolong_contact(part, boxes, stack, ranges, report)
-            elif near:
-                note_first(part, boxes, stack, ranges, report)
+                if begun:
+                    prolong_contact(part, boxes, stack, ranges, report)
+                else:
+                    note_first(part, boxes, stack, ranges, report)
             # a contact that ends before the span does has ended
             ended = report[Collision.BEGIN] < NEVER and report[Collision.END] < until * (1 - 1e-11)
             time = until
@@ -58,15 +57,6 @@ def first_contact(
         if report[Collision.BEGIN] < NEVER:
             return part
     return Part.CLEAR
-
-
-def is_rope_near(span: 'float[:,:]', boxes: 'float[:,:]', ranges: 'float[:,:]') -> bool:
-    """Whether the rope may meet a box during a span, as far as load and pull tell."""
-    for number in range(boxes.shape[0]):
-        box = boxes[number, :]
-        if is_near(Part.ROPE, box, ranges) and may_meet_rope(span, box):
-            return True
-    return False
 
 
 def note_first(

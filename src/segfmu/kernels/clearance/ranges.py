@@ -5,9 +5,10 @@ it is between the load and where the greatest lean of all pieces would have it.
 """
 
 from segfmu.kernels.clearance.records import Box, Part, Ranges
+from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.check import bernstein_coefficients
-from segfmu.kernels.trajectory.records import Timing
+from segfmu.kernels.trajectory.ranges import sum_range
 
 
 def path_ranges(
@@ -43,29 +44,43 @@ def path_ranges(
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
 
 
-def sum_range(
-    axis: int,
-    share: float,
-    lean: float,
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
-    work: 'float[:,:]',
-) -> 'tuple[float, float]':
-    """Bounds of share p + lean p'' in all pieces of an axis, from their Bernstein coefficients."""
-    width = coefficients.shape[1]
-    least = NEVER
-    most = -NEVER
-    for piece in range(offsets[axis], offsets[axis + 1]):
+def span_ranges(length: float, width: int, work: 'float[:,:]', ranges: 'float[:,:]') -> None:
+    """The same in an interval of a length [s], whose pieces `interval_pieces` has written."""
+    for axis in range(3):
+        for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
+            ranges[row, axis] = NEVER
+            ranges[row + 1, axis] = -NEVER
+        least, most = row_bounds(RopeWork.LOAD + axis, width, length, work)
+        widen_range(Ranges.LOAD_LOW, axis, least, most, ranges)
+        widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
+    widen_range(Ranges.ROPE_LOW, 2, 0.0, 0.0, ranges)
+    pull, most = row_bounds(RopeWork.PULL + 2, width - 2, length, work)
+    if pull <= 0.0:
+        for axis in range(2):
+            widen_range(Ranges.ROPE_LOW, axis, -NEVER, NEVER, ranges)
+        return
+    lean = max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / pull
+    for axis in range(2):
         for i in range(width):
-            work[1, i] = share * coefficients[piece, i]
+            work[RopeWork.PRODUCTS, i] = work[RopeWork.LOAD + axis, i]
         for i in range(width - 2):
-            second = (i + 1) * (i + 2) * coefficients[piece, i + 2]
-            work[1, i] = work[1, i] + lean * second
-        bernstein_coefficients(work, 1, width, timing[piece, Timing.LENGTH], work)
-        for i in range(width):
-            least = min(least, work[0, i])
-            most = max(most, work[0, i])
+            ahead = lean * work[RopeWork.PULL + axis, i]
+            work[RopeWork.PRODUCTS, i] = work[RopeWork.PRODUCTS, i] + ahead
+        least, most = row_bounds(RopeWork.PRODUCTS, width, length, work)
+        widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
+
+
+def row_bounds(
+    row: int, count: int, length: float, work: 'float[:,:]'
+) -> 'tuple[float, float]':
+    """Bounds of the polynomial of `count` coefficients in a row of `work` (RopeWork)."""
+    hull = work[RopeWork.DEMAND:RopeWork.PRODUCTS, :]
+    bernstein_coefficients(work, row, count, length, hull)
+    least = hull[0, 0]
+    most = least
+    for i in range(1, count):
+        least = min(least, hull[0, i])
+        most = max(most, hull[0, i])
     return least, most
 
 
@@ -92,10 +107,9 @@ def is_near(part: int, box: 'float[:]', ranges: 'float[:,:]') -> bool:
     return True
 
 
-def is_any_near(boxes: 'float[:,:]', ranges: 'float[:,:]') -> bool:
-    """Whether the range of load or rope overlaps one of the boxes (.., Box)."""
+def is_any_near(part: int, boxes: 'float[:,:]', ranges: 'float[:,:]') -> bool:
+    """Whether the range of a part overlaps one of the boxes (.., Box)."""
     for number in range(boxes.shape[0]):
-        box = boxes[number, :]
-        if is_near(Part.LOAD, box, ranges) or is_near(Part.ROPE, box, ranges):
+        if is_near(part, boxes[number, :], ranges):
             return True
     return False

@@ -31,7 +31,8 @@ def clearance_spans(
     until = interval_end(time, timing, offsets)
     while until > time or count == 0:
         span = spans[count, :, :]
-        begin_span(time, until, timing, coefficients, offsets, gravity, work, span)
+        interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
+        begin_span(time, until, coefficients.shape[1], work, span)
         write_span_pull(gravity, work, span)
         write_span_products(work, span)
         count = count + 1
@@ -41,24 +42,17 @@ def clearance_spans(
 
 
 def begin_span(
-    time: float,
-    until: float,
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
-    gravity: float,
-    work: 'float[:,:]',
-    span: 'float[:,:]',
+    time: float, until: float, width: int, work: 'float[:,:]', span: 'float[:,:]'
 ) -> None:
     """Begin the span between two times [s] without a change of piece: where the load is.
 
-    Rows of the rope are 0. work keeps what `write_span_pull` goes on with.
+    `interval_pieces` has written pieces of `width` coefficients to work, which `write_span_pull`
+    goes on with. Rows of the rope are 0.
     """
-    interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
     place = 0.0
     for axis in range(3):
         write_row(
-            RopeWork.LOAD + axis, coefficients.shape[1], until - time, Span.LOAD + axis, work, span
+            RopeWork.LOAD + axis, width, until - time, Span.LOAD + axis, work, span
         )
         for i in range(span.shape[1]):
             place = max(place, abs(span[Span.LOAD + axis, i]))

@@ -3,8 +3,11 @@
 Each demand of `RopeDemand` is a polynomial in time that must not become negative; codegen derives
 it from crane/flatness.py (errata E7) and writes it to _rope.py. A polynomial lies in the hull of
 its Bernstein coefficients; if the hull is too wide, the interval is halved. Nothing is sampled, so
-nothing is missed between samples. An interval is a time between changes of piece on any axis.
+nothing is missed between samples. An interval is a time between changes of piece on any axis. Most
+motions are far from their bounds, which ranges over the whole trajectory tell.
 """
+
+from math import sqrt
 
 from segfmu.kernels.crane._rope import rope_margin, rope_pull, rope_value
 from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeFault, RopeWork
@@ -12,6 +15,7 @@ from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.numerics.polynomials import polynomial_shift
 from segfmu.kernels.trajectory.check import bernstein_coefficients, split_hull
 from segfmu.kernels.trajectory.evaluate import evaluate_piece, find_piece
+from segfmu.kernels.trajectory.ranges import sum_range
 from segfmu.kernels.trajectory.records import Timing
 
 
@@ -31,6 +35,8 @@ def check_rope(
     (RopeFault): for the load's height [m], its downward acceleration [m/s2], or the rope length
     [m].
     """
+    if is_rope_easy(timing, coefficients, offsets, bounds, work):
+        return RopeDemand.MET
     none = RopeDemand.NOT_TOO_SHORT + 1
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
@@ -59,6 +65,34 @@ def check_rope(
     )
     report[RopeFault.BOUND] = demand_bound(failed, bounds)
     return failed
+
+
+def is_rope_easy(
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    bounds: 'float[:]',
+    work: 'float[:,:]',
+) -> bool:
+    """Whether all demands are met by the ranges of the whole trajectory alone.
+
+    The rope is as long as the load is deep where it is vertical, and longer by the most where its
+    slope is the greatest.
+    """
+    lowest, highest = sum_range(2, 1.0, 0.0, timing, coefficients, offsets, work)
+    least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
+    # an axis may rest before the others do
+    pull = bounds[RopeBounds.GRAVITY] + min(least, 0.0)
+    if highest >= 0.0 or pull <= 0.0:
+        return False
+    square = 1.0
+    for axis in range(2):
+        least, most = sum_range(axis, 0.0, 1.0, timing, coefficients, offsets, work)
+        slope = max(-least, most) / pull
+        square = square + slope * slope
+    if bounds[RopeBounds.LONGEST] > 0.0 and -lowest * sqrt(square) > bounds[RopeBounds.LONGEST]:
+        return False
+    return -highest >= bounds[RopeBounds.SHORTEST]
 
 
 def demand_bound(demand: int, bounds: 'float[:]') -> float:

@@ -6,6 +6,7 @@ attempt is cut (brake.py); the rest of it shows that there is a way on.
 """
 
 from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.polynomials import polynomial_differentiate, polynomial_shift
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.settling.stages import settle
@@ -100,12 +101,10 @@ def part_hull(
     """
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
     width = coefficients.shape[1]
-    factorial = 1.0
-    for i in range(width - order):
-        if i > 0:
-            factorial = factorial * i
-        value = evaluate_piece(coefficients, row, width, start, order + i)
-        check[Check.VALUES, i] = value / factorial
+    values = check[Check.VALUES, :]
+    polynomial_differentiate(coefficients[row, :], width, order, values)
+    if start > 0.0:
+        polynomial_shift(values, start, width - order)
     bernstein_coefficients(check, Check.VALUES, width - order, length, check)
     largest = -NEVER
     for i in range(width - order):

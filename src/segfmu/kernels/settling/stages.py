@@ -10,7 +10,7 @@ q is n - 1, or the end is free, it is a change of velocity.
 from segfmu.kernels.planner.cruise import append_velocity_change
 from segfmu.kernels.planner.nested import ramp_pieces
 from segfmu.kernels.planner.phases import append_change
-from segfmu.kernels.planner.profile import plain_profile
+from segfmu.kernels.planner.profile import shortest_ramps
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.settling.chain import lift_pieces
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
@@ -33,7 +33,7 @@ def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
         return append_stage(state[order + 1], state[order + 2], 0.0, phases, chain)
     problem = lead[LeadWork.PROBLEM, :]
     set_stage_problem(order, end, state, problem)
-    return plain_profile(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+    return shortest_ramps(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
 
 
 def append_stage(
@@ -134,12 +134,28 @@ def settle(
 
     The row ENDS tells where stages end. Returns the row after the last piece, -1: there is none.
     """
+    row = settle_above(order, row, lead, timing, coefficients)
+    if row >= 0 and order < int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS]):
+        row = run_stage(order, row, lead, timing, coefficients)
+    return row
+
+
+def settle_above(
+    order: int,
+    row: int,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """The same without the last stage."""
     smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
     for i in range(Chain.SIZE):
         lead[LeadWork.STATE, i] = lead[LeadWork.START, i]
-    for i in range(3):
+    for i in range(2):
         stage = order + 4 - 2 * i
         if stage < smoothness and row >= 0:
             drop_rounding(order, lead)
             row = run_stage(stage, row, lead, timing, coefficients)
+    if order < smoothness:
+        drop_rounding(order, lead)
     return row

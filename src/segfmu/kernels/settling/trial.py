@@ -1,13 +1,14 @@
 """One lead: settling to given ends, its time, its check, and the best one so far."""
 
 from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.planner.phases import total_duration
 from segfmu.kernels.planner.profile import plain_profile
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.settling.chain import chain_limits, set_chains
 from segfmu.kernels.settling.level import settle_over_level
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
-from segfmu.kernels.settling.stages import settle
+from segfmu.kernels.settling.stages import append_phases, settle, settle_above, stage_phases
 from segfmu.kernels.trajectory.check import check_axis, keep_inside
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
@@ -88,6 +89,12 @@ def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
     return True
 
 
+def is_better(time: float, lead: 'float[:,:]') -> bool:
+    """Whether a lead that takes `time` [s] would be the best one so far."""
+    best = lead[LeadWork.BEST, Lead.TIME]
+    return best < 0.0 or time < best * lead[LeadWork.BEST, Lead.GAIN]
+
+
 def keep_better(
     last: int,
     time: float,
@@ -98,8 +105,7 @@ def keep_better(
 ) -> bool:
     """Keep a lead that takes `time` [s] and ends before the row `last`, if it is the best one."""
     first = LeadRows.PIECES
-    best = lead[LeadWork.BEST, Lead.TIME]
-    if best >= 0.0 and not time < best * lead[LeadWork.BEST, Lead.GAIN]:
+    if not is_better(time, lead):
         return False
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
     lower = lead[LeadWork.LOWER, :]
@@ -129,15 +135,43 @@ def try_lead(
     The lead is kept if it is the best one so far. Rows of the second half before `row` belong to
     it as they are.
     """
+    if order == LeadStage.VELOCITY:
+        return try_velocity(row, limits, lead, timing, coefficients)
     last = settle(order, row, lead, timing, coefficients)
     if last < 0:
         return NEVER
+    rest = profile_time(lead)
+    if rest < 0.0:
+        return NEVER
+    time = lead[LeadWork.STATE, Chain.TIME] + rest
+    keep_better(last, time, limits, lead, timing, coefficients)
+    return time
+
+
+def try_velocity(
+    row: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """`try_lead` to a velocity. The last stage has pieces only where the lead is the best one."""
+    order = int(LeadStage.VELOCITY)
+    row = settle_above(order, row, lead, timing, coefficients)
+    if row < 0:
+        return NEVER
+    end = lead[LeadWork.ENDS, order]
+    count = stage_phases(order, end, False, lead)
+    if count < 0:
+        return NEVER
+    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
+    time = lead[LeadWork.STATE, Chain.TIME] + total_duration(phases, count)
+    if not is_better(time, lead):
+        return time
+    last = append_phases(order, end, count, row, lead, timing, coefficients)
+    if last < 0:
+        return NEVER
     time = lead[LeadWork.STATE, Chain.TIME]
-    if order == LeadStage.ACCELERATION:
-        rest = profile_time(lead)
-        if rest < 0.0:
-            return NEVER
-        time = time + rest
     keep_better(last, time, limits, lead, timing, coefficients)
     return time
 
