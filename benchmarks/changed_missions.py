@@ -25,7 +25,7 @@ TITLE = "Missions built once and changed in the importing tool"
 QUANTITIES = ("position", "velocity", "acceleration", "jerk", "snap")
 # what a refusal has to name
 PLACE = re.compile(
-    r"obstacle \d|workspace\.[xyz]|waypoints? \d|axis [xyz]|rope_(min|max)|(drive|sway)\.\w+"
+    r"obstacle \d|workspace\.[xyz]|waypoints? \d|axis [xyz]|rope_(min|max)|(drive|sway|travel)\.\w+"
 )
 
 # free states within bounds of the drives and limits of the load, over a stack below a workspace
@@ -41,6 +41,7 @@ SHIP_TO_SHORE: dict[str, Any] = {
         "rope_max": 45.0,
         "bridge": {"velocity_max": 0.75, "acceleration_max": 0.125},
         "trolley": {"velocity_max": 4.0, "acceleration_max": 0.8},
+        "travel": {"trolley": [-0.1, 70.0], "rope": [9.9, 38.1]},
         "hoist": {
             "velocity_max": 1.5,
             "acceleration_max": 0.75,
@@ -81,6 +82,7 @@ LAB: dict[str, Any] = {
         "rope_max": 1.5,
         "bridge": {"velocity_max": 0.7, "acceleration_max": 0.9},
         "trolley": {"velocity_max": 0.7, "acceleration_max": 0.9, "force_max": 3.0},
+        "travel": {"trolley": [-0.01, 2.3], "rope": [0.3, 1.28]},
         "hoist": {
             "velocity_max": 0.3,
             "acceleration_max": 0.6,

@@ -55,7 +55,7 @@ def _root(a: FloatArray) -> FloatArray:
 def demands(
     crane: Crane, trajectory: Motion, times: FloatArray, friction: Friction | None = None
 ) -> FloatArray:
-    """Force, velocity, acceleration, power and sway, shape (times, 14).
+    """Force, velocity, acceleration, power, place and sway, shape (times, 17).
 
     With friction the times are samples from the start on, close enough for contacts to be followed.
     """
@@ -76,14 +76,14 @@ def demands(
         [moved[i] * acceleration[:, i] + crane.payload_mass * pull[i, 0] for i in range(2)]
         + [-crane.payload_mass * size[0]], axis=-1,
     )
+    position = np.stack([place[0] for place in places], axis=-1)
     if friction is not None:
-        position = np.stack([place[0] for place in places], axis=-1)
         force = force + friction_along(crane, friction, position, velocity)
     sway = np.stack(
         [np.arctan2(-pull[0, 0], np.hypot(pull[1, 0], pull[2, 0])),
          np.arctan2(pull[1, 0], pull[2, 0])], axis=-1,
     )
-    return np.hstack([force, velocity, acceleration, force * velocity, sway])
+    return np.hstack([force, velocity, acceleration, force * velocity, position, sway])
 
 
 def friction_along(
@@ -126,12 +126,20 @@ def shares(
     crane: Crane, trajectory: Motion, bounds: ActuatorBounds, samples: int,
     friction: Friction | None = None,
 ) -> FloatArray:
-    """Largest shares of the bounds in the positive and the negative direction, shape (2, 14)."""
+    """Largest shares of the bounds in the positive and the negative direction, shape (2, 17).
+
+    Of a travel, from the middle between its end stops.
+    """
     times = np.linspace(0.0, trajectory.duration, samples)
     found = demands(crane, trajectory, times, friction)
-    upper = [bounds.force, bounds.velocity, bounds.acceleration, bounds.power, bounds.sway_angle]
-    least = [bounds.force_min, bounds.velocity_min, bounds.acceleration_min]
-    lower = [np.where(np.isinf(b), u, -b) for b, u in zip(least, upper, strict=False)]
+    stopped = np.isfinite(bounds.travel) & np.isfinite(bounds.travel_min)
+    least, greatest = (np.where(stopped, s, 0.0) for s in (bounds.travel_min, bounds.travel))
+    half = np.where(stopped, 0.5 * (greatest - least), np.inf)
+    found[:, 12:15] -= 0.5 * (greatest + least)
+    upper = [bounds.force, bounds.velocity, bounds.acceleration, bounds.power, half,
+             bounds.sway_angle]
+    directed = [bounds.force_min, bounds.velocity_min, bounds.acceleration_min]
+    lower = [np.where(np.isinf(b), u, -b) for b, u in zip(directed, upper, strict=False)]
     return np.array([
         found.max(axis=0) / np.concatenate(upper),
         -found.min(axis=0) / np.concatenate([*lower, *upper[3:]]),

@@ -177,7 +177,7 @@ def test_random_problems_keep_their_bounds_and_have_mirrored_plans(count: int) -
 def test_more_in_one_direction_never_takes_longer(count: int) -> None:
     for problem in given_states(count, 8):
         both = np.minimum(*problem.bounds.table)
-        weak = ActuatorBounds(both[:3], both[3:6], both[6:9], both[12:], both[9:12])
+        weak = ActuatorBounds(both[:3], both[3:6], both[6:9], both[15:], both[9:12])
         slow, quick = solved(replace(problem, bounds=weak)), solved(problem)
         assert slow is None or (quick is not None and quick.duration <= slow.duration)
 
@@ -247,7 +247,7 @@ def test_uses_show_both_directions_where_their_bounds_differ() -> None:
     ).trajectory
     bounds = ActuatorBounds(acceleration=[None, 3.0, None], acceleration_min=[None, -2.0, None])
     told = {use.name: use for use in bound_uses(LAB, found, bounds)}
-    assert len(told) == 15
+    assert len(told) == 21
     ahead, back = told["trolley acceleration"], told["trolley acceleration_min"]
     assert (ahead.bound, back.bound, back.unit) == (3.0, 2.0, "m/s2")
     assert 0.0 < ahead.time < back.time + found.duration

@@ -171,6 +171,8 @@ RUBBING |= {f"friction.{d}.static": 0.4 for d in DRIVES} | {"friction.presliding
 BOUNDS: Values = {f"drive.{d}.{q}_max": 50.0 for d in DRIVES
                   for q in ("force", "velocity", "acceleration", "power")}
 BOUNDS |= {f"sway.{a}.angle_max": 1.0 for a in "xy"}
+BOUNDS |= {f"travel.{a}.{n}": s for a in ("bridge", "trolley", "rope")
+           for n, s in (("min", -1.0), ("max", 2.0))}
 
 # the load of the paper's mission is within these; boxes on one side of it, which they cover else
 WITHIN = ((-0.1, 1.1), (-0.1, 0.9), (-0.6, -0.4))
@@ -273,6 +275,18 @@ def of_bounds() -> dict[str, tuple[str, Any, str]]:
     }
 
 
+def of_travel() -> dict[str, tuple[str, Any, str]]:
+    """Refusals by end stops."""
+    found: dict[str, tuple[str, Any, str]] = {}
+    for axis, stops in zip(("bridge", "trolley", "rope"), ((0.2, 0.7), (0.2, 0.5), (0.52, 0.49)),
+                           strict=True):
+        for name, stop in zip(("min", "max"), stops, strict=True):
+            found[f"travel.{axis}.{name}"] = (
+                "paper", stop, f"the plan takes the {axis} to"
+            )
+    return found
+
+
 def of_space() -> dict[str, tuple[str, Any, str]]:
     """Refusals by workspace, obstacles and the size of the load."""
     found: dict[str, tuple[str, Any, str]] = {
@@ -304,7 +318,7 @@ REFUSALS: dict[str, dict[str, tuple[str, Any, str]]] = {
         "crane.rope_max": ("paper", 0.45, "rope length passes rope_max"),
         "planner.finds_limits": ("found", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
         "planner.slows_down": ("slowed", False, "drive.trolley.acceleration_max is 0.05 m/s2"),
-        **of_bounds(), **of_space(),
+        **of_bounds(), **of_travel(), **of_space(),
     },
     "crane": {
         "travel.bridge.min": ("equipment", 0.001, "bridge at 0 m is at its end stop, least"),

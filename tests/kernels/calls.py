@@ -396,7 +396,8 @@ def limit_calls() -> dict[str, Call]:
     starts, fault = zeros(Starts.COUNT, 24), zeros(LimitFault.SIZE)
     backend.write_starts(1.2, bounds, known, axes, starts, fault)
     kinds = np.repeat([float(Unknown.LIMIT), float(Unknown.STATE)], [18, 6])
-    search, peaks = zeros(Search.SIZE, 24), np.linspace(0.0, 0.7, 28).reshape(2, 14)
+    search, peaks = zeros(Search.SIZE, 24), np.linspace(0.0, 0.7, 2 * Demand.SIZE)
+    peaks = peaks.reshape(2, -1)
     backend.begin_limits(starts, kinds, search)
     work = zeros(SearchValues.SIZE, Values.SIZE), zeros(24, Values.SIZE), zeros(48, 24)
     states, place = zeros(3, 3, WaypointState.SIZE), np.arange(3.0)
@@ -409,7 +410,7 @@ def limit_calls() -> dict[str, Call]:
         "narrow_bounds": (bounds.copy(), caps + 1.0),
         "write_kinds": (axes, kinds.copy()),
         "write_limits": (starts[0].copy(), axes, zeros(3, LimitRow.SIZE)),
-        "write_shares": (peaks, bounds, axes, zeros(28)),
+        "write_shares": (peaks, bounds, axes, zeros(2 * Demand.SIZE)),
         "write_starts": (1.2, bounds, known, axes, starts.copy(), fault),
         "write_passing": (points, kinds, axes, starts[0].copy()),
         "unite_waypoints": (states.copy(), zeros(3)),
@@ -502,6 +503,8 @@ def crane_calls() -> dict[str, Call]:
             np.where(np.arange(DriveBounds.SIZE) < DriveBounds.FORCE_MIN, 1.1, -0.7),
             zeros(BoundUses.SIZE), zeros(BoundFault.SIZE),
         ),
+        "has_bounds": (2, Demand.SIZE, zeros(DriveBounds.SIZE) + 0.5),
+        "paced_use": (np.linspace(0.0, 1.0, BoundUses.SIZE),),
         "contact_history": (
             1, *planned, plant[: Resistance.SIZE].copy(),
             zeros(ContactWork.SIZE, ContactWork.COLUMNS), zeros(9, Contact.SIZE),

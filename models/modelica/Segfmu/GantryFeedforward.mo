@@ -38,8 +38,8 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -318}, {216, -302}})));
   Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
   Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
-  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
-  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
+  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending, 8: travel" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending, 8: travel" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
   parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "nominal crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
   parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "nominal crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
   parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "nominal crane: mass of the load" annotation(Dialog(tab = "crane"));
@@ -102,6 +102,12 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real drive_hoist_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the hoist drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real sway_x_angle_max(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "largest sway angle phi_x; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "sway"));
   parameter Real sway_y_angle_max(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "largest sway angle phi_y; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "sway"));
+  parameter Real travel_bridge_min(unit = "m") = -1000000000.0 "least position of the bridge; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_bridge_max(unit = "m") = 1000000000.0 "greatest position of the bridge; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_min(unit = "m") = -1000000000.0 "least position of the trolley; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_max(unit = "m") = 1000000000.0 "greatest position of the trolley; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_min(unit = "m") = -1000000000.0 "least length of the rope; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_max(unit = "m") = 1000000000.0 "greatest length of the rope; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
   parameter Real workspace_x_min(unit = "m") = -1000000000.0 "least position of the load in x" annotation(Dialog(tab = "workspace"));
   parameter Real workspace_x_max(unit = "m") = 1000000000.0 "greatest one in x" annotation(Dialog(tab = "workspace"));
   parameter Real workspace_y_min(unit = "m") = -1000000000.0 "least position of the load in y" annotation(Dialog(tab = "workspace"));
@@ -216,76 +222,18 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_trolley_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_hoist_power(fixed = false) "largest use of the bound of hoist power; 1: all; 0: no bound";
   final parameter Real plan_use_hoist_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_travel_bridge(fixed = false) "largest use of the bound of travel bridge; 1: all; 0: no bound";
+  final parameter Real plan_use_travel_bridge_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_travel_trolley(fixed = false) "largest use of the bound of travel trolley; 1: all; 0: no bound";
+  final parameter Real plan_use_travel_trolley_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_travel_rope(fixed = false) "largest use of the bound of travel rope; 1: all; 0: no bound";
+  final parameter Real plan_use_travel_rope_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_sway_x(fixed = false) "largest use of the bound of sway x; 1: all; 0: no bound";
   final parameter Real plan_use_sway_x_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [332, 333, 334;
-      348, 349, 350;
-      364, 365, 366;
-      380, 381, 382;
-      396, 397, 398;
-      412, 413, 414;
-      428, 429, 430;
-      444, 445, 446;
-      460, 461, 462;
-      476, 477, 478;
-      492, 493, 494;
-      508, 509, 510;
-      524, 525, 526;
-      540, 541, 542;
-      556, 557, 558;
-      572, 573, 574];
-  constant Integer waypoint_velocity_references[16, 3] = [335, 336, 337;
-      351, 352, 353;
-      367, 368, 369;
-      383, 384, 385;
-      399, 400, 401;
-      415, 416, 417;
-      431, 432, 433;
-      447, 448, 449;
-      463, 464, 465;
-      479, 480, 481;
-      495, 496, 497;
-      511, 512, 513;
-      527, 528, 529;
-      543, 544, 545;
-      559, 560, 561;
-      575, 576, 577];
-  constant Integer waypoint_acceleration_references[16, 3] = [338, 339, 340;
-      354, 355, 356;
-      370, 371, 372;
-      386, 387, 388;
-      402, 403, 404;
-      418, 419, 420;
-      434, 435, 436;
-      450, 451, 452;
-      466, 467, 468;
-      482, 483, 484;
-      498, 499, 500;
-      514, 515, 516;
-      530, 531, 532;
-      546, 547, 548;
-      562, 563, 564;
-      578, 579, 580];
-  constant Integer waypoint_velocity_free_references[16, 3] = [341, 342, 343;
-      357, 358, 359;
-      373, 374, 375;
-      389, 390, 391;
-      405, 406, 407;
-      421, 422, 423;
-      437, 438, 439;
-      453, 454, 455;
-      469, 470, 471;
-      485, 486, 487;
-      501, 502, 503;
-      517, 518, 519;
-      533, 534, 535;
-      549, 550, 551;
-      565, 566, 567;
-      581, 582, 583];
-  constant Integer waypoint_acceleration_free_references[16, 3] = [344, 345, 346;
+  constant Integer waypoint_position_references[16, 3] = [344, 345, 346;
       360, 361, 362;
       376, 377, 378;
       392, 393, 394;
@@ -301,47 +249,111 @@ protected
       552, 553, 554;
       568, 569, 570;
       584, 585, 586];
-  constant Integer waypoint_dwell_references[16] = {347, 363, 379, 395, 411, 427, 443, 459, 475, 491, 507, 523, 539, 555, 571, 587};
-  constant Integer obstacle_minimum_references[16, 3] = [163, 164, 165;
-      171, 172, 173;
-      179, 180, 181;
-      187, 188, 189;
-      195, 196, 197;
-      203, 204, 205;
-      211, 212, 213;
-      219, 220, 221;
-      227, 228, 229;
-      235, 236, 237;
-      243, 244, 245;
-      251, 252, 253;
-      259, 260, 261;
-      267, 268, 269;
-      275, 276, 277;
-      283, 284, 285];
-  constant Integer obstacle_maximum_references[16, 3] = [166, 167, 168;
-      174, 175, 176;
-      182, 183, 184;
-      190, 191, 192;
-      198, 199, 200;
-      206, 207, 208;
-      214, 215, 216;
-      222, 223, 224;
-      230, 231, 232;
-      238, 239, 240;
-      246, 247, 248;
-      254, 255, 256;
-      262, 263, 264;
-      270, 271, 272;
-      278, 279, 280;
-      286, 287, 288];
-  constant Integer obstacle_margin_references[16] = {169, 177, 185, 193, 201, 209, 217, 225, 233, 241, 249, 257, 265, 273, 281, 289};
-  constant Integer obstacle_rope_references[16] = {170, 178, 186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290};
+  constant Integer waypoint_velocity_references[16, 3] = [347, 348, 349;
+      363, 364, 365;
+      379, 380, 381;
+      395, 396, 397;
+      411, 412, 413;
+      427, 428, 429;
+      443, 444, 445;
+      459, 460, 461;
+      475, 476, 477;
+      491, 492, 493;
+      507, 508, 509;
+      523, 524, 525;
+      539, 540, 541;
+      555, 556, 557;
+      571, 572, 573;
+      587, 588, 589];
+  constant Integer waypoint_acceleration_references[16, 3] = [350, 351, 352;
+      366, 367, 368;
+      382, 383, 384;
+      398, 399, 400;
+      414, 415, 416;
+      430, 431, 432;
+      446, 447, 448;
+      462, 463, 464;
+      478, 479, 480;
+      494, 495, 496;
+      510, 511, 512;
+      526, 527, 528;
+      542, 543, 544;
+      558, 559, 560;
+      574, 575, 576;
+      590, 591, 592];
+  constant Integer waypoint_velocity_free_references[16, 3] = [353, 354, 355;
+      369, 370, 371;
+      385, 386, 387;
+      401, 402, 403;
+      417, 418, 419;
+      433, 434, 435;
+      449, 450, 451;
+      465, 466, 467;
+      481, 482, 483;
+      497, 498, 499;
+      513, 514, 515;
+      529, 530, 531;
+      545, 546, 547;
+      561, 562, 563;
+      577, 578, 579;
+      593, 594, 595];
+  constant Integer waypoint_acceleration_free_references[16, 3] = [356, 357, 358;
+      372, 373, 374;
+      388, 389, 390;
+      404, 405, 406;
+      420, 421, 422;
+      436, 437, 438;
+      452, 453, 454;
+      468, 469, 470;
+      484, 485, 486;
+      500, 501, 502;
+      516, 517, 518;
+      532, 533, 534;
+      548, 549, 550;
+      564, 565, 566;
+      580, 581, 582;
+      596, 597, 598];
+  constant Integer waypoint_dwell_references[16] = {359, 375, 391, 407, 423, 439, 455, 471, 487, 503, 519, 535, 551, 567, 583, 599};
+  constant Integer obstacle_minimum_references[16, 3] = [175, 176, 177;
+      183, 184, 185;
+      191, 192, 193;
+      199, 200, 201;
+      207, 208, 209;
+      215, 216, 217;
+      223, 224, 225;
+      231, 232, 233;
+      239, 240, 241;
+      247, 248, 249;
+      255, 256, 257;
+      263, 264, 265;
+      271, 272, 273;
+      279, 280, 281;
+      287, 288, 289;
+      295, 296, 297];
+  constant Integer obstacle_maximum_references[16, 3] = [178, 179, 180;
+      186, 187, 188;
+      194, 195, 196;
+      202, 203, 204;
+      210, 211, 212;
+      218, 219, 220;
+      226, 227, 228;
+      234, 235, 236;
+      242, 243, 244;
+      250, 251, 252;
+      258, 259, 260;
+      266, 267, 268;
+      274, 275, 276;
+      282, 283, 284;
+      290, 291, 292;
+      298, 299, 300];
+  constant Integer obstacle_margin_references[16] = {181, 189, 197, 205, 213, 221, 229, 237, 245, 253, 261, 269, 277, 285, 293, 301};
+  constant Integer obstacle_rope_references[16] = {182, 190, 198, 206, 214, 222, 230, 238, 246, 254, 262, 270, 278, 286, 294, 302};
   final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
       65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
-      109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 150, 151, 152, 153, 154,
-      155, 156, 157, 158, 159, 160, 161, 293, 294, 295, 296, 297, 298, 300, 301, 303, 304, 305,
-      307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324,
-      325, 326, 327, 328, 329, 330},
+      109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126,
+      127, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 305, 306, 307, 308, 309,
+      310, 312, 313, 315, 316, 317, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330,
+      331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -364,19 +376,20 @@ protected
       drive_trolley_acceleration_min, drive_trolley_power_max, drive_hoist_force_max,
       drive_hoist_force_min, drive_hoist_velocity_max, drive_hoist_velocity_min,
       drive_hoist_acceleration_max, drive_hoist_acceleration_min, drive_hoist_power_max,
-      sway_x_angle_max, sway_y_angle_max, workspace_x_min, workspace_x_max, workspace_y_min,
-      workspace_y_max, workspace_z_min, workspace_z_max, load_size_x, load_size_y, load_size_z,
-      load_centre_x, load_centre_y, load_centre_z, command_velocity_x, command_velocity_y,
-      command_velocity_z, command_target_x, command_target_y, command_target_z, limits_scale,
-      command_hold, command_distance_x, command_distance_y, command_distance_z,
-      measured_bridge_position, measured_trolley_position, measured_rope_length,
-      measured_sway_x_angle, measured_sway_y_angle, measured_bridge_velocity,
-      measured_trolley_velocity, measured_rope_velocity, measured_sway_x_rate,
-      measured_sway_y_rate, friction_bridge_viscous, friction_bridge_coulomb,
-      friction_bridge_static, friction_bridge_drag, friction_trolley_viscous,
-      friction_trolley_coulomb, friction_trolley_static, friction_trolley_drag,
-      friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag,
-      friction_width, friction_presliding},
+      sway_x_angle_max, sway_y_angle_max, travel_bridge_min, travel_bridge_max,
+      travel_trolley_min, travel_trolley_max, travel_rope_min, travel_rope_max, workspace_x_min,
+      workspace_x_max, workspace_y_min, workspace_y_max, workspace_z_min, workspace_z_max,
+      load_size_x, load_size_y, load_size_z, load_centre_x, load_centre_y, load_centre_z,
+      command_velocity_x, command_velocity_y, command_velocity_z, command_target_x,
+      command_target_y, command_target_z, limits_scale, command_hold, command_distance_x,
+      command_distance_y, command_distance_z, measured_bridge_position, measured_trolley_position,
+      measured_rope_length, measured_sway_x_angle, measured_sway_y_angle,
+      measured_bridge_velocity, measured_trolley_velocity, measured_rope_velocity,
+      measured_sway_x_rate, measured_sway_y_rate, friction_bridge_viscous,
+      friction_bridge_coulomb, friction_bridge_static, friction_bridge_drag,
+      friction_trolley_viscous, friction_trolley_coulomb, friction_trolley_static,
+      friction_trolley_drag, friction_hoist_viscous, friction_hoist_coulomb,
+      friction_hoist_static, friction_hoist_drag, friction_width, friction_presliding},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
@@ -384,10 +397,10 @@ protected
       FMI.rows(obstacle_minimum),
       FMI.rows(obstacle_maximum),
       obstacle_margin);
-  constant Integer integer_references[7] = {84, 85, 86, 162, 292, 302, 331};
+  constant Integer integer_references[7] = {84, 85, 86, 174, 304, 314, 343};
   final parameter Integer integers[7] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, Integer(command_mode), command_tries, waypoint_count};
-  final parameter Integer boolean_references[:] = cat(1, {89, 90, 291, 299, 306},
+  final parameter Integer boolean_references[:] = cat(1, {89, 90, 303, 311, 318},
       FMI.references(waypoint_velocity_free_references, waypoint_count),
       FMI.references(waypoint_acceleration_free_references, waypoint_count),
       obstacle_rope_references[1:obstacle_count]);
@@ -400,7 +413,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{3c096557-a9dd-9b20-37f2-f99b9de9c141}", 0);
+      "{44bf676e-5e9d-4994-39ef-ecbb2f5ae0df}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -425,10 +438,12 @@ initial equation
       plan_use_trolley_acceleration_time, plan_use_hoist_acceleration,
       plan_use_hoist_acceleration_time, plan_use_bridge_power, plan_use_bridge_power_time,
       plan_use_trolley_power, plan_use_trolley_power_time, plan_use_hoist_power,
-      plan_use_hoist_power_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
-      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {40, 41, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 122, 123,
-      124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141,
-      142, 143, 144, 145, 146, 147, 148, 149}, started);
+      plan_use_hoist_power_time, plan_use_travel_bridge, plan_use_travel_bridge_time,
+      plan_use_travel_trolley, plan_use_travel_trolley_time, plan_use_travel_rope,
+      plan_use_travel_rope_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
+      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {40, 41, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 128, 129,
+      130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147,
+      148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 158, 159, 160, 161}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);

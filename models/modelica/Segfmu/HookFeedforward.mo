@@ -106,6 +106,12 @@ model HookFeedforward "Plans the motion of a load that hangs by a sling on the h
   parameter Real drive_hoist_power_max(unit = "W", min = 0.0) = 0.0 "largest power of the hoist drive; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "drive"));
   parameter Real sway_x_angle_max(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "largest sway angle phi_x; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "sway"));
   parameter Real sway_y_angle_max(unit = "rad", displayUnit = "deg", min = 0.0) = 0.0 "largest sway angle phi_y; the plan keeps it, or initialisation fails; 0: no bound" annotation(Dialog(tab = "sway"));
+  parameter Real travel_bridge_min(unit = "m") = -1000000000.0 "least position of the bridge; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_bridge_max(unit = "m") = 1000000000.0 "greatest position of the bridge; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_min(unit = "m") = -1000000000.0 "least position of the trolley; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_trolley_max(unit = "m") = 1000000000.0 "greatest position of the trolley; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_min(unit = "m") = -1000000000.0 "least length of the rope; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
+  parameter Real travel_rope_max(unit = "m") = 1000000000.0 "greatest length of the rope; the plan keeps it, or initialisation fails" annotation(Dialog(tab = "travel"));
   parameter Real workspace_x_min(unit = "m") = -1000000000.0 "least position of the load in x" annotation(Dialog(tab = "workspace"));
   parameter Real workspace_x_max(unit = "m") = 1000000000.0 "greatest one in x" annotation(Dialog(tab = "workspace"));
   parameter Real workspace_y_min(unit = "m") = -1000000000.0 "least position of the load in y" annotation(Dialog(tab = "workspace"));
@@ -194,76 +200,18 @@ model HookFeedforward "Plans the motion of a load that hangs by a sling on the h
   final parameter Real plan_use_trolley_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_hoist_power(fixed = false) "largest use of the bound of hoist power; 1: all; 0: no bound";
   final parameter Real plan_use_hoist_power_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_travel_bridge(fixed = false) "largest use of the bound of travel bridge; 1: all; 0: no bound";
+  final parameter Real plan_use_travel_bridge_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_travel_trolley(fixed = false) "largest use of the bound of travel trolley; 1: all; 0: no bound";
+  final parameter Real plan_use_travel_trolley_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
+  final parameter Real plan_use_travel_rope(fixed = false) "largest use of the bound of travel rope; 1: all; 0: no bound";
+  final parameter Real plan_use_travel_rope_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_sway_x(fixed = false) "largest use of the bound of sway x; 1: all; 0: no bound";
   final parameter Real plan_use_sway_x_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [310, 311, 312;
-      326, 327, 328;
-      342, 343, 344;
-      358, 359, 360;
-      374, 375, 376;
-      390, 391, 392;
-      406, 407, 408;
-      422, 423, 424;
-      438, 439, 440;
-      454, 455, 456;
-      470, 471, 472;
-      486, 487, 488;
-      502, 503, 504;
-      518, 519, 520;
-      534, 535, 536;
-      550, 551, 552];
-  constant Integer waypoint_velocity_references[16, 3] = [313, 314, 315;
-      329, 330, 331;
-      345, 346, 347;
-      361, 362, 363;
-      377, 378, 379;
-      393, 394, 395;
-      409, 410, 411;
-      425, 426, 427;
-      441, 442, 443;
-      457, 458, 459;
-      473, 474, 475;
-      489, 490, 491;
-      505, 506, 507;
-      521, 522, 523;
-      537, 538, 539;
-      553, 554, 555];
-  constant Integer waypoint_acceleration_references[16, 3] = [316, 317, 318;
-      332, 333, 334;
-      348, 349, 350;
-      364, 365, 366;
-      380, 381, 382;
-      396, 397, 398;
-      412, 413, 414;
-      428, 429, 430;
-      444, 445, 446;
-      460, 461, 462;
-      476, 477, 478;
-      492, 493, 494;
-      508, 509, 510;
-      524, 525, 526;
-      540, 541, 542;
-      556, 557, 558];
-  constant Integer waypoint_velocity_free_references[16, 3] = [319, 320, 321;
-      335, 336, 337;
-      351, 352, 353;
-      367, 368, 369;
-      383, 384, 385;
-      399, 400, 401;
-      415, 416, 417;
-      431, 432, 433;
-      447, 448, 449;
-      463, 464, 465;
-      479, 480, 481;
-      495, 496, 497;
-      511, 512, 513;
-      527, 528, 529;
-      543, 544, 545;
-      559, 560, 561];
-  constant Integer waypoint_acceleration_free_references[16, 3] = [322, 323, 324;
+  constant Integer waypoint_position_references[16, 3] = [322, 323, 324;
       338, 339, 340;
       354, 355, 356;
       370, 371, 372;
@@ -279,46 +227,110 @@ protected
       530, 531, 532;
       546, 547, 548;
       562, 563, 564];
-  constant Integer waypoint_dwell_references[16] = {325, 341, 357, 373, 389, 405, 421, 437, 453, 469, 485, 501, 517, 533, 549, 565};
-  constant Integer obstacle_minimum_references[16, 3] = [167, 168, 169;
-      175, 176, 177;
-      183, 184, 185;
-      191, 192, 193;
-      199, 200, 201;
-      207, 208, 209;
-      215, 216, 217;
-      223, 224, 225;
-      231, 232, 233;
-      239, 240, 241;
-      247, 248, 249;
-      255, 256, 257;
-      263, 264, 265;
-      271, 272, 273;
-      279, 280, 281;
-      287, 288, 289];
-  constant Integer obstacle_maximum_references[16, 3] = [170, 171, 172;
-      178, 179, 180;
-      186, 187, 188;
-      194, 195, 196;
-      202, 203, 204;
-      210, 211, 212;
-      218, 219, 220;
-      226, 227, 228;
-      234, 235, 236;
-      242, 243, 244;
-      250, 251, 252;
-      258, 259, 260;
-      266, 267, 268;
-      274, 275, 276;
-      282, 283, 284;
-      290, 291, 292];
-  constant Integer obstacle_margin_references[16] = {173, 181, 189, 197, 205, 213, 221, 229, 237, 245, 253, 261, 269, 277, 285, 293};
-  constant Integer obstacle_rope_references[16] = {174, 182, 190, 198, 206, 214, 222, 230, 238, 246, 254, 262, 270, 278, 286, 294};
+  constant Integer waypoint_velocity_references[16, 3] = [325, 326, 327;
+      341, 342, 343;
+      357, 358, 359;
+      373, 374, 375;
+      389, 390, 391;
+      405, 406, 407;
+      421, 422, 423;
+      437, 438, 439;
+      453, 454, 455;
+      469, 470, 471;
+      485, 486, 487;
+      501, 502, 503;
+      517, 518, 519;
+      533, 534, 535;
+      549, 550, 551;
+      565, 566, 567];
+  constant Integer waypoint_acceleration_references[16, 3] = [328, 329, 330;
+      344, 345, 346;
+      360, 361, 362;
+      376, 377, 378;
+      392, 393, 394;
+      408, 409, 410;
+      424, 425, 426;
+      440, 441, 442;
+      456, 457, 458;
+      472, 473, 474;
+      488, 489, 490;
+      504, 505, 506;
+      520, 521, 522;
+      536, 537, 538;
+      552, 553, 554;
+      568, 569, 570];
+  constant Integer waypoint_velocity_free_references[16, 3] = [331, 332, 333;
+      347, 348, 349;
+      363, 364, 365;
+      379, 380, 381;
+      395, 396, 397;
+      411, 412, 413;
+      427, 428, 429;
+      443, 444, 445;
+      459, 460, 461;
+      475, 476, 477;
+      491, 492, 493;
+      507, 508, 509;
+      523, 524, 525;
+      539, 540, 541;
+      555, 556, 557;
+      571, 572, 573];
+  constant Integer waypoint_acceleration_free_references[16, 3] = [334, 335, 336;
+      350, 351, 352;
+      366, 367, 368;
+      382, 383, 384;
+      398, 399, 400;
+      414, 415, 416;
+      430, 431, 432;
+      446, 447, 448;
+      462, 463, 464;
+      478, 479, 480;
+      494, 495, 496;
+      510, 511, 512;
+      526, 527, 528;
+      542, 543, 544;
+      558, 559, 560;
+      574, 575, 576];
+  constant Integer waypoint_dwell_references[16] = {337, 353, 369, 385, 401, 417, 433, 449, 465, 481, 497, 513, 529, 545, 561, 577};
+  constant Integer obstacle_minimum_references[16, 3] = [179, 180, 181;
+      187, 188, 189;
+      195, 196, 197;
+      203, 204, 205;
+      211, 212, 213;
+      219, 220, 221;
+      227, 228, 229;
+      235, 236, 237;
+      243, 244, 245;
+      251, 252, 253;
+      259, 260, 261;
+      267, 268, 269;
+      275, 276, 277;
+      283, 284, 285;
+      291, 292, 293;
+      299, 300, 301];
+  constant Integer obstacle_maximum_references[16, 3] = [182, 183, 184;
+      190, 191, 192;
+      198, 199, 200;
+      206, 207, 208;
+      214, 215, 216;
+      222, 223, 224;
+      230, 231, 232;
+      238, 239, 240;
+      246, 247, 248;
+      254, 255, 256;
+      262, 263, 264;
+      270, 271, 272;
+      278, 279, 280;
+      286, 287, 288;
+      294, 295, 296;
+      302, 303, 304];
+  constant Integer obstacle_margin_references[16] = {185, 193, 201, 209, 217, 225, 233, 241, 249, 257, 265, 273, 281, 289, 297, 305};
+  constant Integer obstacle_rope_references[16] = {186, 194, 202, 210, 218, 226, 234, 242, 250, 258, 266, 274, 282, 290, 298, 306};
   final parameter Integer real_references[:] = cat(1, {44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66,
       67, 68, 69, 91, 92, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109,
-      110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 154, 155,
-      156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 295, 296, 297, 298, 299, 300, 301, 302,
-      303, 304, 305, 306, 307, 308},
+      110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127,
+      128, 129, 130, 131, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 307, 308,
+      309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -341,10 +353,11 @@ protected
       drive_trolley_acceleration_max, drive_trolley_acceleration_min, drive_trolley_power_max,
       drive_hoist_force_max, drive_hoist_force_min, drive_hoist_velocity_max,
       drive_hoist_velocity_min, drive_hoist_acceleration_max, drive_hoist_acceleration_min,
-      drive_hoist_power_max, sway_x_angle_max, sway_y_angle_max, workspace_x_min, workspace_x_max,
-      workspace_y_min, workspace_y_max, workspace_z_min, workspace_z_max, load_size_x,
-      load_size_y, load_size_z, load_centre_x, load_centre_y, load_centre_z,
-      friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
+      drive_hoist_power_max, sway_x_angle_max, sway_y_angle_max, travel_bridge_min,
+      travel_bridge_max, travel_trolley_min, travel_trolley_max, travel_rope_min, travel_rope_max,
+      workspace_x_min, workspace_x_max, workspace_y_min, workspace_y_max, workspace_z_min,
+      workspace_z_max, load_size_x, load_size_y, load_size_z, load_centre_x, load_centre_y,
+      load_centre_z, friction_bridge_viscous, friction_bridge_coulomb, friction_bridge_static,
       friction_bridge_drag, friction_trolley_viscous, friction_trolley_coulomb,
       friction_trolley_static, friction_trolley_drag, friction_hoist_viscous,
       friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag, friction_width,
@@ -356,7 +369,7 @@ protected
       FMI.rows(obstacle_minimum),
       FMI.rows(obstacle_maximum),
       obstacle_margin);
-  constant Integer integer_references[5] = {88, 89, 90, 166, 309};
+  constant Integer integer_references[5] = {88, 89, 90, 178, 321};
   final parameter Integer integers[5] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, waypoint_count};
   final parameter Integer boolean_references[:] = cat(1, {93, 94},
@@ -370,7 +383,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "HookFeedforward", getInstanceName(),
-      "{64da04e7-36cf-498e-68a8-958bc99edd65}", 0);
+      "{6b9f3ce5-a325-5b0c-874f-50222dfc889f}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -395,10 +408,12 @@ initial equation
       plan_use_trolley_acceleration_time, plan_use_hoist_acceleration,
       plan_use_hoist_acceleration_time, plan_use_bridge_power, plan_use_bridge_power_time,
       plan_use_trolley_power, plan_use_trolley_power_time, plan_use_hoist_power,
-      plan_use_hoist_power_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
-      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {42, 43, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 126, 127,
-      128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145,
-      146, 147, 148, 149, 150, 151, 152, 153}, started);
+      plan_use_hoist_power_time, plan_use_travel_bridge, plan_use_travel_bridge_time,
+      plan_use_travel_trolley, plan_use_travel_trolley_time, plan_use_travel_rope,
+      plan_use_travel_rope_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
+      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {42, 43, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 132, 133,
+      134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151,
+      152, 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);

@@ -50,7 +50,7 @@ class ActuatedPlan:
         Its `limits` are those found.
     uses : tuple of BoundUse
         Exact peaks of forces, velocities, accelerations and powers (bridge, trolley, hoist each)
-        and of both sway angles, with their bounds and times.
+        and of both sway angles, and the farthest places, with their bounds and times.
     """
 
     trajectory: Trajectory
@@ -244,7 +244,9 @@ def _require_states(task: Task, bounds: ActuatorBounds) -> None:
         if led.any():
             continue
         needs = demands_in_state(task.crane, point, task.friction, bounds.lag)
-        found = max(uses(bounds, needs, np.zeros(needs.shape)), key=lambda use: use.use)
+        told = uses(bounds, needs, np.zeros(needs.shape))
+        # an end stop is refused with when the plan is there
+        found = max((use for use in told if use.unit != "m"), key=lambda use: use.use)
         if found.use > KEPT:
             raise exceeded(f"waypoint {number}: ", found, "its state alone")
 

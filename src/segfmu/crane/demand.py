@@ -26,7 +26,7 @@ def demands(
     crane: AnyCrane, trajectory: LoadTrajectory, times: FloatArray,
     friction: Friction = NONE, lag: FloatArray = IDEAL,
 ) -> FloatArray:
-    """Rows of the record `Demand` at times, shape (times, 14); lag: of the velocity loops [s]."""
+    """Rows of the record `Demand` at times, shape (times, 17); lag: of the velocity loops [s]."""
     contacts = Contacts(crane, friction, trajectory, lag)
     return _at(model_of(crane).orders, contacts, trajectory, times)
 
@@ -34,7 +34,7 @@ def demands(
 def demands_in_state(
     crane: AnyCrane, point: Waypoint, friction: Friction = NONE, lag: FloatArray = IDEAL
 ) -> FloatArray:
-    """Magnitudes of the demands in the state of a waypoint in both directions, shape (2, 14).
+    """Magnitudes of the demands in the state of a waypoint in both directions, shape (2, 17).
 
     An axis that moves slides; one at rest needs no more than what it carries.
     """
@@ -75,7 +75,8 @@ def peaks(
 ) -> tuple[FloatArray, FloatArray]:
     """Exact greatest magnitudes of all demands in the positive and in the negative direction.
 
-    Also their times [s]; shapes (2, 14). 0 at time 0 where there is none in a direction.
+    Also their times [s]; shapes (2, 17). 0 at time 0 where there is none in a direction; of places
+    the greatest and minus the least one.
     """
     contacts = Contacts(crane, friction, trajectory, lag)
     found, moments = np.zeros((2, Demand.SIZE)), np.zeros((2, Demand.SIZE))

@@ -11,9 +11,16 @@ from segfmu.crane.demand import peaks
 from segfmu.crane.drive_task import Task
 from segfmu.crane.limit_search import LimitSearch
 from segfmu.errors import InfeasibleError
-from segfmu.kernels.crane.records import Axes, Demand, RopeDemand
+from segfmu.kernels.crane.records import (
+    AXES,
+    Axes,
+    BoundFault,
+    BoundStatus,
+    Demand,
+    RopeDemand,
+)
 from segfmu.kernels.limits.records import AxisTask
-from segfmu.kernels.messages import ROPE_LIMITS
+from segfmu.kernels.messages import BOUND, ROPE_LIMITS
 from segfmu.planning.messages import told_apart
 
 BELOW = RopeDemand.BELOW_TROLLEY
@@ -77,6 +84,8 @@ def require_start(task: Task, bounds: ActuatorBounds) -> None:
 
 def exceeded(where: str, found: BoundUse, what: str) -> InfeasibleError:
     """The error for a bound: where it is exceeded, and what needs more than it."""
+    if found.unit == "m":
+        return beyond_stop(found)
     digits = told_apart(found.peak, found.bound, 6)
     # the load's mass changes neither the motion of the drives nor the sway
     mass = "the load's mass or " if found.unit in ("N", "W") else ""
@@ -85,6 +94,21 @@ def exceeded(where: str, found: BoundUse, what: str) -> InfeasibleError:
         f"{where}{found.name} needs {peak} for {what}; the bound is {bound}; raise the bound, or "
         f"lower {mass}the waypoints' velocities and accelerations",
         limit=found.name, value=found.peak, bound=found.bound, time=found.time,
+    )
+
+
+def beyond_stop(found: BoundUse) -> InfeasibleError:
+    """The error for an end stop, as the FMU has it."""
+    fault = np.zeros(BoundFault.SIZE)
+    axis = AXES.index(found.name.split()[0])
+    for field in (BoundFault.DRIVE, BoundFault.AXIS, BoundFault.STOPPED):
+        fault[field] = axis
+    fault[BoundFault.SIDE] = found.name.endswith("_min")
+    fault[BoundFault.VALUE], fault[BoundFault.BOUND] = found.peak, found.bound
+    fault[BoundFault.TIME] = found.time
+    return InfeasibleError(
+        BOUND.text(BoundStatus.TRAVEL, fault.tolist()), axis=axis, limit=found.name,
+        value=found.peak, bound=found.bound, time=found.time,
     )
 
 

@@ -42,7 +42,7 @@ class Task:
     Attributes
     ----------
     waypoints : tuple of Waypoint
-    bounds : ndarray, shape (23,)
+    bounds : ndarray, shape (29,)
         The kernels' `DriveBounds`.
     caps : ndarray, shape (3, LimitRow.SIZE)
         Largest limits allowed, 0 where there are none.

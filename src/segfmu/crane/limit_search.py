@@ -50,7 +50,7 @@ class Found:
     Attributes
     ----------
     trajectory : Trajectory
-    uses : ndarray, shape (28,)
+    uses : ndarray, shape (34,)
         Of the bounds by motion: what it takes of what they leave beyond weight and dry friction.
     """
 

@@ -363,8 +363,9 @@ class Operator:
         """What became of the last command that needed a plan.
 
         "taken", "reduced" (slower, or some axes at rest), or what no plan for it keeps: "limits",
-        "rope", "workspace", "obstacle" or "drives"; then the plan before goes on, as it does if it
-        is "pending": the tries of a step are used up, and the next one tries others.
+        "rope", "workspace", "obstacle", "drives" or "travel", where an end stop is in the way; then
+        the plan before goes on, as it does if it is "pending": the tries of a step are used up, and
+        the next one tries others.
         """
         return STATUSES[self._motion.status]
 

@@ -588,6 +588,18 @@ def bound_uses(
     /,
 ) -> int: ...
 
+def has_bounds(
+    first: int,
+    last: int,
+    bounds: Floats,
+    /,
+) -> bool: ...
+
+def paced_use(
+    uses: Floats,
+    /,
+) -> float: ...
+
 def hook_design(
     plant: Floats,
     sample_time: float,

@@ -510,6 +510,8 @@ ENTRY_POINTS = (
         "crane.uses", "bound_uses", peaks=(2, Demand.SIZE), times=(2, Demand.SIZE),
         bounds=DriveBounds.SIZE, uses=BoundUses.SIZE, fault=BoundFault.SIZE,
     ),
+    entry("crane.uses", "has_bounds", bounds=DriveBounds.SIZE),
+    entry("crane.uses", "paced_use", uses=BoundUses.SIZE),
     entry(
         "crane.peaks", "demand_samples", timing=("pieces", Timing.SIZE),
         coefficients=("pieces", "width"), offsets=Vector.SIZE + 1, ends=Vector.SIZE,

@@ -198,8 +198,13 @@ BOUND = Messages(
             (BoundStatus.ACCELERATION, "acceleration", "m/s2", ""),
             (BoundStatus.POWER, "power", "W", " or the masses"),
         )
-    } | {BoundStatus.SWAY: _bound("sway.{AXIS}.angle_max", "rad", "")},
-    {"DRIVE": DRIVES, "AXIS": ("x", "y", "z"), "SIDE": ("max", "min")},
+    } | {
+        BoundStatus.SWAY: _bound("sway.{AXIS}.angle_max", "rad", ""),
+        BoundStatus.TRAVEL: "at {TIME:.3f} s: the plan takes the {STOPPED} to {VALUE:.9g} m, "
+        "beyond its end stop travel.{STOPPED}.{SIDE} at {BOUND:.9g} m; move the waypoints, or "
+        "lower their velocities and accelerations along {AXIS}",
+    },
+    {"DRIVE": DRIVES, "AXIS": ("x", "y", "z"), "STOPPED": AXES, "SIDE": ("max", "min")},
 )
 
 
@@ -288,6 +293,8 @@ TAKEOVER = Messages(
         "leaves the workspace; widen workspace.*, or let the swing decay",
         OperationStatus.OBSTACLE: "command.take_over: the way from the measured state to rest "
         "meets an obstacle; move that, or let the swing decay",
+        OperationStatus.TRAVEL: "command.take_over: the way from the measured state to rest "
+        "passes an end stop; widen travel.*, or let the swing decay",
         OperationStatus.DRIVES: "command.take_over: the drives cannot bring the load to rest from "
         "the measured state; give drive.*.acceleration_max, more of it, or let the swing decay",
     },

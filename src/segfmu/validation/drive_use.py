@@ -13,6 +13,7 @@ from segfmu.planning.arrays import FloatArray
 from segfmu.validation.units import shown
 
 RATES = ("bridge.velocity", "trolley.velocity", "rope.velocity")
+PLACES = ("bridge.position", "trolley.position", "rope.length")
 SWAYS = ("sway.x.angle", "sway.y.angle")
 # a run may use this more of a bound than all of it: the feedback acts beside the plan
 RUN_MARGIN = 0.01
@@ -26,13 +27,14 @@ def run_uses(rows: NDArray[np.void], bounds: ActuatorBounds) -> tuple[BoundUse, 
 
 
 def run_demands(rows: NDArray[np.void]) -> FloatArray:
-    """What a co-simulation asks of the drives, (rows, 14); accelerations by differences."""
+    """What a co-simulation asks of the drives, (rows, 17); accelerations by differences."""
     time = rows["time"]
     force = np.column_stack([rows[f"drive.{drive}.force"] for drive in DRIVES])
     velocity = np.column_stack([rows[rate] for rate in RATES])
+    place = np.column_stack([rows[name] for name in PLACES])
     sway = np.column_stack([rows[angle] for angle in SWAYS])
     acceleration = np.gradient(velocity, time, axis=0) if time.size > 1 else 0.0 * velocity
-    return np.hstack([force, velocity, acceleration, force * velocity, sway])
+    return np.hstack([force, velocity, acceleration, force * velocity, place, sway])
 
 
 def bound_table(found: Sequence[BoundUse]) -> Table:

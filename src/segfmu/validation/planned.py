@@ -7,19 +7,15 @@ import numpy as np
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.crane.bounds import DRIVES
-from segfmu.errors import InfeasibleError, InputError
+from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Contact
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_parameters import feedback_source
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
 
-# samples of a plan among which its extremes are sought, and around one of them
-SAMPLES, AROUND = 4001, 201
-STOPPED = ("bridge", "trolley", "rope")
-# of positions, relative
-ROUNDING = 1e-9
+# samples of the time in which friction falls
+AROUND = 201
 # exponent of the growth of a deviation that force setpoints are exact enough for
 GROWN = 8.0
 
@@ -33,53 +29,8 @@ def planned(task: Mission, progress: Progress = quiet) -> Trajectory:
         If the mission cannot be planned, the rope goes slack, or an end stop is in the way.
     """
     trajectory = task.plan(lambda share: progress("planning", share))
-    require_travel(task, trajectory, FlatInverse(task.build_crane(), trajectory))
+    FlatInverse(task.build_crane(), trajectory)
     return trajectory
-
-
-def require_travel(task: Mission, trajectory: Trajectory, inverse: FlatInverse) -> None:
-    """Refuse plans in which the crane runs into its end stops.
-
-    Raises
-    ------
-    InfeasibleError
-        With the axis, its farthest position, the time and the key.
-    """
-    travel = task.crane.travel
-    found = [travel.bridge, travel.trolley, travel.rope]
-    if not any(found):
-        return
-    times = _samples(trajectory)
-    places = inverse.evaluate(times)[:, inverse.model.columns.position]
-    for axis, (name, stops) in enumerate(zip(STOPPED, found, strict=True)):
-        if stops is None:
-            continue
-        low = _farthest(inverse, times, places[:, axis], axis, -1.0)
-        high = _farthest(inverse, times, places[:, axis], axis, 1.0)
-        beyond, (time, place) = max((stops[0] - low[1], low), (high[1] - stops[1], high))
-        if beyond > ROUNDING * max(map(abs, stops)):
-            raise InfeasibleError(
-                f"the plan takes the {name} to {place:.6g} m at {time:.3f} s, "
-                f"beyond its end stops at {stops[0]} m and {stops[1]} m (travel.{name} of the "
-                "crane); move the waypoints, or lower the velocities there",
-                axis=axis, value=place, time=time,
-            )
-
-
-def _samples(trajectory: Trajectory) -> FloatArray:
-    """Times of a plan, its events among them."""
-    return np.union1d(np.linspace(0.0, trajectory.duration, SAMPLES), trajectory.events)
-
-
-def _farthest(
-    inverse: FlatInverse, times: FloatArray, places: FloatArray, axis: int, sign: float
-) -> tuple[float, float]:
-    """Time and place of a drive's farthest position in a direction, from samples of it."""
-    row = int((sign * places).argmax())
-    near = np.linspace(times[max(row - 1, 0)], times[min(row + 1, len(times) - 1)], AROUND)
-    closer = inverse.evaluate(near)[:, inverse.model.columns.position][:, axis]
-    best = int((sign * closer).argmax())
-    return float(near[best]), float(closer[best])
 
 
 def sticking(task: Mission, trajectory: Trajectory) -> str:

@@ -17,7 +17,8 @@ def test_a_step_is_that_of_the_linear_program(seed: int, size: int) -> None:
     search, values = np.zeros((Search.SIZE, 24)), np.zeros((SearchValues.SIZE, Values.SIZE))
     slopes = rng.normal(size=(size, Values.SIZE))
     # uses from none to all
-    values[SearchValues.CENTRE, Values.USE :] = rng.choice([0.0, 0.4, 0.9, 0.9999], 28)
+    centre = values[SearchValues.CENTRE, Values.USE :]
+    centre[:] = rng.choice([0.0, 0.4, 0.9, 0.9999], centre.size)
     search[Search.FREE, :size] = rng.random(size) < 0.8
     state = search[Search.STATE]
     state[SearchState.UNKNOWNS], state[SearchState.RADIUS] = size, 0.3

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -101,6 +103,26 @@ def test_sway_is_proved() -> None:
         ) is keeps
 
 
+@pytest.mark.parametrize("size", SIZES)
+def test_travel_is_proved(size: str) -> None:
+    crane, rope, fast = SIZES[size]
+    found = moved(np.random.default_rng(7), rope, fast)
+    most = peaks(crane, found)[0][:, Demand.PLACE : Demand.SWAY]
+    work = np.zeros((OperationWork.SIZE, OperationWork.COLUMNS))
+    greatest, least = most[0], -most[1]
+    room = 0.002 * (greatest - least)
+    for axis in range(3):
+        for side, (wider, keeps) in product(range(2), ((1.0, True), (-0.1, False))):
+            stops = [greatest + room, least - room]
+            stops[side][axis] += (1.0 - 2.0 * side) * (wider - 1.0) * room[axis]
+            known = known_of(crane)
+            record = ActuatorBounds(travel=stops[0], travel_min=stops[1]).record
+            known[Known.BOUNDS, : record.size] = record
+            assert backend.keeps_drives(
+                found.timing, found.coefficients, found.offsets, known, work
+            ) is keeps
+
+
 def test_friction_needs_room() -> None:
     found = moved(np.random.default_rng(4), 0.5, 0.4)
     rubbing = Friction(viscous=(1.0, 1.0, 1.0), coulomb=(0.5, 0.5, 0.5))
@@ -123,12 +145,13 @@ def test_a_range_is_inside_outside_or_open(centre: float, radius: float, verdict
     work = np.zeros((OperationWork.SIZE, OperationWork.COLUMNS))
     work[OperationWork.REACH + Reach.DEMAND + Demand.VELOCITY, :2] = centre, radius
     bounds = ActuatorBounds(velocity=[1.0, np.inf, np.inf]).record
-    assert judge_reach(Demand.SIZE, bounds, work) == verdict
+    assert judge_reach(0, Demand.SIZE, bounds, work) == verdict
 
 
 def test_a_rope_that_falls_freely_is_not_proved() -> None:
     fall = plan([Waypoint([0.0, 0.0, -0.5]), Waypoint([0.0, 0.0, -40.0])], Limits(20.0, 12.0, 90.0))
     work = np.zeros((OperationWork.SIZE, OperationWork.COLUMNS))
     known = known_of(LAB)
-    known[Known.BOUNDS, : 23] = ActuatorBounds(velocity=1e3).record
+    record = ActuatorBounds(velocity=1e3).record
+    known[Known.BOUNDS, : record.size] = record
     assert not backend.keeps_drives(fall.timing, fall.coefficients, fall.offsets, known, work)

@@ -14,6 +14,7 @@ import pytest
 import segfmu
 from segfmu.crane.bounds import DRIVES
 from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.drive_use import PLACES
 from segfmu.validation.plots import plot_plan
 from segfmu.validation.report import campaign_page, run_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
@@ -132,7 +133,7 @@ def test_a_drive_is_compared_with_the_bound_of_its_direction() -> None:
     names = [f"drive.{d}.force" for d in DRIVES] + [f"force.{d}" for d in DRIVES]
     for axis in ("bridge", "trolley", "rope"):
         names += [f"{axis}.velocity", f"reference.{axis}.velocity"]
-    names += [f"velocity.{d}" for d in DRIVES] + ["sway.x.angle", "sway.y.angle"]
+    names += [f"velocity.{d}" for d in DRIVES] + ["sway.x.angle", "sway.y.angle", *PLACES]
     rows = np.zeros(101, dtype=[(n, float) for n in ("time", *names)])
     rows["time"] = np.linspace(0.0, 1.0, 101)
     rows["trolley.velocity"] = np.where(rows["time"] < 0.5, 0.4, -0.19)

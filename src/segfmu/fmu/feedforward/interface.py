@@ -21,7 +21,7 @@ from segfmu.fmu.standard.spec import (
     triple_parameter,
 )
 from segfmu.kernels.clearance.records import SpaceLimits
-from segfmu.kernels.crane.records import DRIVES, BoundUses
+from segfmu.kernels.crane.records import AXES, DRIVES, BoundUses
 from segfmu.kernels.limits.records import PlanLimits
 
 # waypoints: largest number in a plan, and default of an FMU
@@ -44,7 +44,7 @@ LIMITS = {
     "y": (0.4, 0.5, 0.5, 5.0),
     "z": (0.3, 0.5, 0.5, 5.0),
 }
-# an end of the workspace [m] that is none
+# an end of the workspace, or an end stop [m], that is none
 FAR = 1e9
 # what of the load has limits
 LIMIT_UNITS = {"velocity": "m/s", "acceleration": "m/s2", "jerk": "m/s3", "snap": "m/s4"}
@@ -209,7 +209,7 @@ def drives() -> list[Variable]:
 
 
 def bounds() -> list[Variable]:
-    """Bounds of the drives and of the sway, and what the plan uses of them."""
+    """Bounds of the drives and of the sway, end stops, and what the plan uses of them."""
     kept = "the plan keeps it, or initialisation fails"
     rows = []
     for drive in DRIVES:
@@ -234,6 +234,12 @@ def bounds() -> list[Variable]:
                 f"largest sway angle phi_{axis}; {kept}; 0: no bound", minimum=0.0,
             )
         )
+    for axis in AXES:
+        place = "length of the rope" if axis == "rope" else f"position of the {axis}"
+        rows += [
+            parameter(f"travel.{axis}.min", -FAR, "m", f"least {place}; {kept}"),
+            parameter(f"travel.{axis}.max", FAR, "m", f"greatest {place}; {kept}"),
+        ]
     for name, when in zip(BoundUses.FIELDS["USE"].variables, BoundUses.FIELDS["TIME"].variables,
                           strict=True):
         bounded = name.removeprefix("plan.use.").replace(".", " ")

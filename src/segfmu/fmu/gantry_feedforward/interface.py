@@ -55,7 +55,7 @@ def _answers() -> list[Variable]:
         rows.append(
             output(
                 f"plan.{name}", None, f"{meaning}; 0: taken, 1: reduced, 2: limits, 3: rope, 4: "
-                "workspace, 5: obstacle, 6: drives, 7: pending", kind="Integer",
+                "workspace, 5: obstacle, 6: drives, 7: pending, 8: travel", kind="Integer",
             )
         )
     return rows

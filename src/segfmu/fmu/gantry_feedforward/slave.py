@@ -24,7 +24,7 @@ from segfmu.crane.inverse import (
 from segfmu.crane.limit_search import FULL, LimitSearch
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import build
-from segfmu.errors import InfeasibleError, SegfmuError
+from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.gantry_feedforward.commands import Commands
 from segfmu.fmu.python.slave import SpecSlave
@@ -41,6 +41,7 @@ from segfmu.kernels.clearance.records import (
     Stack,
 )
 from segfmu.kernels.crane.records import (
+    Axes,
     BoundFault,
     BoundStatus,
     BoundUses,
@@ -52,8 +53,9 @@ from segfmu.kernels.crane.records import (
     RopeWork,
 )
 from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
-from segfmu.kernels.messages import BOUND, SPACE
+from segfmu.kernels.messages import BOUND, SETUP, SPACE
 from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions, WaypointState
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.planning.arrays import FloatArray
 from segfmu.planning.request import with_states
@@ -120,6 +122,7 @@ class FeedforwardSlave(SpecSlave):
         if self._planned:
             return
         crane, friction = Crane.of(self.value), build(Friction, KNOWN, self.value)
+        self._require_travel()
         self.assign(("plan.pace",), (1.0,))
         if self.value("planner.finds_limits"):
             trajectory = self._as_found(crane, friction)
@@ -157,8 +160,7 @@ class FeedforwardSlave(SpecSlave):
             require_rope(crane, trajectory)
             self.require_space(trajectory)
             status, uses, fault = self._uses(crane, trajectory, friction)
-            largest = float(uses[: Demand.SIZE].max())
-            if not slows or not backend.next_pace(largest, pace):
+            if not slows or not backend.next_pace(backend.paced_use(uses), pace):
                 break
         self.show(Pace, pace)
         self._keep(status, uses, fault)
@@ -194,7 +196,8 @@ class FeedforwardSlave(SpecSlave):
             return found.trajectory
         reason = search.reason()
         if reason is None and search.closest is not None:
-            self._keep(*self._uses(Crane.of(self.value), search.closest.trajectory, task.friction))
+            # what it exceeds is told
+            return search.closest.trajectory
         raise reason or AssertionError("a search without a plan and without a refusal")
 
     def _keep(self, status: int, uses: FloatArray, fault: FloatArray) -> None:
@@ -227,10 +230,21 @@ class FeedforwardSlave(SpecSlave):
         """What a plan uses of the drives' bounds: BoundStatus, BoundUses and BoundFault."""
         bounds, uses = self.filled(DriveBounds), np.zeros(BoundUses.SIZE)
         found, times = np.zeros((2, 2, Demand.SIZE))
-        if bounds.any():
+        if backend.has_bounds(0, Demand.SIZE, bounds):
             found, times = peaks(crane, trajectory, friction, self._lags)
         fault = np.zeros(BoundFault.SIZE)
         return backend.bound_uses(found, times, bounds, uses, fault), uses, fault
+
+    def _require_travel(self) -> None:
+        """Refuse an axis without room between its end stops."""
+        bounds, fault = self.filled(DriveBounds), np.zeros(SetupFault.SIZE)
+        least, greatest = (
+            bounds[first : first + Axes.SIZE].copy()
+            for first in (DriveBounds.TRAVEL_MIN, DriveBounds.TRAVEL_MAX)
+        )
+        status = backend.check_travel(least, greatest, fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault))
 
     def require_space(self, trajectory: Trajectory) -> None:
         """Refuse a plan that leaves the workspace or meets an obstacle."""

@@ -248,6 +248,11 @@ static void driven_derivative(array_double_1d plant, array_double_1d state, arra
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
+static double no_stop(void);
+static bool is_place(int64_t i);
+static double end_stop(int64_t i, int64_t side, array_double_1d bounds);
+static double travel_span(int64_t i, int64_t side, array_double_1d bounds);
+static double travel_origin(int64_t i, int64_t side, array_double_1d bounds);
 static double clear_peaks(array_double_1d ends, array_double_2d work, array_double_2d peaks, array_double_2d times);
 static void write_transform(array_double_2d work);
 static void demand_at(double time, int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work);
@@ -288,6 +293,7 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, array_
 static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
+static double bound_origin(int64_t i, int64_t side, array_double_1d bounds);
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault);
 static double hook_unit(int64_t axis, array_double_1d plant);
 static double hook_lag(int64_t axis, array_double_1d plant);
@@ -307,6 +313,7 @@ static void look_around(double begin, double end, array_double_2d timing, array_
 static int64_t judge_margins(array_double_1d bounds, array_double_2d work, array_double_1d report);
 static double pace_between(double use, array_double_1d pace);
 static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
+static void write_farthest(int64_t axis, array_double_2d positions, array_double_1d resistance, array_double_1d row);
 static bool differs(int64_t i, array_double_1d bounds);
 static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
 static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row);
@@ -362,6 +369,7 @@ static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double
 static double least_scale(void);
 static double push_of(double velocity);
 static double standstill(int64_t slot, int64_t axis, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static double stop_towards(int64_t side, int64_t axis, array_double_2d known);
 static double end_rounding_of(double end);
 static double low_end(int64_t axis, array_double_2d known);
 static double high_end(int64_t axis, array_double_2d known);
@@ -456,9 +464,9 @@ static void write_forces(array_double_1d crane, array_double_2d reach);
 static void lead_velocities(array_double_1d crane, array_double_2d reach);
 static void write_sway(array_double_2d reach);
 static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
-static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2d work);
-static bool keeps_between(int64_t count, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static bool keeps_demands(int64_t count, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work);
+static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static bool keeps_demands(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets);
 static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array_int64_t_1d offsets);
 static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
@@ -9172,10 +9180,11 @@ static void motion_demand(array_double_2d flat, double time, array_double_1d res
         (*cspan_at(&demand, INT64_C(3) + k)) = velocity + (*cspan_at(&resistance, INT64_C(18) + k)) * acceleration;
         (*cspan_at(&demand, INT64_C(6) + k)) = acceleration;
         (*cspan_at(&demand, INT64_C(9) + k)) = force * velocity;
+        (*cspan_at(&demand, INT64_C(12) + k)) = (*cspan_at(&work, INT64_C(1), INT64_C(0) + k));
     }
     for (k = INT64_C(0); k < INT64_C(2); k += INT64_C(1))
     {
-        (*cspan_at(&demand, INT64_C(12) + k)) = (*cspan_at(&work, INT64_C(1), INT64_C(3) + k));
+        (*cspan_at(&demand, INT64_C(15) + k)) = (*cspan_at(&work, INT64_C(1), INT64_C(3) + k));
     }
 }
 void segfmu_drive_demands(array_double_3d flat, array_double_1d times, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d demands)
@@ -9613,6 +9622,54 @@ double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, doub
     result = series_derivative(friction, order);
     return result;
 }
+static double no_stop(void)
+{
+    return 1000000000.0;
+}
+static bool is_place(int64_t i)
+{
+    return (INT64_C(12) <= i) && (i < INT64_C(15));
+}
+static double end_stop(int64_t i, int64_t side, array_double_1d bounds)
+{
+    double least;
+    double greatest;
+    double found;
+    least = (*cspan_at(&bounds, INT64_C(26) + i - INT64_C(12)));
+    greatest = (*cspan_at(&bounds, i));
+    found = greatest;
+    if (side == INT64_C(1))
+    {
+        found = -least;
+    }
+    if ((least == greatest) || (found >= no_stop()))
+    {
+        return no_stop();
+    }
+    return found;
+}
+static double travel_span(int64_t i, int64_t side, array_double_1d bounds)
+{
+    double stop;
+    double other;
+    stop = end_stop(i, side, bounds);
+    other = end_stop(i, INT64_C(1) - side, bounds);
+    if (stop == no_stop())
+    {
+        return 0.0;
+    }
+    if (other == no_stop())
+    {
+        return 1.0;
+    }
+    return 0.5 * (stop + other);
+}
+static double travel_origin(int64_t i, int64_t side, array_double_1d bounds)
+{
+    double result;
+    result = end_stop(i, side, bounds) - travel_span(i, side, bounds);
+    return result;
+}
 static double clear_peaks(array_double_1d ends, array_double_2d work, array_double_2d peaks, array_double_2d times)
 {
     int64_t axis;
@@ -9625,12 +9682,16 @@ static double clear_peaks(array_double_1d ends, array_double_2d work, array_doub
         duration = span_max(duration, (*cspan_at(&ends, axis)));
         (*cspan_at(&work, INT64_C(82), axis)) = 0.0;
     }
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             (*cspan_at(&peaks, side, i)) = 0.0;
             (*cspan_at(&times, side, i)) = 0.0;
+            if (is_place(i))
+            {
+                (*cspan_at(&peaks, side, i)) = -1e+300;
+            }
         }
     }
     return duration;
@@ -9676,7 +9737,7 @@ static void note_value(double time, array_double_2d timing, array_double_2d coef
     int64_t side;
     double value;
     demand_at(time, INT64_C(81), timing, coefficients, offsets, ends, resistance, contacts, work);
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
@@ -9732,9 +9793,9 @@ static void share_scale(array_double_2d work)
     double most;
     int64_t i;
     scale = span_row(&work, INT64_C(80));
-    for (group = INT64_C(0); group < INT64_C(14); group += INT64_C(3))
+    for (group = INT64_C(0); group < INT64_C(17); group += INT64_C(3))
     {
-        last = span_min_int(group + INT64_C(3), INT64_C(14));
+        last = span_min_int(group + INT64_C(3), INT64_C(17));
         most = 0.0;
         for (i = group; i < last; i += INT64_C(1))
         {
@@ -9745,7 +9806,7 @@ static void share_scale(array_double_2d work)
             (*cspan_at(&scale, i)) = span_max((*cspan_at(&scale, i)), 0.001 * most);
         }
     }
-    for (i = INT64_C(12); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(15); i < INT64_C(17); i += INT64_C(1))
     {
         (*cspan_at(&scale, i)) = span_max((*cspan_at(&scale, i)), 1e-06);
     }
@@ -9780,7 +9841,7 @@ static bool is_resolved(int64_t depth, array_double_2d work)
     for (k = INT64_C(0); k < INT64_C(17); k += INT64_C(1))
     {
         series = span_row(&work, INT64_C(50) + k);
-        for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
         {
             (*cspan_at(&series, i)) = 0.0;
         }
@@ -9788,13 +9849,13 @@ static bool is_resolved(int64_t depth, array_double_2d work)
         {
             weight = (*cspan_at(&work, INT64_C(83) + k, j));
             values = span_row(&work, INT64_C(33) + j);
-            for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+            for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
             {
                 (*cspan_at(&series, i)) = (*cspan_at(&series, i)) + weight * (*cspan_at(&values, i));
             }
         }
     }
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         last = INT64_C(50) + INT64_C(17) - INT64_C(1);
         tail = span_max(fabs((*cspan_at(&work, last, i))), fabs((*cspan_at(&work, last - INT64_C(1), i))));
@@ -9892,7 +9953,7 @@ static void note_peaks(double start, double length, array_double_2d timing, arra
     double sign;
     double known;
     double place;
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         room = 0.0;
         for (k = INT64_C(1); k < INT64_C(17); k += INT64_C(1))
@@ -9955,7 +10016,7 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
     int64_t share;
     double found;
     duration = clear_peaks(ends, work, peaks, times);
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(80), i)) = 0.0;
     }
@@ -9972,7 +10033,7 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
         for (share = INT64_C(0); share < INT64_C(2); share += INT64_C(1))
         {
             demand_at(begin + 0.5 * share * (end - begin), INT64_C(81), timing, coefficients, offsets, ends, resistance, contacts, work);
-            for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+            for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
             {
                 found = fabs((*cspan_at(&work, INT64_C(81), i)));
                 (*cspan_at(&work, INT64_C(80), i)) = span_max((*cspan_at(&work, INT64_C(80), i)), found);
@@ -10732,34 +10793,56 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds)
 {
     bool result;
-    result = (side == INT64_C(1)) && (i < INT64_C(9)) && ((*cspan_at(&bounds, INT64_C(14) + i)) < 0.0);
+    result = (side == INT64_C(1)) && (i < INT64_C(9)) && ((*cspan_at(&bounds, INT64_C(17) + i)) < 0.0);
     return result;
 }
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds)
 {
     double result;
+    if (is_place(i))
+    {
+        result = travel_span(i, side, bounds);
+        return result;
+    }
     if (has_own_bound(i, side, bounds))
     {
-        result = -(*cspan_at(&bounds, INT64_C(14) + i));
+        result = -(*cspan_at(&bounds, INT64_C(17) + i));
         return result;
     }
     result = (*cspan_at(&bounds, i));
     return result;
 }
+static double bound_origin(int64_t i, int64_t side, array_double_1d bounds)
+{
+    double result;
+    if (is_place(i))
+    {
+        result = travel_origin(i, side, bounds);
+        return result;
+    }
+    return 0.0;
+}
 static void write_fault(int64_t i, int64_t side, double peak, double time, array_double_1d bounds, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(0))) = span_floor_mod(i, INT64_C(3));
     (*cspan_at(&fault, INT64_C(1))) = span_floor_mod(i, INT64_C(3));
-    (*cspan_at(&fault, INT64_C(2))) = 0.0;
-    (*cspan_at(&fault, INT64_C(3))) = peak;
-    (*cspan_at(&fault, INT64_C(4))) = (*cspan_at(&bounds, i));
+    (*cspan_at(&fault, INT64_C(2))) = span_floor_mod(i, INT64_C(3));
+    (*cspan_at(&fault, INT64_C(3))) = 0.0;
+    (*cspan_at(&fault, INT64_C(4))) = peak;
+    (*cspan_at(&fault, INT64_C(5))) = (*cspan_at(&bounds, i));
+    if (is_place(i) && (side == INT64_C(1)))
+    {
+        (*cspan_at(&fault, INT64_C(3))) = 1.0;
+        (*cspan_at(&fault, INT64_C(4))) = -peak;
+        (*cspan_at(&fault, INT64_C(5))) = -end_stop(i, side, bounds);
+    }
     if (has_own_bound(i, side, bounds))
     {
-        (*cspan_at(&fault, INT64_C(2))) = 1.0;
-        (*cspan_at(&fault, INT64_C(3))) = -peak;
-        (*cspan_at(&fault, INT64_C(4))) = (*cspan_at(&bounds, INT64_C(14) + i));
+        (*cspan_at(&fault, INT64_C(3))) = 1.0;
+        (*cspan_at(&fault, INT64_C(4))) = -peak;
+        (*cspan_at(&fault, INT64_C(5))) = (*cspan_at(&bounds, INT64_C(17) + i));
     }
-    (*cspan_at(&fault, INT64_C(5))) = time;
+    (*cspan_at(&fault, INT64_C(6))) = time;
 }
 int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_double_1d bounds, array_double_1d uses, array_double_1d fault)
 {
@@ -10771,20 +10854,20 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
     int64_t status;
     status = INT64_C(0);
     worst = 1.0 + 1e-09;
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         (*cspan_at(&uses, INT64_C(0) + i)) = 0.0;
-        (*cspan_at(&uses, INT64_C(14) + i)) = 0.0;
+        (*cspan_at(&uses, INT64_C(17) + i)) = 0.0;
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             bound = bound_magnitude(i, side, bounds);
             if (bound > 0.0)
             {
-                share = (*cspan_at(&peaks, side, i)) / bound;
+                share = ((*cspan_at(&peaks, side, i)) - bound_origin(i, side, bounds)) / bound;
                 if (share > (*cspan_at(&uses, INT64_C(0) + i)))
                 {
                     (*cspan_at(&uses, INT64_C(0) + i)) = share;
-                    (*cspan_at(&uses, INT64_C(14) + i)) = (*cspan_at(&times, side, i));
+                    (*cspan_at(&uses, INT64_C(17) + i)) = (*cspan_at(&times, side, i));
                 }
                 if (share > worst)
                 {
@@ -10796,6 +10879,36 @@ int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_do
         }
     }
     return status;
+}
+bool segfmu_has_bounds(int64_t first, int64_t last, array_double_1d bounds)
+{
+    int64_t i;
+    int64_t side;
+    for (i = first; i < last; i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            if (bound_magnitude(i, side, bounds) != 0.0)
+            {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+double segfmu_paced_use(array_double_1d uses)
+{
+    int64_t i;
+    double found;
+    found = 0.0;
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
+    {
+        if ((!is_place(i)) || ((*cspan_at(&uses, INT64_C(0) + i)) > 1.0 + 1e-09))
+        {
+            found = span_max(found, (*cspan_at(&uses, INT64_C(0) + i)));
+        }
+    }
+    return found;
 }
 static double hook_unit(int64_t axis, array_double_1d plant)
 {
@@ -11631,6 +11744,26 @@ static void write_motion_of(int64_t axis, array_double_2d positions, array_doubl
         (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = ahead;
     }
 }
+static void write_farthest(int64_t axis, array_double_2d positions, array_double_1d resistance, array_double_1d row)
+{
+    int64_t side;
+    int64_t k;
+    double place;
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        (*cspan_at(&row, INT64_C(7) + side)) = -1e+300;
+    }
+    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        place = (*cspan_at(&positions, k, axis));
+        if (axis == INT64_C(2))
+        {
+            place = (-place) - (*cspan_at(&resistance, INT64_C(23)));
+        }
+        (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&row, INT64_C(7))), place);
+        (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(7) + INT64_C(1))), -place);
+    }
+}
 static bool differs(int64_t i, array_double_1d bounds)
 {
     bool result;
@@ -11655,7 +11788,7 @@ static void write_directions(int64_t axis, array_double_1d bounds, array_double_
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        caps = INT64_C(15) + i;
+        caps = INT64_C(17) + i;
         if ((*cspan_at(&row, caps)) != (*cspan_at(&row, caps + INT64_C(4))))
         {
             (*cspan_at(&row, INT64_C(5) + i)) = 1.0;
@@ -11669,7 +11802,7 @@ static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_do
     bool result;
     turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
     forced = (*cspan_at(&bounds, INT64_C(0) + axis)) > 0.0;
-    result = forced && ((*cspan_at(&row, INT64_C(7))) > 0.0) && (!turns) && (axis != INT64_C(2));
+    result = forced && ((*cspan_at(&row, INT64_C(9))) > 0.0) && (!turns) && (axis != INT64_C(2));
     return result;
 }
 static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
@@ -11689,8 +11822,8 @@ static void write_floors(int64_t axis, array_double_2d velocities, array_double_
             {
                 state = (*cspan_at(&accelerations, k, axis));
             }
-            ahead = INT64_C(9) + INT64_C(0) + i;
-            back = INT64_C(9) + INT64_C(4) + i;
+            ahead = INT64_C(11) + INT64_C(0) + i;
+            back = INT64_C(11) + INT64_C(4) + i;
             directed = (*cspan_at(&row, INT64_C(5) + i)) > 0.5;
             if ((state > 0.0) || (!directed))
             {
@@ -11711,22 +11844,23 @@ void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d v
     for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         row = span_row(&axes, axis);
-        for (i = INT64_C(0); i < INT64_C(21); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
         {
             (*cspan_at(&row, i)) = 0.0;
         }
         for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
         {
-            (*cspan_at(&row, INT64_C(15) + i)) = 1e+300;
+            (*cspan_at(&row, INT64_C(17) + i)) = 1e+300;
             if ((*cspan_at(&caps, axis, i)) > 0.0)
             {
-                (*cspan_at(&row, INT64_C(15) + i)) = (*cspan_at(&caps, axis, i));
+                (*cspan_at(&row, INT64_C(17) + i)) = (*cspan_at(&caps, axis, i));
             }
         }
         write_motion_of(axis, positions, velocities, accelerations, row);
+        write_farthest(axis, positions, resistance, row);
         if ((*cspan_at(&row, INT64_C(0))) > 0.5)
         {
-            (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
+            (*cspan_at(&row, INT64_C(9))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
         }
         write_directions(axis, bounds, row);
         if ((!narrow) && is_braked_by_friction(axis, bounds, row))
@@ -11736,7 +11870,7 @@ void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d v
         write_floors(axis, velocities, accelerations, row);
         if (axis == INT64_C(2))
         {
-            (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = hanging_mass(resistance) * (*cspan_at(&resistance, INT64_C(3)));
+            (*cspan_at(&row, INT64_C(9) + INT64_C(1))) = hanging_mass(resistance) * (*cspan_at(&resistance, INT64_C(3)));
         }
     }
 }
@@ -11749,14 +11883,14 @@ void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps)
     double back;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        least = (*cspan_at(&bounds, INT64_C(14) + i));
+        least = (*cspan_at(&bounds, INT64_C(17) + i));
         if ((least < 0.0) && (i != INT64_C(0) + INT64_C(2)))
         {
             if (((*cspan_at(&bounds, i)) == 0.0) || (-least < (*cspan_at(&bounds, i))))
             {
                 (*cspan_at(&bounds, i)) = -least;
             }
-            (*cspan_at(&bounds, INT64_C(14) + i)) = 0.0;
+            (*cspan_at(&bounds, INT64_C(17) + i)) = 0.0;
         }
     }
     for (axis = INT64_C(0); axis < caps.shape[INT64_C(0)]; axis += INT64_C(1))
@@ -11779,18 +11913,18 @@ static double held_force(int64_t side, array_double_1d row)
 {
     double weight;
     double result;
-    weight = (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
+    weight = (*cspan_at(&row, INT64_C(9) + INT64_C(1)));
     if (weight > 0.0)
     {
-        result = span_max((*cspan_at(&row, INT64_C(7))) + (2.0 * side - 1.0) * weight, 0.0);
+        result = span_max((*cspan_at(&row, INT64_C(9))) + (2.0 * side - 1.0) * weight, 0.0);
         return result;
     }
     if ((*cspan_at(&row, INT64_C(3) + side)) < 0.5)
     {
-        result = -(*cspan_at(&row, INT64_C(7)));
+        result = -(*cspan_at(&row, INT64_C(9)));
         return result;
     }
-    result = (*cspan_at(&row, INT64_C(7)));
+    result = (*cspan_at(&row, INT64_C(9)));
     return result;
 }
 void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds)
@@ -11838,8 +11972,8 @@ void segfmu_write_limits(array_double_1d unknowns, array_double_2d axes, array_d
                 }
             }
             value = exp(span_min(span_max((*cspan_at(&unknowns, axis * INT64_C(6) + own)), -300.0), 300.0));
-            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(9) + own)));
-            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(15) + own)));
+            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(11) + own)));
+            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(17) + own)));
         }
     }
 }
@@ -11848,25 +11982,38 @@ void segfmu_write_shares(array_double_2d peaks, array_double_1d bounds, array_do
     int64_t i;
     int64_t side;
     double bound;
+    double used;
     double held;
-    for (i = INT64_C(0); i < INT64_C(14); i += INT64_C(1))
+    bool full;
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
     {
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             bound = bound_magnitude(i, side, bounds);
+            used = (*cspan_at(&peaks, side, i)) - bound_origin(i, side, bounds);
             held = 0.0;
             if (i < INT64_C(3))
             {
                 held = held_force(side, span_row(&axes, i));
             }
-            if (bound <= held * (1.0 + 1e-06))
+            if (is_place(i))
+            {
+                held = (*cspan_at(&axes, i - INT64_C(12), INT64_C(7) + side));
+                held = held - bound_origin(i, side, bounds);
+            }
+            full = bound <= held * (1.0 + 1e-06);
+            if (full)
             {
                 held = 0.0;
             }
-            (*cspan_at(&uses, side * INT64_C(14) + i)) = 0.0;
+            (*cspan_at(&uses, side * INT64_C(17) + i)) = 0.0;
             if (bound > 0.0)
             {
-                (*cspan_at(&uses, side * INT64_C(14) + i)) = span_max((*cspan_at(&peaks, side, i)) - held, 0.0) / (bound - held);
+                (*cspan_at(&uses, side * INT64_C(17) + i)) = span_max(used - held, 0.0) / (bound - held);
+            }
+            if (is_place(i) && full && (used <= bound * (1.0 + 1e-09)))
+            {
+                (*cspan_at(&uses, side * INT64_C(17) + i)) = 0.0;
             }
         }
     }
@@ -11941,12 +12088,12 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     {
         side = INT64_C(1) - way;
     }
-    cap = INT64_C(15) + way * INT64_C(4);
+    cap = INT64_C(17) + way * INT64_C(4);
     velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
     strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
     acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
-    carried = (*cspan_at(&row, INT64_C(7) + INT64_C(1)));
-    held = (*cspan_at(&row, INT64_C(7))) + carried;
+    carried = (*cspan_at(&row, INT64_C(9) + INT64_C(1)));
+    held = (*cspan_at(&row, INT64_C(9))) + carried;
     mass = rigid_mass(axis, resistance);
     force = bound_magnitude(INT64_C(0) + axis, side, bounds);
     if (axis == INT64_C(2))
@@ -11972,9 +12119,9 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     {
         steepest = 0.9;
     }
-    else if ((*cspan_at(&bounds, INT64_C(12) + axis)) > 0.0)
+    else if ((*cspan_at(&bounds, INT64_C(15) + axis)) > 0.0)
     {
-        sway = tan(span_min((*cspan_at(&bounds, INT64_C(12) + axis)), 1.0));
+        sway = tan(span_min((*cspan_at(&bounds, INT64_C(15) + axis)), 1.0));
         acceleration = span_min(acceleration, gravity * sway);
     }
     power = (*cspan_at(&bounds, INT64_C(9) + axis));
@@ -11998,7 +12145,7 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
     }
     if (power > 0.0)
     {
-        velocity = span_min(velocity, power / ((*cspan_at(&row, INT64_C(7))) + carried + mass * acceleration));
+        velocity = span_min(velocity, power / ((*cspan_at(&row, INT64_C(9))) + carried + mass * acceleration));
     }
     (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
     (*result_1) = acceleration;
@@ -12392,7 +12539,7 @@ static double largest_share(array_double_1d uses)
     int64_t i;
     double found;
     found = 0.0;
-    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(17); i += INT64_C(1))
     {
         found = span_max(found, (*cspan_at(&uses, i)));
     }
@@ -12402,7 +12549,7 @@ static void write_values(double duration, array_double_1d uses, array_double_1d 
 {
     int64_t i;
     (*cspan_at(&row, INT64_C(0))) = log_of(duration);
-    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(14); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(17); i += INT64_C(1))
     {
         (*cspan_at(&row, INT64_C(1) + i)) = (*cspan_at(&uses, i));
     }
@@ -12528,7 +12675,7 @@ void segfmu_cap_best(array_double_2d axes, array_double_2d search)
         for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
         {
             known = axis * INT64_C(6) + i;
-            most = log((*cspan_at(&axes, axis, INT64_C(15) + i)));
+            most = log((*cspan_at(&axes, axis, INT64_C(17) + i)));
             (*cspan_at(&search, INT64_C(8), known)) = span_min((*cspan_at(&search, INT64_C(8), known)), most);
         }
     }
@@ -12722,7 +12869,7 @@ static bool next_slope(double duration, array_double_1d uses, array_double_2d se
         change = change_of(search);
         centre = span_row(&values, INT64_C(0));
         (*cspan_at(&slopes, i, INT64_C(0))) = (log_of(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
-        for (j = INT64_C(0); j < INT64_C(2) * INT64_C(14); j += INT64_C(1))
+        for (j = INT64_C(0); j < INT64_C(2) * INT64_C(17); j += INT64_C(1))
         {
             (*cspan_at(&slopes, i, INT64_C(1) + j)) = ((*cspan_at(&uses, j)) - (*cspan_at(&centre, INT64_C(1) + j))) / change;
         }
@@ -12751,7 +12898,7 @@ static void correct_slopes(array_double_2d search, array_double_2d values, array
     {
         return;
     }
-    for (j = INT64_C(0); j < INT64_C(29); j += INT64_C(1))
+    for (j = INT64_C(0); j < INT64_C(35); j += INT64_C(1))
     {
         missing = (*cspan_at(&values, INT64_C(1), j)) - (*cspan_at(&values, INT64_C(0), j));
         for (i = INT64_C(0); i < n; i += INT64_C(1))
@@ -13037,7 +13184,7 @@ static void enter_centre(array_double_2d search, array_double_2d values)
     {
         (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(6), i));
     }
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(35); i += INT64_C(1))
     {
         (*cspan_at(&values, INT64_C(0), i)) = (*cspan_at(&values, INT64_C(1), i));
     }
@@ -13262,6 +13409,17 @@ static double standstill(int64_t slot, int64_t axis, array_double_3d timing, arr
     result = evaluate_piece(span_matrix(&coefficients, slot), last, coefficients.shape[INT64_C(2)], (*cspan_at(&timing, slot, last, INT64_C(1))), INT64_C(0));
     return result;
 }
+static double stop_towards(int64_t side, int64_t axis, array_double_2d known)
+{
+    double result;
+    if (axis == INT64_C(2))
+    {
+        result = end_stop(INT64_C(12) + axis, INT64_C(1) - side, span_row(&known, INT64_C(2)));
+        return result;
+    }
+    result = end_stop(INT64_C(12) + axis, side, span_row(&known, INT64_C(2)));
+    return result;
+}
 static double end_rounding_of(double end)
 {
     return 1e-10 * fabs(end);
@@ -13276,6 +13434,7 @@ static double low_end(int64_t axis, array_double_2d known)
     {
         end = span_max(end, -longest);
     }
+    end = span_max(end, -stop_towards(INT64_C(1), axis, known));
     return end + end_rounding_of(end);
 }
 static double high_end(int64_t axis, array_double_2d known)
@@ -13286,6 +13445,7 @@ static double high_end(int64_t axis, array_double_2d known)
     {
         end = span_min(end, -(*cspan_at(&known, INT64_C(1), INT64_C(1))));
     }
+    end = span_min(end, stop_towards(INT64_C(0), axis, known));
     return end - end_rounding_of(end);
 }
 static void write_push(double scale, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
@@ -13574,7 +13734,7 @@ static double most_speed(int64_t axis, double sense, double share, double interv
     double result;
     most = most_change(axis, 1.0, share, interval, known);
     most = most + most_change(axis, -1.0, share, interval, known);
-    most = fabs((*cspan_at(&work, INT64_C(138) + axis, INT64_C(1)))) + INT64_C(102) * most;
+    most = fabs((*cspan_at(&work, INT64_C(141) + axis, INT64_C(1)))) + INT64_C(102) * most;
     result = control_bound(INT64_C(3) + axis, sense, share, most, known);
     return result;
 }
@@ -13584,7 +13744,7 @@ static void decline_line(int64_t axis, array_double_2d work)
     int64_t begin;
     int64_t last;
     int64_t i;
-    points = span_row(&work, INT64_C(138) + axis);
+    points = span_row(&work, INT64_C(141) + axis);
     begin = INT64_C(3) - INT64_C(1);
     last = INT64_C(99);
     for (i = INT64_C(3); i < INT64_C(102); i += INT64_C(1))
@@ -13600,7 +13760,7 @@ static bool is_inside_bounds(int64_t axis, double share, double interval, array_
     double rise;
     double fall;
     int64_t i;
-    points = span_row(&work, INT64_C(138) + axis);
+    points = span_row(&work, INT64_C(141) + axis);
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
@@ -13627,10 +13787,10 @@ static void write_conditions(double interval, array_double_2d work)
     {
         for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
         {
-            moment = span_row(&work, INT64_C(141) + j);
-            (*cspan_at(&work, INT64_C(143) + j, i)) = (*cspan_at(&moment, i - INT64_C(1))) - (*cspan_at(&moment, i));
+            moment = span_row(&work, INT64_C(144) + j);
+            (*cspan_at(&work, INT64_C(146) + j, i)) = (*cspan_at(&moment, i - INT64_C(1))) - (*cspan_at(&moment, i));
         }
-        (*cspan_at(&work, INT64_C(143) + INT64_C(2), i)) = interval;
+        (*cspan_at(&work, INT64_C(146) + INT64_C(2), i)) = interval;
     }
 }
 static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work)
@@ -13641,8 +13801,8 @@ static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d wo
     left = aim;
     for (i = INT64_C(0); i < INT64_C(102) - INT64_C(1); i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(138) + axis, i + INT64_C(1))) - (*cspan_at(&work, INT64_C(138) + axis, i));
-        left = left - (*cspan_at(&work, INT64_C(141) + j, i)) * change;
+        change = (*cspan_at(&work, INT64_C(141) + axis, i + INT64_C(1))) - (*cspan_at(&work, INT64_C(141) + axis, i));
+        left = left - (*cspan_at(&work, INT64_C(144) + j, i)) * change;
     }
     return left;
 }
@@ -13651,7 +13811,7 @@ static double place_left(double aim, int64_t axis, double interval, array_double
     array_double_1d points;
     int64_t i;
     double left;
-    points = span_row(&work, INT64_C(138) + axis);
+    points = span_row(&work, INT64_C(141) + axis);
     left = aim - interval * ((*cspan_at(&points, INT64_C(0))) + 12.0 * (*cspan_at(&points, INT64_C(1))) + 23.0 * (*cspan_at(&points, INT64_C(2)))) / 24.0;
     for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
     {
@@ -13673,7 +13833,7 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
     double under;
     double slope_behind;
     double curve_behind;
-    points = span_row(&work, INT64_C(138) + axis);
+    points = span_row(&work, INT64_C(141) + axis);
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
@@ -13688,9 +13848,9 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
         curve_behind = over * over + under * under;
         over = 1.0 / (fastest - (*cspan_at(&points, i)));
         under = 1.0 / (slowest + (*cspan_at(&points, i)));
-        (*cspan_at(&work, INT64_C(149), i)) = slope_behind - slope - over + under;
-        (*cspan_at(&work, INT64_C(146), i)) = curve + curve_behind + over * over + under * under;
-        (*cspan_at(&work, INT64_C(147), i)) = -curve_behind;
+        (*cspan_at(&work, INT64_C(152), i)) = slope_behind - slope - over + under;
+        (*cspan_at(&work, INT64_C(149), i)) = curve + curve_behind + over * over + under * under;
+        (*cspan_at(&work, INT64_C(150), i)) = -curve_behind;
         slope = slope_behind;
         curve = curve_behind;
     }
@@ -13703,18 +13863,18 @@ static void solve_barrier(int64_t first, int64_t last, array_double_2d work)
     double ratio;
     int64_t k;
     double coupling;
-    change = span_rows(&work, INT64_C(149), INT64_C(153));
+    change = span_rows(&work, INT64_C(152), INT64_C(156));
     for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
     {
         for (j = first; j < last; j += INT64_C(1))
         {
-            (*cspan_at(&change, INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(143) + j, i));
+            (*cspan_at(&change, INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(146) + j, i));
         }
     }
     for (i = INT64_C(3) + INT64_C(1); i < INT64_C(99); i += INT64_C(1))
     {
-        ratio = (*cspan_at(&work, INT64_C(147), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(146), i - INT64_C(1)));
-        (*cspan_at(&work, INT64_C(146), i)) = (*cspan_at(&work, INT64_C(146), i)) - ratio * (*cspan_at(&work, INT64_C(147), i - INT64_C(1)));
+        ratio = (*cspan_at(&work, INT64_C(150), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(149), i - INT64_C(1)));
+        (*cspan_at(&work, INT64_C(149), i)) = (*cspan_at(&work, INT64_C(149), i)) - ratio * (*cspan_at(&work, INT64_C(150), i - INT64_C(1)));
         (*cspan_at(&change, INT64_C(0), i)) = (*cspan_at(&change, INT64_C(0), i)) - ratio * (*cspan_at(&change, INT64_C(0), i - INT64_C(1)));
         for (j = first; j < last; j += INT64_C(1))
         {
@@ -13724,15 +13884,15 @@ static void solve_barrier(int64_t first, int64_t last, array_double_2d work)
     for (k = INT64_C(3); k < INT64_C(99); k += INT64_C(1))
     {
         i = INT64_C(99) + INT64_C(3) - INT64_C(1) - k;
-        coupling = (*cspan_at(&work, INT64_C(147), i));
+        coupling = (*cspan_at(&work, INT64_C(150), i));
         if (k == INT64_C(3))
         {
             coupling = 0.0;
         }
-        (*cspan_at(&change, INT64_C(0), i)) = ((*cspan_at(&change, INT64_C(0), i)) - coupling * (*cspan_at(&change, INT64_C(0), i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(146), i));
+        (*cspan_at(&change, INT64_C(0), i)) = ((*cspan_at(&change, INT64_C(0), i)) - coupling * (*cspan_at(&change, INT64_C(0), i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(149), i));
         for (j = first; j < last; j += INT64_C(1))
         {
-            (*cspan_at(&change, INT64_C(1) + j, i)) = ((*cspan_at(&change, INT64_C(1) + j, i)) - coupling * (*cspan_at(&change, INT64_C(1) + j, i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(146), i));
+            (*cspan_at(&change, INT64_C(1) + j, i)) = ((*cspan_at(&change, INT64_C(1) + j, i)) - coupling * (*cspan_at(&change, INT64_C(1) + j, i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(149), i));
         }
     }
 }
@@ -13746,12 +13906,12 @@ static double join_changes(int64_t first, int64_t last, array_double_2d work)
     int64_t k;
     int64_t i;
     double largest;
-    change = span_rows(&work, INT64_C(149), INT64_C(153));
-    schur = span_rows(&work, INT64_C(153), INT64_C(156));
-    lack = span_rows(&work, INT64_C(156), INT64_C(159));
+    change = span_rows(&work, INT64_C(152), INT64_C(156));
+    schur = span_rows(&work, INT64_C(156), INT64_C(159));
+    lack = span_rows(&work, INT64_C(159), INT64_C(162));
     for (j = first; j < last; j += INT64_C(1))
     {
-        slopes = span_row(&work, INT64_C(143) + j);
+        slopes = span_row(&work, INT64_C(146) + j);
         for (k = first; k < last; k += INT64_C(1))
         {
             (*cspan_at(&schur, j - first, k - first)) = 0.0;
@@ -13798,8 +13958,8 @@ static double way_to_bounds(int64_t axis, double share, double interval, array_d
     int64_t i;
     double moved;
     double step;
-    points = span_row(&work, INT64_C(138) + axis);
-    change = span_row(&work, INT64_C(149));
+    points = span_row(&work, INT64_C(141) + axis);
+    change = span_row(&work, INT64_C(152));
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
@@ -13843,11 +14003,11 @@ static bool find_centre(int64_t axis, double share, double interval, int64_t fir
         {
             if (j < INT64_C(2))
             {
-                (*cspan_at(&work, INT64_C(156) + j - first, INT64_C(0))) = swing_left(j, (*cspan_at(&aims, j)), axis, work);
+                (*cspan_at(&work, INT64_C(159) + j - first, INT64_C(0))) = swing_left(j, (*cspan_at(&aims, j)), axis, work);
             }
             else
             {
-                (*cspan_at(&work, INT64_C(156) + j - first, INT64_C(0))) = place_left((*cspan_at(&aims, j)), axis, interval, work);
+                (*cspan_at(&work, INT64_C(159) + j - first, INT64_C(0))) = place_left((*cspan_at(&aims, j)), axis, interval, work);
             }
         }
         largest = join_changes(first, last, work);
@@ -13858,7 +14018,7 @@ static bool find_centre(int64_t axis, double share, double interval, int64_t fir
         }
         for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(138) + axis, i)) = (*cspan_at(&work, INT64_C(138) + axis, i)) + step * (*cspan_at(&work, INT64_C(149), i));
+            (*cspan_at(&work, INT64_C(141) + axis, i)) = (*cspan_at(&work, INT64_C(141) + axis, i)) + step * (*cspan_at(&work, INT64_C(152), i));
         }
         if (step == 1.0)
         {
@@ -14957,15 +15117,15 @@ static void expand_swing(double gravity, array_double_1d swing, array_double_2d 
     int64_t i;
     double product;
     double value;
-    series = span_rows(&work, INT64_C(131), INT64_C(134));
-    square = span_row(&work, INT64_C(135));
+    series = span_rows(&work, INT64_C(134), INT64_C(137));
+    square = span_row(&work, INT64_C(138));
     write_square(swing, square);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(20) + axis));
         (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(23) + axis));
     }
-    pull = span_row(&work, INT64_C(134));
+    pull = span_row(&work, INT64_C(137));
     for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
     {
         found = (-0.5) * (k + INT64_C(1)) * (k + INT64_C(2)) * (*cspan_at(&square, k + INT64_C(2)));
@@ -15038,7 +15198,7 @@ static void move_swing(double step, array_double_1d swing, array_double_2d work)
     double mean;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        series = span_row(&work, INT64_C(131) + axis);
+        series = span_row(&work, INT64_C(134) + axis);
         place = 0.0;
         rate = 0.0;
         for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
@@ -15166,7 +15326,7 @@ static void write_swing_piece(int64_t axis, int64_t row, double before, array_do
     width = coefficients.shape[INT64_C(2)];
     for (i = INT64_C(0); i < width; i += INT64_C(1))
     {
-        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(131) + axis, i));
+        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(134) + axis, i));
     }
     if (axis < INT64_C(2))
     {
@@ -15261,7 +15421,7 @@ static void set_control_start(double interval, array_double_1d swing, array_doub
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
             since = i - 1.0;
-            (*cspan_at(&work, INT64_C(138) + axis, i)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
+            (*cspan_at(&work, INT64_C(141) + axis, i)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
         }
     }
 }
@@ -15314,7 +15474,7 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
     shortest = length;
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        points = span_row(&work, INT64_C(138) + INT64_C(2));
+        points = span_row(&work, INT64_C(141) + INT64_C(2));
         inner = (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)));
         last = k + INT64_C(3);
         length = length + interval * ((*cspan_at(&points, k)) + 11.0 * inner + (*cspan_at(&points, last))) / 24.0;
@@ -15398,26 +15558,26 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     {
         for (k = INT64_C(0); k < INT64_C(102); k += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(141) + j, k)) = 0.0;
+            (*cspan_at(&work, INT64_C(144) + j, k)) = 0.0;
         }
-        (*cspan_at(&work, INT64_C(136) + j, INT64_C(0))) = 1.0 - j;
-        (*cspan_at(&work, INT64_C(136) + j, INT64_C(1))) = j * swing_frequency(gravity, ahead);
+        (*cspan_at(&work, INT64_C(139) + j, INT64_C(0))) = 1.0 - j;
+        (*cspan_at(&work, INT64_C(139) + j, INT64_C(1))) = j * swing_frequency(gravity, ahead);
     }
     parts = interval_parts(0.3, interval, operation, gravity, work);
     step = interval / parts;
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        set_knot(k, interval, ahead, span_rows(&work, INT64_C(138), INT64_C(141)));
+        set_knot(k, interval, ahead, span_rows(&work, INT64_C(141), INT64_C(144)));
         for (i = INT64_C(0); i < parts; i += INT64_C(1))
         {
             expand_swing(gravity, ahead, work);
-            if (!((*cspan_at(&work, INT64_C(134), INT64_C(0))) > 0.0))
+            if (!((*cspan_at(&work, INT64_C(137), INT64_C(0))) > 0.0))
             {
                 return 1e+300;
             }
             for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
             {
-                add_moments(k, i * step, step, interval, span_row(&work, INT64_C(141) + j), span_row(&work, INT64_C(136) + j), span_row(&work, INT64_C(134)));
+                add_moments(k, i * step, step, interval, span_row(&work, INT64_C(144) + j), span_row(&work, INT64_C(139) + j), span_row(&work, INT64_C(137)));
             }
             move_swing(step, ahead, work);
         }
@@ -15462,7 +15622,7 @@ static void write_controlled(double interval, array_double_2d operation, array_d
     count = INT64_C(0);
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        set_knot(k, interval, ahead, span_rows(&work, INT64_C(138), INT64_C(141)));
+        set_knot(k, interval, ahead, span_rows(&work, INT64_C(141), INT64_C(144)));
         for (i = INT64_C(0); i < parts; i += INT64_C(1))
         {
             expand_swing(gravity, ahead, work);
@@ -15637,10 +15797,15 @@ static void write_stretch(array_double_2d reach)
 }
 static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach)
 {
+    array_double_1d place;
     array_double_1d velocity;
     array_double_1d acceleration;
+    place = span_row(&reach, INT64_C(27) + INT64_C(12) + drive);
     velocity = span_row(&reach, INT64_C(27) + INT64_C(3) + drive);
     acceleration = span_row(&reach, INT64_C(27) + INT64_C(6) + drive);
+    set_range(0.0, 0.0, place);
+    add_range(ahead, span_row(&reach, INT64_C(0) + drive), place);
+    add_range_product(-1.0, span_row(&reach, INT64_C(0) + INT64_C(2)), factor, place);
     set_range(0.0, 0.0, velocity);
     add_range(ahead, span_row(&reach, INT64_C(3) + drive), velocity);
     add_range_product(-1.0, span_row(&reach, INT64_C(3) + INT64_C(2)), factor, velocity);
@@ -15709,8 +15874,8 @@ static void write_sway(array_double_2d reach)
     q_y = span_row(&reach, INT64_C(16) + INT64_C(1));
     across = (*cspan_at(&q_x, INT64_C(0))) / sqrt(1.0 + (*cspan_at(&q_y, INT64_C(0))) * (*cspan_at(&q_y, INT64_C(0))));
     most = fabs((*cspan_at(&q_x, INT64_C(0)))) + (*cspan_at(&q_x, INT64_C(1)));
-    set_range(-atan(across), (*cspan_at(&q_x, INT64_C(1))) + most * (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12)));
-    set_range(atan((*cspan_at(&q_y, INT64_C(0)))), (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(12) + INT64_C(1)));
+    set_range(-atan(across), (*cspan_at(&q_x, INT64_C(1))) + most * (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(15)));
+    set_range(atan((*cspan_at(&q_y, INT64_C(0)))), (*cspan_at(&q_y, INT64_C(1))), span_row(&reach, INT64_C(27) + INT64_C(15) + INT64_C(1)));
 }
 static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work)
 {
@@ -15718,7 +15883,7 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
     array_double_1d pull;
     int64_t axis;
     write_load(begin, end, timing, coefficients, offsets, work);
-    reach = span_rows(&work, INT64_C(90), INT64_C(167));
+    reach = span_rows(&work, INT64_C(90), INT64_C(170));
     pull = span_row(&reach, INT64_C(15));
     set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
     add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
@@ -15739,7 +15904,7 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
     write_sway(reach);
     return 1;
 }
-static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2d work)
+static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work)
 {
     double rounding;
     int64_t i;
@@ -15750,7 +15915,7 @@ static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2
     int64_t proved;
     proved = INT64_C(1);
     rounding = 1.0 + 1e-09;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = first; i < last; i += INT64_C(1))
     {
         demand = span_row(&work, INT64_C(90) + INT64_C(27) + i);
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
@@ -15759,6 +15924,7 @@ static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2
             if (bound != 0.0)
             {
                 value = (1.0 - 2.0 * side) * (*cspan_at(&demand, INT64_C(0)));
+                value = value - bound_origin(i, side, bounds);
                 if (!(value <= bound))
                 {
                     return -INT64_C(1);
@@ -15772,7 +15938,7 @@ static int64_t judge_reach(int64_t count, array_double_1d bounds, array_double_2
     }
     return proved;
 }
-static bool keeps_between(int64_t count, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
 {
     int64_t depth;
     int64_t place;
@@ -15788,7 +15954,7 @@ static bool keeps_between(int64_t count, double begin, double end, array_double_
         found = INT64_C(0);
         if (write_reach(start, start + length, timing, coefficients, offsets, span_row(&known, INT64_C(0)), work))
         {
-            found = judge_reach(count, span_row(&known, INT64_C(2)), work);
+            found = judge_reach(first, last, span_row(&known, INT64_C(2)), work);
         }
         if ((found < INT64_C(0)) || ((found == INT64_C(0)) && (depth == INT64_C(10))))
         {
@@ -15811,22 +15977,12 @@ static bool keeps_between(int64_t count, double begin, double end, array_double_
     }
     return 1;
 }
-static bool keeps_demands(int64_t count, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+static bool keeps_demands(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
 {
-    bool bounded;
-    int64_t i;
     double time;
     double until;
     int64_t intervals;
-    bounded = 0;
-    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
-    {
-        if ((*cspan_at(&known, INT64_C(2), i)) != 0.0)
-        {
-            bounded = 1;
-        }
-    }
-    if (!bounded)
+    if (!segfmu_has_bounds(first, last, span_row(&known, INT64_C(2))))
     {
         return 1;
     }
@@ -15836,7 +15992,7 @@ static bool keeps_demands(int64_t count, array_double_2d timing, array_double_2d
     while((until > time) || (intervals == INT64_C(0)))
     {
         intervals = intervals + INT64_C(1);
-        if (!keeps_between(count, time, until, timing, coefficients, offsets, known, work))
+        if (!keeps_between(first, last, time, until, timing, coefficients, offsets, known, work))
         {
             return 0;
         }
@@ -15848,7 +16004,7 @@ static bool keeps_demands(int64_t count, array_double_2d timing, array_double_2d
 bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
 {
     bool result;
-    result = keeps_demands(INT64_C(14), timing, coefficients, offsets, known, work);
+    result = keeps_demands(INT64_C(0), INT64_C(17), timing, coefficients, offsets, known, work);
     return result;
 }
 static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets)
@@ -15960,7 +16116,11 @@ static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_
     {
         return INT64_C(5);
     }
-    if (!keeps_demands(demands, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, known, work))
+    if (!keeps_demands(INT64_C(12), INT64_C(15), span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, known, work))
+    {
+        return INT64_C(8);
+    }
+    if (!keeps_demands(INT64_C(0), demands, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, known, work))
     {
         return INT64_C(6);
     }
@@ -15973,7 +16133,7 @@ static int64_t prove_plan(array_double_2d operation, array_double_2d limits, arr
     {
         return INT64_C(2);
     }
-    result = prove_crane(INT64_C(14), known, timing, coefficients, offsets, work, stack);
+    result = prove_crane(INT64_C(17), known, timing, coefficients, offsets, work, stack);
     return result;
 }
 static double used_share(void)
@@ -15987,7 +16147,7 @@ static bool brake_hoist(double share, double interval, array_double_2d known, ar
     double fall;
     double rise;
     bool result;
-    points = span_row(&work, INT64_C(138) + INT64_C(2));
+    points = span_row(&work, INT64_C(141) + INT64_C(2));
     for (i = INT64_C(3); i < INT64_C(102); i += INT64_C(1))
     {
         fall = most_change(INT64_C(2), -1.0, share, interval, known);
@@ -16005,7 +16165,7 @@ static void set_way(int64_t axis, array_double_2d operation, array_double_2d wor
     {
         sense = -1.0;
     }
-    (*cspan_at(&work, INT64_C(148), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(26), INT64_C(2) + axis));
+    (*cspan_at(&work, INT64_C(151), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(26), INT64_C(2) + axis));
 }
 static int64_t most_runs(void)
 {
@@ -16023,7 +16183,7 @@ static bool calms_within(double duration, double share, array_double_2d operatio
     int64_t Dummy_0000;
     double angle;
     swing = span_row(&operation, INT64_C(26));
-    aims = span_row(&work, INT64_C(148));
+    aims = span_row(&work, INT64_C(151));
     last = INT64_C(2);
     interval = duration / INT64_C(99);
     frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
@@ -16100,7 +16260,7 @@ static double least_time(double share, array_double_2d operation, array_double_2
         if ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5)
         {
             set_way(axis, operation, work);
-            way = (*cspan_at(&work, INT64_C(148), INT64_C(2)));
+            way = (*cspan_at(&work, INT64_C(151), INT64_C(2)));
             fastest = control_bound(INT64_C(3) + axis, way, share, 0.0, known);
             if (fastest > 0.0)
             {
@@ -16176,7 +16336,7 @@ static int64_t plan_calm(array_double_2d operation, array_double_2d known, array
             return INT64_C(6);
         }
         write_controlled(duration / INT64_C(99), operation, known, timing, coefficients, offsets, work);
-        status = prove_crane(INT64_C(12), known, timing, coefficients, offsets, work, stack);
+        status = prove_crane(INT64_C(15), known, timing, coefficients, offsets, work, stack);
         if (status != INT64_C(6))
         {
             return status;
@@ -16187,7 +16347,7 @@ static int64_t plan_calm(array_double_2d operation, array_double_2d known, array
 }
 static void invert_flat(array_double_2d known, array_double_2d work)
 {
-    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(159), INT64_C(164)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(164)), span_row(&work, INT64_C(165)), span_row(&work, INT64_C(166)));
+    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(162), INT64_C(167)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(167)), span_row(&work, INT64_C(168)), span_row(&work, INT64_C(169)));
 }
 static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work)
 {
@@ -16196,7 +16356,7 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
     int64_t axis;
     int64_t order;
     array_double_1d state;
-    flat = span_rows(&work, INT64_C(159), INT64_C(164));
+    flat = span_rows(&work, INT64_C(162), INT64_C(167));
     swing = span_row(&operation, INT64_C(26));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -16206,7 +16366,7 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
         }
     }
     invert_flat(known, work);
-    state = span_row(&work, INT64_C(165));
+    state = span_row(&work, INT64_C(168));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
@@ -16267,7 +16427,7 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     int64_t drive;
     double force;
     double power;
-    if (!((*cspan_at(&work, INT64_C(134), INT64_C(0))) > 0.0))
+    if (!((*cspan_at(&work, INT64_C(137), INT64_C(0))) > 0.0))
     {
         return 0;
     }
@@ -16275,14 +16435,14 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     {
         return 0;
     }
-    flat = span_rows(&work, INT64_C(159), INT64_C(164));
+    flat = span_rows(&work, INT64_C(162), INT64_C(167));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         factorial = 1.0;
         for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
         {
             factorial = factorial * span_max_int(order, INT64_C(1));
-            (*cspan_at(&flat, order, axis)) = factorial * (*cspan_at(&work, INT64_C(131) + axis, order));
+            (*cspan_at(&flat, order, axis)) = factorial * (*cspan_at(&work, INT64_C(134) + axis, order));
         }
         if (axis < INT64_C(2))
         {
@@ -16294,7 +16454,7 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     invert_flat(known, work);
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        force = (*cspan_at(&work, INT64_C(164), drive));
+        force = (*cspan_at(&work, INT64_C(167), drive));
         power = force * (*cspan_at(&swing, INT64_C(5) + drive));
         if (!is_inside(force, INT64_C(0) + drive, known))
         {
@@ -16543,7 +16703,7 @@ static void follow_calm(array_double_2d operation, array_double_3d timing, array
         }
         for (i = INT64_C(0); i < INT64_C(102); i += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(29) + axis, i)) = (*cspan_at(&work, INT64_C(138) + axis, i));
+            (*cspan_at(&operation, INT64_C(29) + axis, i)) = (*cspan_at(&work, INT64_C(141) + axis, i));
         }
     }
     (*cspan_at(&swing, INT64_C(0))) = 0.0;

@@ -71,6 +71,8 @@ SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviat
 SEGFMU_API void segfmu_turbulence_components(double speed, double length, double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);
 SEGFMU_API int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, double time, array_double_1d state, double duration, double tolerance, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_bound_uses(array_double_2d peaks, array_double_2d times, array_double_1d bounds, array_double_1d uses, array_double_1d fault);
+SEGFMU_API bool segfmu_has_bounds(int64_t first, int64_t last, array_double_1d bounds);
+SEGFMU_API double segfmu_paced_use(array_double_1d uses);
 SEGFMU_API void segfmu_hook_design(array_double_1d plant, double sample_time, double length, array_double_1d weights, array_double_2d work, array_double_2d table);
 SEGFMU_API void segfmu_hook_correction(array_double_3d table, array_double_1d limits, array_double_1d measured, array_double_1d reference, array_double_1d feedforward, array_double_2d estimates, array_double_1d correction);
 SEGFMU_API void segfmu_hook_frequencies(double rope, array_double_1d masses, array_double_1d found);

@@ -233,6 +233,7 @@ bool segfmu_bound_message(
 {
     static const char *const drive[] = {"bridge", "trolley", "hoist"};
     static const char *const axis[] = {"x", "y", "z"};
+    static const char *const stopped[] = {"bridge", "trolley", "rope"};
     static const char *const side[] = {"max", "min"};
     switch (status) {
     case 1:
@@ -279,13 +280,26 @@ bool segfmu_bound_message(
             report[BOUND_FAULT_BOUND],
             axis[(int)report[BOUND_FAULT_AXIS]]);
         return true;
-    case 5:
+    case 6:
         snprintf(text, size,
             "at %.3f s: the plan needs %.9g rad, sway.%s.angle_max is %.9g rad; lower "
             "limits.%s, move the waypoints, or raise the bound",
             report[BOUND_FAULT_TIME],
             report[BOUND_FAULT_VALUE],
             axis[(int)report[BOUND_FAULT_AXIS]],
+            report[BOUND_FAULT_BOUND],
+            axis[(int)report[BOUND_FAULT_AXIS]]);
+        return true;
+    case 5:
+        snprintf(text, size,
+            "at %.3f s: the plan takes the %s to %.9g m, beyond its end stop "
+            "travel.%s.%s at %.9g m; move the waypoints, or lower their velocities and "
+            "accelerations along %s",
+            report[BOUND_FAULT_TIME],
+            stopped[(int)report[BOUND_FAULT_STOPPED]],
+            report[BOUND_FAULT_VALUE],
+            stopped[(int)report[BOUND_FAULT_STOPPED]],
+            side[(int)report[BOUND_FAULT_SIDE]],
             report[BOUND_FAULT_BOUND],
             axis[(int)report[BOUND_FAULT_AXIS]]);
         return true;
@@ -426,6 +440,11 @@ bool segfmu_takeover_message(
         snprintf(text, size,
             "command.take_over: the way from the measured state to rest meets an "
             "obstacle; move that, or let the swing decay");
+        return true;
+    case 8:
+        snprintf(text, size,
+            "command.take_over: the way from the measured state to rest passes an end "
+            "stop; widen travel.*, or let the swing decay");
         return true;
     case 6:
         snprintf(text, size,

@@ -1832,7 +1832,7 @@ static PyObject *call_drive_demands(
         && has_at_least(&call, "contacts", 2, in_contacts->shape[2], 7)
         && has_at_least(&call, "work", 0, in_work->shape[0], 26)
         && has_at_least(&call, "work", 1, in_work->shape[1], 10)
-        && has_at_least(&call, "demands", 1, in_demands->shape[1], 14)
+        && has_at_least(&call, "demands", 1, in_demands->shape[1], 17)
         && has_at_least(&call, "flat", 1, in_flat->shape[1], segfmu_flat_orders((array_double_1d){in_resistance->buf, {in_resistance->shape[0]}}))) {
         segfmu_drive_demands(
             (array_double_3d){in_flat->buf, {in_flat->shape[0], in_flat->shape[1], in_flat->shape[2]}},
@@ -1956,9 +1956,9 @@ static PyObject *call_demand_peaks(
         && has_at_least(&call, "work", 0, in_work->shape[0], 100)
         && has_at_least(&call, "work", 1, in_work->shape[1], 17)
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
-        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 17)
         && has_at_least(&call, "times", 0, in_times->shape[0], 2)
-        && has_at_least(&call, "times", 1, in_times->shape[1], 14)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 17)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         segfmu_demand_peaks(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -2016,9 +2016,9 @@ static PyObject *call_demand_samples(
         && has_at_least(&call, "work", 0, in_work->shape[0], 100)
         && has_at_least(&call, "work", 1, in_work->shape[1], 17)
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
-        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 17)
         && has_at_least(&call, "times", 0, in_times->shape[0], 2)
-        && has_at_least(&call, "times", 1, in_times->shape[1], 14)
+        && has_at_least(&call, "times", 1, in_times->shape[1], 17)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         segfmu_demand_samples(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -2200,18 +2200,58 @@ static PyObject *call_bound_uses(
         && (in_uses = take_array(&call, 3, 1, 'd', true)) != NULL
         && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
-        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 17)
         && has_at_least(&call, "times", 0, in_times->shape[0], 2)
-        && has_at_least(&call, "times", 1, in_times->shape[1], 14)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 6)) {
+        && has_at_least(&call, "times", 1, in_times->shape[1], 17)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 29)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 7)) {
         answer = PyLong_FromLongLong(segfmu_bound_uses(
             (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
             (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
             (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
             (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_has_bounds(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "has_bounds", .values = values};
+    PyObject *answer = NULL;
+    int64_t in_first;
+    int64_t in_last;
+    Py_buffer *in_bounds;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_int(&call, 0, &in_first)
+        && take_int(&call, 1, &in_last)
+        && (in_bounds = take_array(&call, 2, 1, 'd', false)) != NULL
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 29)) {
+        answer = PyBool_FromLong(segfmu_has_bounds(
+            in_first,
+            in_last,
+            (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_paced_use(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "paced_use", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_uses;
+    (void)self;
+    if (take_count(&call, count, 1)
+        && (in_uses = take_array(&call, 0, 1, 'd', false)) != NULL
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)) {
+        answer = PyFloat_FromDouble(segfmu_paced_use(
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}}));
     }
     release_arguments(&call);
     return answer;
@@ -2517,12 +2557,12 @@ static PyObject *call_write_axes(
         && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
         && has_at_least(&call, "velocities", 1, in_velocities->shape[1], 3)
         && has_at_least(&call, "accelerations", 1, in_accelerations->shape[1], 3)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 29)
         && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
         && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)) {
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)) {
         segfmu_write_axes(
             in_narrow,
             (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
@@ -2549,7 +2589,7 @@ static PyObject *call_narrow_bounds(
     if (take_count(&call, count, 2)
         && (in_bounds = take_array(&call, 0, 1, 'd', true)) != NULL
         && (in_caps = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 29)
         && has_at_least(&call, "caps", 0, in_caps->shape[0], 3)
         && has_at_least(&call, "caps", 1, in_caps->shape[1], 6)) {
         segfmu_narrow_bounds(
@@ -2573,7 +2613,7 @@ static PyObject *call_write_kinds(
         && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_kinds = take_array(&call, 1, 1, 'd', true)) != NULL
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
         && has_at_least(&call, "kinds", 0, in_kinds->shape[0], 18)) {
         segfmu_write_kinds(
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
@@ -2599,7 +2639,7 @@ static PyObject *call_write_limits(
         && (in_table = take_array(&call, 2, 2, 'd', true)) != NULL
         && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], 18)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
         && has_at_least(&call, "table", 0, in_table->shape[0], 3)
         && has_at_least(&call, "table", 1, in_table->shape[1], 6)) {
         segfmu_write_limits(
@@ -2628,11 +2668,11 @@ static PyObject *call_write_shares(
         && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
         && (in_uses = take_array(&call, 3, 1, 'd', true)) != NULL
         && has_at_least(&call, "peaks", 0, in_peaks->shape[0], 2)
-        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 14)
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "peaks", 1, in_peaks->shape[1], 17)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 29)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)) {
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)) {
         segfmu_write_shares(
             (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
             (array_double_1d){in_bounds->buf, {in_bounds->shape[0]}},
@@ -2663,10 +2703,10 @@ static PyObject *call_write_starts(
         && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
         && (in_starts = take_array(&call, 4, 2, 'd', true)) != NULL
         && (in_fault = take_array(&call, 5, 1, 'd', true)) != NULL
-        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 23)
+        && has_at_least(&call, "bounds", 0, in_bounds->shape[0], 29)
         && has_at_least(&call, "resistance", 0, in_resistance->shape[0], 24)
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 16)
         && has_at_least(&call, "starts", 1, in_starts->shape[1], 18)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
@@ -2701,7 +2741,7 @@ static PyObject *call_write_passing(
         && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
         && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
         && has_at_least(&call, "start", 0, in_start->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))) {
         segfmu_write_passing(
             (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
@@ -2826,7 +2866,7 @@ static PyObject *call_is_judged(
         && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_search = take_array(&call, 2, 2, 'd', false)) != NULL
         && has_at_least(&call, "search", 1, in_search->shape[1], 1)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
         && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
         answer = PyBool_FromLong(segfmu_is_judged(
             in_duration,
@@ -2849,7 +2889,7 @@ static PyObject *call_cap_best(
         && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 21)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
         && has_at_least(&call, "search", 0, in_search->shape[0], 14)
         && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
         segfmu_cap_best(
@@ -2956,11 +2996,11 @@ static PyObject *call_next_limits(
         && (in_newton = take_array(&call, 6, 2, 'd', true)) != NULL
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
         && has_at_least(&call, "search", 1, in_search->shape[1], 1)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 28)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
         && has_at_least(&call, "search", 0, in_search->shape[0], 14)
         && has_at_least(&call, "values", 0, in_values->shape[0], 2)
-        && has_at_least(&call, "values", 1, in_values->shape[1], 29)
-        && has_at_least(&call, "slopes", 1, in_slopes->shape[1], 29)
+        && has_at_least(&call, "values", 1, in_values->shape[1], 35)
+        && has_at_least(&call, "slopes", 1, in_slopes->shape[1], 35)
         && has_at_least(&call, "starts", 1, in_starts->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
         && has_at_least(&call, "slopes", 0, in_slopes->shape[0], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
         && has_at_least(&call, "newton", 0, in_newton->shape[0], (2 * ((double *)in_search->buf)[0 * in_search->shape[1] + 1]))
@@ -3302,8 +3342,8 @@ static PyObject *call_keeps_drives(
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 29)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyBool_FromLong(segfmu_keeps_drives(
@@ -3340,14 +3380,14 @@ static PyObject *call_foresee_emergency(
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 29)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
         && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)) {
         answer = PyBool_FromLong(segfmu_foresee_emergency(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
@@ -3386,14 +3426,14 @@ static PyObject *call_take_over_measured(
         && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 29)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
         && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
@@ -3973,7 +4013,7 @@ static PyObject *call_operate(
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
         && has_at_least(&call, "known", 0, in_known->shape[0], 24)
-        && has_at_least(&call, "known", 1, in_known->shape[1], 24)
+        && has_at_least(&call, "known", 1, in_known->shape[1], 29)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
         && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
@@ -3988,7 +4028,7 @@ static PyObject *call_operate(
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
         && has_at_least(&call, "lead", 0, in_lead->shape[0], 353)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 167)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
@@ -5379,6 +5419,8 @@ static PyMethodDef methods[] = {
     {"turbulence_components", (PyCFunction)(void (*)(void))call_turbulence_components, METH_FASTCALL, NULL},
     {"plant_advance", (PyCFunction)(void (*)(void))call_plant_advance, METH_FASTCALL, NULL},
     {"bound_uses", (PyCFunction)(void (*)(void))call_bound_uses, METH_FASTCALL, NULL},
+    {"has_bounds", (PyCFunction)(void (*)(void))call_has_bounds, METH_FASTCALL, NULL},
+    {"paced_use", (PyCFunction)(void (*)(void))call_paced_use, METH_FASTCALL, NULL},
     {"hook_design", (PyCFunction)(void (*)(void))call_hook_design, METH_FASTCALL, NULL},
     {"hook_correction", (PyCFunction)(void (*)(void))call_hook_correction, METH_FASTCALL, NULL},
     {"hook_frequencies", (PyCFunction)(void (*)(void))call_hook_frequencies, METH_FASTCALL, NULL},

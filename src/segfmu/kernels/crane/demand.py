@@ -48,5 +48,6 @@ def motion_demand(
         demand[Demand.VELOCITY + k] = velocity + resistance[Resistance.LAG + k] * acceleration
         demand[Demand.ACCELERATION + k] = acceleration
         demand[Demand.POWER + k] = force * velocity
+        demand[Demand.PLACE + k] = work[DemandWork.STATE, State.POSITION + k]
     for k in range(2):
         demand[Demand.SWAY + k] = work[DemandWork.STATE, State.ANGLE + k]

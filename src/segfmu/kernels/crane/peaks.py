@@ -15,6 +15,7 @@ from math import cos, sqrt
 from segfmu.kernels.crane.demand import motion_demand
 from segfmu.kernels.crane.records import Contact, Demand, DemandPeaks, Sought
 from segfmu.kernels.crane.suspension import flat_orders
+from segfmu.kernels.crane.travel import is_place
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break
 from segfmu.kernels.trajectory.evaluate import evaluate_near
@@ -34,7 +35,7 @@ def demand_peaks(
     """Greatest magnitudes of all demands in the positive and in the negative direction.
 
     Writes them to peaks, and when they are reached [s] to times, (2, Demand.SIZE) both; 0 at time 0
-    where there is none in a direction.
+    where there is none in a direction. Of places, the greatest and minus the least one.
     """
     duration = clear_peaks(ends, work, peaks, times)
     for i in range(Demand.SIZE):
@@ -114,6 +115,8 @@ def clear_peaks(
         for side in range(2):
             peaks[side, i] = 0.0
             times[side, i] = 0.0
+            if is_place(i):
+                peaks[side, i] = -NEVER
     return duration
 
 

@@ -264,13 +264,15 @@ class Demand(Record):
     VELOCITY = field("velocity setpoints of bridge, trolley and rope", "m/s", size=3)
     ACCELERATION = field("accelerations of bridge, trolley and rope", "m/s2", size=3)
     POWER = field("powers of the drives, positive when they do work", "W", size=3)
+    PLACE = field("positions of bridge and trolley, length of the rope", "m", size=3)
     SWAY = field("sway angles", "rad", size=2)
 
 
 class DriveBounds(Record):
     """Bounds in the order of `Demand`, 0: none; then those of the negative directions.
 
-    The latter are below 0; 0: minus those of the positive direction.
+    The latter are below 0; 0: minus those of the positive direction. But for places: both ends are
+    those of the travel, none where they are far away or the same.
     """
 
     FORCE_MAX = _of_drives("largest forces of the drives", "N", "drive.{}.force_max")
@@ -281,18 +283,22 @@ class DriveBounds(Record):
     POWER_MAX = _of_drives(
         "largest powers of the drives, driving or braking", "W", "drive.{}.power_max"
     )
+    TRAVEL_MAX = field(
+        "greatest positions", "m", size=3, variables=[f"travel.{a}.max" for a in AXES]
+    )
     SWAY_MAX = field(
         "largest sway angles", "rad", size=2, variables=[f"sway.{a}.angle_max" for a in "xy"]
     )
     FORCE_MIN = _of_drives("least forces", "N", "drive.{}.force_min")
     VELOCITY_MIN = _of_drives("least velocities", "m/s", "drive.{}.velocity_min")
     ACCELERATION_MIN = _of_drives("least accelerations", "m/s2", "drive.{}.acceleration_min")
+    TRAVEL_MIN = field("least positions", "m", size=3, variables=[f"travel.{a}.min" for a in AXES])
 
 
 # what is bounded, in the order of `Demand`
 BOUNDED = (
     *(f"{d}.{q}" for q in ("force", "velocity", "acceleration", "power") for d in DRIVES),
-    "sway.x", "sway.y",
+    *(f"travel.{a}" for a in AXES), "sway.x", "sway.y",
 )
 
 
@@ -317,7 +323,8 @@ class BoundStatus(Codes):
     VELOCITY = 2
     ACCELERATION = 3
     POWER = 4
-    SWAY = 5
+    TRAVEL = 5
+    SWAY = 6
 
 
 class BoundFault(Record):
@@ -325,6 +332,7 @@ class BoundFault(Record):
 
     DRIVE = field("bridge, trolley or hoist, counted from 0; of the sway its axis")
     AXIS = field("the same, as an axis of the load")
+    STOPPED = field("the same, as what its end stops hold")
     SIDE = field("1 where the negative direction has a bound of its own, and exceeds it")
     VALUE = field("what the plan needs")
     BOUND = field("bound")

@@ -52,6 +52,7 @@ class AxisTask(Record):
     FASTEST = field("largest velocity at a waypoint", "m/s")
     GOES = field("1 if the drive goes in the positive, and in the negative direction", size=2)
     DIRECTED = field("1 if velocity, and acceleration, have limits by direction", size=2)
+    FARTHEST = field("greatest place at a waypoint, and minus the least one", "m", size=2)
     HELD = field("dry friction that the drive overcomes, and weight that it carries", "N", size=2)
     FLOOR = field("least limits, which admit the given states", size=LimitRow.SIZE)
     CAP = field("largest limits, 1e300: none", size=LimitRow.SIZE)

@@ -8,7 +8,8 @@ from math import exp
 
 from segfmu.kernels.crane.bounds import hanging_mass
 from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
-from segfmu.kernels.crane.uses import bound_magnitude
+from segfmu.kernels.crane.travel import is_place
+from segfmu.kernels.crane.uses import bound_magnitude, bound_origin
 from segfmu.kernels.limits.records import AxisTask, LimitRow, Unknown
 from segfmu.kernels.numerics.numbers import NEVER
 
@@ -36,6 +37,7 @@ def write_axes(
             if caps[axis, i] > 0.0:
                 row[AxisTask.CAP + i] = caps[axis, i]
         write_motion_of(axis, positions, velocities, accelerations, row)
+        write_farthest(axis, positions, resistance, row)
         if row[AxisTask.MOVES] > 0.5:
             row[AxisTask.HELD] = max(
                 resistance[Resistance.STATIC + axis], resistance[Resistance.COULOMB + axis]
@@ -99,6 +101,20 @@ def write_motion_of(
     if axis == Axes.ROPE:
         row[AxisTask.GOES] = back
         row[AxisTask.GOES + 1] = ahead
+
+
+def write_farthest(
+    axis: int, positions: 'float[:,:]', resistance: 'float[:]', row: 'float[:]'
+) -> None:
+    """Write how far waypoints take a carriage, or the rope, if the load rests there."""
+    for side in range(2):
+        row[AxisTask.FARTHEST + side] = -NEVER
+    for k in range(positions.shape[0]):
+        place = positions[k, axis]
+        if axis == Axes.ROPE:
+            place = -place - resistance[Resistance.SLING]
+        row[AxisTask.FARTHEST] = max(row[AxisTask.FARTHEST], place)
+        row[AxisTask.FARTHEST + 1] = max(row[AxisTask.FARTHEST + 1], -place)
 
 
 def differs(i: int, bounds: 'float[:]') -> bool:
@@ -191,17 +207,26 @@ def write_shares(
 ) -> None:
     """Write what motion uses of that which bounds leave for it, (2 Demand.SIZE).
 
-    No slower plan reduces dry friction and weight. In the positive, then in the negative direction;
-    0 without a bound. At most 1 exactly where the peaks (2, Demand.SIZE) are within the bounds.
+    No slower plan reduces dry friction and weight, nor how far the waypoints are. In the positive,
+    then in the negative direction; 0 without a bound. At most 1 exactly where the peaks
+    (2, Demand.SIZE) are within the bounds.
     """
     for i in range(Demand.SIZE):
         for side in range(2):
             bound = bound_magnitude(i, side, bounds)
+            used = peaks[side, i] - bound_origin(i, side, bounds)
             held = 0.0
             if i < Demand.VELOCITY:
                 held = held_force(side, axes[i, :])
-            if bound <= held * (1.0 + 1e-6):
+            if is_place(i):
+                held = axes[i - Demand.PLACE, AxisTask.FARTHEST + side]
+                held = held - bound_origin(i, side, bounds)
+            full = bound <= held * (1.0 + 1e-6)
+            if full:
                 held = 0.0
             uses[side * Demand.SIZE + i] = 0.0
             if bound > 0.0:
-                uses[side * Demand.SIZE + i] = max(peaks[side, i] - held, 0.0) / (bound - held)
+                uses[side * Demand.SIZE + i] = max(used - held, 0.0) / (bound - held)
+            # a waypoint at an end stop leaves nothing to use
+            if is_place(i) and full and used <= bound * (1.0 + 1e-9):
+                uses[side * Demand.SIZE + i] = 0.0

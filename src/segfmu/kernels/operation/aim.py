@@ -4,7 +4,8 @@ A number that is none counts as no wish: the load stops. `operation` is an `Oper
 """
 
 from segfmu.kernels.clearance.records import Space
-from segfmu.kernels.crane.records import RopeBounds
+from segfmu.kernels.crane.records import Demand, RopeBounds
+from segfmu.kernels.crane.travel import end_stop
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.records import (
     Aim,
@@ -152,20 +153,30 @@ def standstill(
 
 
 def low_end(axis: int, known: 'float[:,:]') -> float:
-    """The lowest position of the load at rest [m], by the workspace and the longest rope."""
+    """The lowest position of the load at rest [m], by workspace, longest rope and travel."""
     end = known[Known.SPACE, Space.WORKSPACE_MIN + axis]
     longest = known[Known.ROPE, RopeBounds.LONGEST]
     if axis == 2 and longest > 0.0:
         end = max(end, -longest)
+    end = max(end, -stop_towards(1, axis, known))
     return end + end_rounding_of(end)
 
 
 def high_end(axis: int, known: 'float[:,:]') -> float:
-    """The highest one, by the workspace and the shortest rope."""
+    """The highest one, by workspace, shortest rope and travel."""
     end = known[Known.SPACE, Space.WORKSPACE_MAX + axis]
     if axis == 2:
         end = min(end, -known[Known.ROPE, RopeBounds.SHORTEST])
+    end = min(end, stop_towards(0, axis, known))
     return end - end_rounding_of(end)
+
+
+def stop_towards(side: int, axis: int, known: 'float[:,:]') -> float:
+    """The highest position of the load at an end stop [m], or, side 1, minus the lowest one."""
+    if axis == 2:
+        # the rope is long where the load is low
+        return end_stop(Demand.PLACE + axis, 1 - side, known[Known.BOUNDS, :])
+    return end_stop(Demand.PLACE + axis, side, known[Known.BOUNDS, :])
 
 
 def end_rounding_of(end: float) -> float:

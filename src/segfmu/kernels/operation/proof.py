@@ -55,7 +55,12 @@ def prove_crane(
     if contact != SpaceStatus.CLEAR:
         return OperationStatus.OBSTACLE
     if not keeps_demands(
-        demands, timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known, work
+        Demand.PLACE, Demand.SWAY, timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
+        pieces, known, work,
+    ):
+        return OperationStatus.TRAVEL
+    if not keeps_demands(
+        0, demands, timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known, work
     ):
         return OperationStatus.DRIVES
     return OperationStatus.TAKEN

@@ -140,9 +140,13 @@ def write_drive(
     drive: int, ahead: float, factor: 'float[:]', rate: 'float[:]', change: 'float[:]',
     reach: 'float[:,:]',
 ) -> None:
-    """Write velocity and acceleration of a drive at ahead p - z f; rate and change are of f."""
+    """Write the motion of a drive that is at ahead p - z f; rate and change are of f."""
+    place = reach[Reach.DEMAND + Demand.PLACE + drive, :]
     velocity = reach[Reach.DEMAND + Demand.VELOCITY + drive, :]
     acceleration = reach[Reach.DEMAND + Demand.ACCELERATION + drive, :]
+    set_range(0.0, 0.0, place)
+    add_range(ahead, reach[Reach.POSITION + drive, :], place)
+    add_range_product(-1.0, reach[Reach.POSITION + 2, :], factor, place)
     set_range(0.0, 0.0, velocity)
     add_range(ahead, reach[Reach.VELOCITY + drive, :], velocity)
     add_range_product(-1.0, reach[Reach.VELOCITY + 2, :], factor, velocity)

@@ -62,6 +62,7 @@ class OperationStatus(Codes):
     OBSTACLE = 5
     DRIVES = 6
     PENDING = 7
+    TRAVEL = 8
 
 
 class Tries(Codes):

@@ -21,6 +21,7 @@ from segfmu.fmu.pair import ModelPair
 from segfmu.fmu.standard.spec import started
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_models import FURTHER, model_of, table_of
+from segfmu.validation.files.equipment_tables import STOPPED
 from segfmu.validation.files.keys import DRIVES, Entry, entries
 
 # parameters of the cranes that no key sets, by the beginning of their names, and why
@@ -114,7 +115,7 @@ def nominal(crane: CraneFile) -> AnyCrane:
 
 
 def bounds(crane: CraneFile) -> ActuatorBounds:
-    """Bounds of the drives and of the sway, infinite where the file has none; lags."""
+    """Bounds of the drives and of the sway, and end stops; infinite where there are none; lags."""
     drives = [getattr(crane, name) for name in DRIVES]
     given: dict[str, Any] = {
         name: [getattr(drive, f"{name}_max") or np.inf for drive in drives]
@@ -123,7 +124,11 @@ def bounds(crane: CraneFile) -> ActuatorBounds:
     given |= {f"{name}_min": [getattr(d, f"{name}_min") for d in drives] for name in DIRECTED}
     sway = None if crane.sway_max is None else np.deg2rad(crane.sway_max)
     lag = [drive.lag or 0.0 for drive in drives]
-    return ActuatorBounds(**given, sway_angle=sway, lag=lag)
+    stops = [getattr(crane.travel, axis) or (None, None) for axis in STOPPED]
+    least, greatest = zip(*stops, strict=True)
+    return ActuatorBounds(
+        **given, sway_angle=sway, travel=greatest, travel_min=least, lag=lag
+    )
 
 
 def friction(crane: CraneFile) -> Friction:

@@ -44,7 +44,7 @@ def draw_demands(
     panels: Sequence[Axes], times: FloatArray, values: FloatArray, bounds: ActuatorBounds,
     crane: AnyCrane,
 ) -> list[float]:
-    """Draw demands (times, 14) in the panels of `PANELS`; returns the factor of each panel.
+    """Draw demands (times, 17) in the panels of `PANELS`; returns the factor of each panel.
 
     The hoist's force is shown without the weight on the rope, as the difference of the pull to it.
     """

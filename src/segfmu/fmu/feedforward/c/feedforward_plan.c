@@ -135,12 +135,8 @@ static int64_t write_uses(
 static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fault[BOUND_FAULT_SIZE])
 {
     double bounds[DRIVE_BOUNDS_SIZE], peaks[2 * DEMAND_SIZE] = {0.0}, times[2 * DEMAND_SIZE] = {0.0};
-    bool bounded = false;
     feed_record(&feeds_drive_bounds, &m->base, bounds);
-    for (int i = 0; i < DRIVE_BOUNDS_SIZE; i++) {
-        bounded = bounded || bounds[i] != 0.0;
-    }
-    if (bounded) {
+    if (segfmu_has_bounds(0, DEMAND_SIZE, vector(bounds, DRIVE_BOUNDS_SIZE))) {
         measure(m, 0, peaks, times);
     }
     return write_uses(m, peaks, times, uses, fault);
@@ -279,7 +275,7 @@ bool plan_loosely(feedforward *m, const request *r, char message[MESSAGE])
 /* The plan with the given limits, slower if it may be. */
 static bool plan_as_given(feedforward *m, char message[MESSAGE])
 {
-    double pace[PACE_SIZE], uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE], most;
+    double pace[PACE_SIZE], uses[BOUND_USES_SIZE], fault[BOUND_FAULT_SIZE];
     const bool slows = m->base.integer[V_PLANNER_SLOWS_DOWN] && !m->base.integer[V_PLANNER_FINDS_LIMITS];
     int64_t status;
     request chosen, r;
@@ -292,11 +288,8 @@ static bool plan_as_given(feedforward *m, char message[MESSAGE])
             return false;
         }
         status = note_uses(m, uses, fault);
-        most = 0.0;
-        for (int i = 0; i < DEMAND_SIZE; i++) {
-            most = fmax(most, uses[BOUND_USES_USE + i]);
-        }
-    } while (slows && segfmu_next_pace(most, vector(pace, PACE_SIZE)));
+    } while (slows && segfmu_next_pace(
+        segfmu_paced_use(vector(uses, BOUND_USES_SIZE)), vector(pace, PACE_SIZE)));
     show_record(&feeds_bound_uses, uses, &m->base);
     show_record(&feeds_pace, pace, &m->base);
     return !segfmu_bound_message(status, fault, message, MESSAGE);
@@ -333,10 +326,24 @@ static bool plan_as_found(feedforward *m, char message[MESSAGE])
     return !segfmu_bound_message(status, fault, message, MESSAGE);
 }
 
+/* Check that there is room between the end stops of each axis. */
+static bool require_travel(const model *base, char message[MESSAGE])
+{
+    double bounds[DRIVE_BOUNDS_SIZE], fault[SETUP_FAULT_SIZE] = {0.0};
+    feed_record(&feeds_drive_bounds, base, bounds);
+    int64_t status = segfmu_check_travel(
+        vector(bounds + DRIVE_BOUNDS_TRAVEL_MIN, AXES_SIZE),
+        vector(bounds + DRIVE_BOUNDS_TRAVEL_MAX, AXES_SIZE), vector(fault, SETUP_FAULT_SIZE));
+    return !segfmu_setup_message(status, fault, message, MESSAGE);
+}
+
 bool feedforward_plan(feedforward *m, char message[MESSAGE])
 {
     const bool finds = m->base.integer[V_PLANNER_FINDS_LIMITS];
     m->base.real[V_PLAN_PACE] = 1.0;
+    if (!require_travel(&m->base, message)) {
+        return false;
+    }
     if (!(finds ? plan_as_found(m, message) : plan_as_given(m, message))) {
         return false;
     }

@@ -209,7 +209,7 @@ bool operation_sound(const feedforward *m)
     bool sound = a.offsets.data[0] == 0 && a.offsets.data[AXES] <= OPERATION_ROWS_KEPT
         && isfinite(progress[PROGRESS_BEGIN])
         && progress[PROGRESS_NEXT] >= 0.0 && progress[PROGRESS_NEXT] <= OPERATION_ROWS_KEPT
-        && progress[PROGRESS_FAILED] >= 0.0 && progress[PROGRESS_FAILED] <= OPERATION_STATUS_DRIVES;
+        && progress[PROGRESS_FAILED] >= 0.0 && progress[PROGRESS_FAILED] <= OPERATION_STATUS_TRAVEL;
     const double *swing = row_of(&a.operation, OPERATION_SWING);
     for (int i = 0; i < SWING_SIZE; i++) {
         sound = sound && isfinite(swing[i]);
