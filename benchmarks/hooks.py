@@ -21,15 +21,14 @@ from benchmarks.report import Part, Record, Section, Settings
 from segfmu import ActuatorBounds, Crane, HookCrane, SimulationError, Waypoint, plan_actuated
 from segfmu.crane import (
     FlatInverse,
-    HookController,
     Plant,
     Setpoints,
     TrackingController,
     Uncertainty,
-    design_hook,
     design_lqr,
     design_observer,
 )
+from segfmu.crane.hook import HookController, design_hook
 from segfmu.errors import BuildError
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import chosen

@@ -10,7 +10,8 @@ from dataclasses import replace
 import numpy as np
 
 import segfmu
-from segfmu.crane import FlatInverse, HookController, HookCrane, Plant, Setpoints, design_hook
+from segfmu.crane import FlatInverse, Plant, Setpoints
+from segfmu.crane.hook import HookController, HookCrane, design_hook
 
 STEP, PERIOD, ROPE = 0.01, 0.05, 6.0
 crane = HookCrane(segfmu.Crane(8e4, 1.2e4, 500.0, rope_min=2.0, rope_max=12.0), 500.0, 4.0)

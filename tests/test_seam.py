@@ -20,9 +20,8 @@ COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 # as CONTRIBUTING.md has them
 TOUCHED = {
     "registrations": (
-        "crane/flat_models.py", "fmu/pairs.py", "validation/files/crane_models.py",
-        "validation/files/crane_file.py", "kernels/crane/suspension.py", "kernels/entry_points.py",
-        "codegen/__main__.py", "crane/__init__.py", "__init__.py",
+        "kernels/crane/suspension.py", "crane/flat_models.py", "fmu/pairs.py",
+        "validation/files/crane_models.py", "__init__.py",
     ),
     # the lifting gear of the gantry crane
     "another hook": ("crane/stability.py", "validation/files/template.py"),

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
         BoundUse,
         Crane,
         FlatInverse,
-        HookCrane,
         Operator,
         plan_actuated,
     )
+    from segfmu.crane.hook import HookCrane
     from segfmu.errors import (
         BuildError,
         InfeasibleError,
@@ -99,9 +99,10 @@ __all__ = [
 
 _HOMES = {
     "segfmu.crane": (
-        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "HookCrane",
-        "Operator", "plan_actuated",
+        "ActuatedPlan", "ActuatorBounds", "BoundUse", "Crane", "FlatInverse", "Operator",
+        "plan_actuated",
     ),
+    "segfmu.crane.hook": ("HookCrane",),
     "segfmu.errors": (
         "BuildError", "InfeasibleError", "InputError", "SegfmuError", "SimulationError",
     ),

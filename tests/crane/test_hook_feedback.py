@@ -10,8 +10,14 @@ import pytest
 from scipy.linalg import solve_discrete_are
 
 from segfmu import FlatInverse, Limits, Waypoint, plan
-from segfmu.crane import Crane, Drive, Friction, HookCrane, Plant, Rig, Sensors, Setpoints
-from segfmu.crane.hook.feedback import HookController, HookFeedback, HookWeights, design_hook
+from segfmu.crane import Crane, Drive, Friction, Plant, Rig, Sensors, Setpoints
+from segfmu.crane.hook import (
+    HookController,
+    HookCrane,
+    HookFeedback,
+    HookWeights,
+    design_hook,
+)
 from segfmu.crane.linear import sampled
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Axes

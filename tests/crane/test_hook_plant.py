@@ -9,17 +9,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.crane import (
-    Crane,
-    Drive,
-    Friction,
-    HookCrane,
-    Plant,
-    Rig,
-    Setpoints,
-    TravelLimits,
-    Wind,
-)
+from segfmu.crane import Crane, Drive, Friction, Plant, Rig, Setpoints, TravelLimits, Wind
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.hook.model import HOOK
 from segfmu.crane.inverse import FlatInverse
 from segfmu.errors import InputError, SimulationError

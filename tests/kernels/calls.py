@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.crane import HookCrane, HookWeights, Rig, design_hook
+from segfmu.crane import Rig
 from segfmu.crane.flat_model import GANTRY
+from segfmu.crane.hook import HookCrane, HookWeights, design_hook
 from segfmu.crane.observer import Uncertainty
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import (

@@ -10,7 +10,8 @@ import pytest
 from segfmu.codegen import extension
 from segfmu.codegen.functions import Function, functions
 from segfmu.errors import BuildError
-from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, EntryPoint
+from segfmu.kernels.entry_point import EntryPoint
+from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY
 from tests.compiler import compiled_kernels
 from tests.kernels.calls import Call, calls
 

@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from segfmu.crane import Crane, HookCrane
+from segfmu.crane import Crane
+from segfmu.crane.hook import HookCrane
 from segfmu.errors import InputError
 from segfmu.validation.baselines.course import changes
 from segfmu.validation.baselines.methods import course

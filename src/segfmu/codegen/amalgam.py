@@ -12,12 +12,14 @@ from segfmu.kernels.records import Codes, Record
 
 KERNELS = Path(__file__).parents[1] / "kernels"
 PACKAGE = "segfmu.kernels"
+# modules of a room that have no kernels
+DECLARATIONS = ("__init__", "records", "entry_points")
 
 
 def modules() -> list[str]:
     """Kernel modules below `segfmu.kernels`, each after those that it imports."""
     paths = sorted(KERNELS.glob("*/*.py"))
-    names = [f"{p.parent.name}.{p.stem}" for p in paths if p.stem not in ("__init__", "records")]
+    names = [f"{p.parent.name}.{p.stem}" for p in paths if p.stem not in DECLARATIONS]
     ordered: list[str] = []
     for name in names:
         _visit(name, ordered, ())

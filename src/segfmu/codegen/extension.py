@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from segfmu.codegen.functions import Function, functions
 from segfmu.codegen.native import BANNER, PREFIX
 from segfmu.errors import BuildError
-from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, MAY_LACK_PIECES, Extent
+from segfmu.kernels.entry_point import Extent
+from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, MAY_LACK_PIECES
 
 # C type, rank, and kind of the numbers
 Array = tuple[str, int, str]

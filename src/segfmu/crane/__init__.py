@@ -9,8 +9,6 @@ from segfmu.crane.feedback import PayloadSchedule, SwayFeedback, Weights, design
 from segfmu.crane.feedback import design as design_lqr
 from segfmu.crane.feedforward import Compensation, Feedforward
 from segfmu.crane.flat_feedback import design_flat
-from segfmu.crane.hook.feedback import HookController, HookFeedback, HookWeights, design_hook
-from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.inverse import FlatInverse
 from segfmu.crane.observer import Observer, Uncertainty, design_observer
 from segfmu.crane.operator import Operator
@@ -25,11 +23,10 @@ from segfmu.crane.tracking import TrackingController
 
 __all__ = [
     "ActuatedPlan", "ActuatorBounds", "BoundUse", "Compensation", "Controller", "Crane",
-    "Drive", "Feedforward", "FlatInverse", "Friction", "Gust", "HookController", "HookCrane",
-    "HookFeedback", "HookWeights", "Observer", "Operator", "PayloadChange", "PayloadSchedule",
-    "Plant", "Rig", "Sensors", "Setpoints",
-    "Shaped", "Shaper", "SwayFeedback", "TrackingController", "Trapezoid", "TravelLimits",
-    "Uncertainty", "Weights", "Wind", "bound_uses", "design_flat", "design_hook", "design_lqr",
+    "Drive", "Feedforward", "FlatInverse", "Friction", "Gust", "Observer", "Operator",
+    "PayloadChange", "PayloadSchedule", "Plant", "Rig", "Sensors", "Setpoints", "Shaped",
+    "Shaper", "SwayFeedback", "TrackingController", "Trapezoid", "TravelLimits",
+    "Uncertainty", "Weights", "Wind", "bound_uses", "design_flat", "design_lqr",
     "design_observer", "design_schedule", "largest_eigenvalue", "plan_actuated",
     "stability_map", "zv", "zvd",
 ]

@@ -8,11 +8,14 @@ point and use entries of arrays. Arrays of integers that a kernel reads are the 
 axis and the end of the last one: they ascend from 0 to `pieces` at most. The compiled extension
 checks all this, so that an array that is too small raises IndexError, as the interpreted kernel
 does, and is not overrun.
+
+A room of a further model has an `entry_points.py` of its own, which is found.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
 
 from segfmu.kernels.clearance.records import (
     Box,
@@ -74,23 +77,7 @@ from segfmu.kernels.crane.records import (
     Vector,
     Work,
 )
-from segfmu.kernels.hook.records import (
-    HookAxis,
-    HookDesign,
-    HookFrequencies,
-    HookInverse,
-    HookLimits,
-    HookLinks,
-    HookMasses,
-    HookMotion,
-    HookOutputs,
-    HookPath,
-    HookState,
-    HookTable,
-    HookTension,
-    HookWeighing,
-    SlingSeries,
-)
+from segfmu.kernels.entry_point import EntryPoint, Extent, entry
 from segfmu.kernels.limits.records import (
     AxisTask,
     LimitFault,
@@ -146,29 +133,11 @@ from segfmu.kernels.rig.records import (
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Check, Expansion, MotionWork, Spare, Timing
 
-Extent = int | str
-
 # without noise, changes of the payload, times, or obstacles
 MAY_BE_EMPTY = ("sines", "changes", "samples", "boxes")
 
 # first pieces of axes that may have none
 MAY_LACK_PIECES = ("lead_offsets", "plan_offsets")
-
-
-@dataclass(frozen=True)
-class EntryPoint:
-    """Module below `segfmu.kernels`, name, and extents of the array arguments by their names."""
-
-    module: str
-    name: str
-    extents: dict[str, tuple[Extent, ...]]
-
-
-def entry(module: str, name: str, /, **extents: Extent | tuple[Extent, ...]) -> EntryPoint:
-    """Declare an entry point; give the extent of a vector without a tuple."""
-    return EntryPoint(
-        module, name, {n: e if isinstance(e, tuple) else (e,) for n, e in extents.items()}
-    )
 
 
 # unknowns of a search: limits of all axes, then the states of inner waypoints
@@ -200,7 +169,7 @@ CHOICE: dict[str, Extent | tuple[Extent, ...]] = {
     "work": (MotionWork.SIZE, MotionWork.COLUMNS),
 }
 
-ENTRY_POINTS = (
+_COMMON = (
     entry("planner.parameters", "axis_limits", limits="smoothness + 1", axis=Axis.SIZE),
     entry("planner.parameters", "ramp_parameters", axis=Axis.SIZE, work=(2, 12)),
     entry("planner.ramp", "ramp_duration", axis=Axis.SIZE),
@@ -623,37 +592,6 @@ ENTRY_POINTS = (
         "crane._series", "flat_derivatives", flat=("order + 5", 3), masses=Masses.SIZE,
         work=(FlatSeries.SIZE, "order + 3"), found=FlatInverse.SIZE,
     ),
-    entry(
-        "hook.inverse", "hook_derivatives", flat=("order + 7", 3), masses=Masses.SIZE,
-        work=(SlingSeries.SIZE, "order + 5"), found=HookInverse.SIZE,
-    ),
-    entry(
-        "hook.rope", "check_hook", timing=("pieces", 2), coefficients=("pieces", "width"),
-        offsets=4, ends=Vector.SIZE, masses=Masses.SIZE, bounds=RopeBounds.SIZE,
-        polynomials=(RopeWork.SIZE, "4 * width - 5"), work=(HookPath.SIZE, HookPath.COLUMNS),
-        report=RopeFault.SIZE,
-    ),
-    entry(
-        "hook.swing", "hook_frequencies", masses=HookMasses.SIZE, found=HookFrequencies.SIZE
-    ),
-    entry(
-        "hook.swing", "hook_load_motion", state=HookState.SIZE, tension=HookTension.SIZE,
-        masses=HookMasses.SIZE, work=(HookLinks.SIZE, HookLinks.COLUMNS),
-        load=(HookMotion.SIZE, HookMotion.COLUMNS),
-    ),
-    entry(
-        "hook.design", "hook_design", plant=Plant.SIZE, weights=HookWeighing.SIZE,
-        work=(HookDesign.SIZE, 2 * HookAxis.CORRECTION), table=(HookTable.SIZE, HookTable.COLUMNS),
-    ),
-    entry(
-        "hook.feedback", "hook_correction", table=("lengths", HookTable.SIZE, HookTable.COLUMNS),
-        limits=HookLimits.SIZE, measured=Coordinates.SIZE, reference=State.SIZE,
-        feedforward=Axes.SIZE, estimates=(Axes.SIZE + 1, HookAxis.SIZE), correction=Axes.SIZE,
-    ),
-    entry(
-        "hook.outputs", "hook_outputs", memory=(Memory.SIZE, Memory.COLUMNS),
-        outputs=HookOutputs.SIZE,
-    ),
     entry("crane._crane", "crane_load", state=State.SIZE, load=(Load.SIZE, Load.COLUMNS)),
     entry(
         "crane._crane", "crane_energy", state=State.SIZE, masses=Masses.SIZE, energy=Energies.SIZE,
@@ -766,3 +704,13 @@ ENTRY_POINTS = (
         partials=(Energies.SIZE, State.SIZE),
     ),
 )
+
+
+def _of_rooms() -> tuple[EntryPoint, ...]:
+    """Those that rooms declare themselves."""
+    rooms = sorted(p.parent.name for p in Path(__file__).parent.glob("*/entry_points.py"))
+    modules = [import_module(f"segfmu.kernels.{room}.entry_points") for room in rooms]
+    return tuple(point for module in modules for point in module.ENTRY_POINTS)
+
+
+ENTRY_POINTS = (*_COMMON, *_of_rooms())

@@ -12,18 +12,8 @@ from fmpy.fmi2 import FMU2Slave
 from fmpy.validation import validate_fmu
 from scipy.integrate import solve_ivp
 
-from segfmu.crane import (
-    Crane,
-    Drive,
-    Friction,
-    HookController,
-    HookCrane,
-    Plant,
-    Rig,
-    Sensors,
-    Setpoints,
-    design_hook,
-)
+from segfmu.crane import Crane, Drive, Friction, Plant, Rig, Sensors, Setpoints
+from segfmu.crane.hook import HookController, HookCrane, design_hook
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.hook_crane.interface import spec

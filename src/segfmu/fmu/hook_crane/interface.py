@@ -70,7 +70,7 @@ def _outputs() -> list[Variable]:
 
 
 def _weights() -> list[Variable]:
-    """Of the feedback of measured signals: its sling, and what `segfmu.crane.HookWeights` has."""
+    """Of the feedback of measured signals: its sling, and what `HookWeights` has."""
     chosen = HookWeights()
     sling = parameter(
         "feedback.sling", 0.0, "m",

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, Field
 
 from segfmu.kernels.rig.records import Disturbance
 from segfmu.validation.files.controller_tables import ControllerTable
+from segfmu.validation.files.crane_models import ModelTables
 from segfmu.validation.files.equipment_tables import (
     DriveTable,
     FrictionTable,
@@ -34,7 +35,6 @@ from segfmu.validation.files.keys import (
     printable,
 )
 from segfmu.validation.files.wind_tables import WindTable
-from segfmu.validation.hook.tables import HookTable
 
 
 class LoadChange(Table):
@@ -64,8 +64,8 @@ class LoadTable(Table):
     ] = []
 
 
-class CraneFile(Table):
-    """A crane."""
+class CraneKeys(Table):
+    """What every crane has."""
 
     name: Annotated[
         Annotated[str, Field(max_length=100), AfterValidator(printable)],
@@ -109,8 +109,9 @@ class CraneFile(Table):
     friction: Annotated[FrictionTable, Key("friction")] = FrictionTable()
     sensors: Annotated[SensorTable, Key("sensors")] = SensorTable()
     load: Annotated[LoadTable, Key("the load")] = LoadTable()
-    hook: Annotated[
-        HookTable | None, Key("hook on the rope, from which the load hangs by a sling")
-    ] = None
     controller: Annotated[ControllerTable, Key("the sway feedback")] = ControllerTable()
     wind: Annotated[WindTable, Key("wind on the load")] = WindTable()
+
+
+class CraneFile(ModelTables, CraneKeys):
+    """A crane."""

@@ -1,19 +1,31 @@
-"""The crane models: a further one is an entry of `MODELS`, and its table a key of `CraneFile`."""
+"""The crane models: a further one is an entry of `FURTHER` with its table in `ModelTables`."""
 
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from segfmu.crane import Crane
 from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_model import GANTRY, CraneModel
+from segfmu.validation.files.keys import Key, Table
 from segfmu.validation.hook.model import HOOK
+from segfmu.validation.hook.tables import HookTable
 
 if TYPE_CHECKING:
     from segfmu.validation.files.crane_file import CraneFile
     from segfmu.validation.files.mission import Mission
+
+
+
+class ModelTables(Table):
+    """Tables of a crane file that make a crane one of a further model."""
+
+    hook: Annotated[
+        HookTable | None, Key("hook on the rope, from which the load hangs by a sling")
+    ] = None
+
 
 FURTHER = (HOOK,)
 MODELS = (GANTRY, *FURTHER)

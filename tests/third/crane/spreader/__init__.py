@@ -1,0 +1,5 @@
+"""A load with a spreader."""
+
+from segfmu.crane.spreader.model import SpreaderCrane
+
+__all__ = ["SpreaderCrane"]

@@ -1,0 +1,1 @@
+"""Planner and crane for a load with a spreader."""

@@ -1,0 +1,1 @@
+"""A load with a spreader."""
