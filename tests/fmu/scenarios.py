@@ -251,6 +251,21 @@ FEEDFORWARD["taken over"] = Scenario(
 )
 
 
+def trips(time: float) -> Values:
+    """All drives trip while the load moves."""
+    return {f"command.tripped.{drive}": time > 0.15 for drive in DRIVES}
+
+
+BRAKED: Values = {
+    "command.foresees": True,
+    **{f"drive.{drive}.acceleration_max": 0.9 for drive in DRIVES},
+    **{f"drive.{drive}.brake_deceleration": 0.5 for drive in DRIVES},
+}
+FEEDFORWARD["tripped"] = Scenario(
+    COMMANDED | {"command.mode": "velocity"} | BRAKED, 2.0 * TIMES, trips
+)
+
+
 # where a small change does nothing yet
 CHANGES: Values = {
     "limits.x.velocity": 0.4, "limits.z.velocity": 0.1, "limits.x.acceleration": 0.2,

@@ -1,6 +1,6 @@
 within Segfmu;
 partial model Coupled "GantryFeedforward and GantryCrane, connected by name"
-  GantryFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -450}, {200, 450}})));
+  GantryFeedforward feedforward annotation(Placement(transformation(origin = {-300, 0}, extent = {{-200, -470}, {200, 470}})));
   GantryCrane gantry annotation(Placement(transformation(origin = {300, 0}, extent = {{-200, -800}, {200, 800}})));
 equation
   connect(feedforward.force_bridge, gantry.force_bridge) annotation(Line(color = {0, 0, 127}));

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +29,7 @@ from segfmu.kernels.crane.records import DriveBounds, State
 from segfmu.kernels.crane.records import FlatInverse as Results
 from segfmu.kernels.operation.records import (
     Command,
+    DriveBrakes,
     Known,
     Operation,
     OperationMode,
@@ -102,6 +104,9 @@ class Operator:
         step tries others, and the plan before goes on.
     friction : Friction, optional
         Of the axes, which the forces of the drives have room for.
+    brakes : array_like, scalar or shape (3,), optional
+        Decelerations of the drives' brakes [m/s2], which stop a drive that trips; the drives'
+        greatest ones unless given.
 
     Raises
     ------
@@ -125,6 +130,7 @@ class Operator:
         hold: float = HOLD,
         tries: int = Tries.USUAL,
         friction: Friction = NONE,
+        brakes: ArrayLike | None = None,
     ) -> None:
         if isinstance(start, Trajectory):
             smoothness = start.smoothness
@@ -146,6 +152,11 @@ class Operator:
             [Waypoint(np.zeros(3))] * 2, limits, smoothness, shape, synchronize, None, None, None,
         ).problem.options
         known[Known.OPTIONS, : PlanOptions.SIZE] = asked.vector
+        if brakes is not None:
+            given_brakes = triple("brakes", brakes, alike=True)
+            if not (given_brakes > 0.0).all():
+                raise InputError(f"brakes must be decelerations > 0 m/s2, got {shown(brakes)}")
+            known[Known.BRAKES, : DriveBrakes.SIZE] = given_brakes
         self.crane = crane
         self._motion = OperatedMotion(limits.table(3, smoothness), known)
         self._masses = np.array(crane.masses)
@@ -291,10 +302,43 @@ class Operator:
         self._time = after
         return self.load
 
-    def _require_brakes(self, what: str) -> None:
-        accelerations = self._motion.known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX :]
-        for drive, bound in zip(DRIVES, accelerations, strict=False):
-            if not bound > 0.0:
+    def trip(self, *drives: str) -> None:
+        """Drives have tripped: from now on their brakes stop them, others stop as fast as they can.
+
+        No other command is followed until `reset`; then the first one but "mission" takes the
+        swing over.
+
+        Parameters
+        ----------
+        *drives : {"bridge", "trolley", "hoist"}
+
+        Raises
+        ------
+        InputError
+            For another name, and if the acceleration of a drive has no bound.
+        """
+        for drive in drives:
+            if drive not in DRIVES:
+                raise InputError(f"a drive is one of {', '.join(DRIVES)}, got {shown(drive)}")
+        self._require_brakes("a drive that trips", {*drives, *self.tripped})
+        for drive in drives:
+            self._motion.command[Command.TRIPPED + DRIVES.index(drive)] = 1.0
+
+    def reset(self) -> None:
+        """All drives work again."""
+        self._motion.command[Command.TRIPPED : Command.TRIPPED + len(DRIVES)] = 0.0
+
+    @property
+    def tripped(self) -> tuple[str, ...]:
+        """The drives that have tripped."""
+        rows = self._motion.command[Command.TRIPPED :]
+        return tuple(drive for drive, row in zip(DRIVES, rows, strict=False) if row)
+
+    def _require_brakes(self, what: str, tripped: Collection[str] = ()) -> None:
+        bounds = self._motion.known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX :]
+        brakes = self._motion.known[Known.BRAKES]
+        for drive, bound, brake in zip(DRIVES, bounds, brakes, strict=False):
+            if not bound > 0.0 and not (drive in tripped and brake > 0.0):
                 raise InputError(
                     f"{what} needs the greatest acceleration of each drive; that of the "
                     f"{drive} has no bound: give bounds=ActuatorBounds(acceleration=...)"
@@ -311,7 +355,7 @@ class Operator:
         InfeasibleError
             If no emergency stop keeps forces and powers of the drives.
         """
-        self._require_brakes("an emergency stop")
+        self._require_brakes("an emergency stop", self.tripped)
         found = self._motion.foresee(self._time)
         if found is None:
             raise InfeasibleError(

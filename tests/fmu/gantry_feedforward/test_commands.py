@@ -15,6 +15,8 @@ from segfmu.cosim import System
 from segfmu.fmu.build import build_all
 from segfmu.fmu.choice import Choice
 from segfmu.fmu.gantry_feedforward import interface
+from segfmu.kernels.crane.records import DRIVES
+from segfmu.kernels.operation.records import OperationStatus
 from segfmu.validation.pairs import with_arrays
 from tests.campaign import campaign
 from tests.compiler import require_native
@@ -312,3 +314,64 @@ def test_the_swing_behind_an_emergency_stop_is_taken_over(archive: Path) -> None
         rested += command["mode"] == "stop" and operator.time > operator.rests_at
     assert rested > 10
     np.testing.assert_allclose(operator.load[1], [-0.2, 0.1, 0.0], atol=1e-9)
+
+
+def test_a_drive_trips_as_that_of_the_operator(archive: Path) -> None:
+    moves = {"mode": "velocity", "velocity": [0.3, 0.2, 0.1], "target": [0.0] * 3, "scale": 1.0}
+    wanted = [moves] * 80 + [moves | {"mode": "stop"}] * 60
+    operator = LAB.operator(brakes=[0.3, 0.4, 1.2])
+    foreseen = ["plan.emergency.duration", "plan.emergency.sway"]
+    given = {f"drive.{d}.brake_deceleration": b
+             for d, b in zip(DRIVES, (0.3, 0.4, 1.2), strict=True)}
+    scale = np.vstack([np.ones(3), LAB.limits.table(3, 4).T[:4]])
+    with Importer(archive) as fmu:
+        fmu.set(given | {"command.foresees": True})
+        begun(fmu, LAB)
+        assert fmu.get(*foreseen).tolist() == [0.0, 0.0]
+        for i, command in enumerate(wanted):
+            if i == 20:
+                operator.trip("bridge")
+            if i == 24:
+                operator.trip("hoist")
+            if i == 70:
+                operator.reset()
+            fmu.set({f"command.tripped.{d}": d in operator.tripped for d in DRIVES})
+            row = follow(fmu, LAB, [command], i)[0]
+            operator.command(**command)
+            load = operator.step(LAB.step)
+            assert (np.abs(row[:15].reshape(5, 3) - load) <= 1e-8 * scale).all()
+            np.testing.assert_allclose(row[15:18], operator.setpoints[:3], rtol=1e-8, atol=1e-6)
+            told = operator.emergency
+            np.testing.assert_allclose(
+                fmu.get(*foreseen), [told.duration, told.sway], rtol=1e-7, atol=1e-9
+            )
+    assert operator.time > operator.rests_at
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_drive_trips_during_a_mission(native_fmus, fmi: int) -> None:
+    """No command was given before; without a bound of an acceleration it is a stop."""
+    for bound in (0.9, 0.0):
+        moves = {f"waypoint[2].position.{a}": p
+                 for a, p in zip("xyz", (0.5, 0.3, -0.4), strict=True)}
+        given = parameters(LAB) | moves | {"obstacle.count": 0} | {
+            f"drive.{d}.acceleration_max": bound for d in DRIVES
+        }
+        with Importer(native_fmus[fmi][0]) as fmu:
+            fmu.set(arrays(fmu, given))
+            fmu.initialise()
+            for i in range(200):
+                if i == 60:
+                    before = np.array(fmu.get("velocity.bridge"))
+                    fmu.set({"command.tripped.bridge": True})
+                fmu.step(i * LAB.step, LAB.step)
+                if i == 61:
+                    after = np.array(fmu.get("velocity.bridge"))
+            assert fmu.get("plan.emergency.sway").tolist() == [-1.0]
+            assert fmu.get(*[f"velocity.{d}" for d in DRIVES]) == pytest.approx([0.0] * 3, abs=1e-9)
+            assert fmu.get("reference.load.position.x")[0] < 0.49
+            drop = (before - after)[0] / (2.0 * LAB.step)
+            assert bool(drop == pytest.approx(0.9)) == (bound > 0.0)
+            read = fmu.fmu.getInt32 if fmu.three else fmu.fmu.getInteger
+            refused = read([fmu.variables["plan.refused"].valueReference])[0]
+            assert refused == (0 if bound else OperationStatus.DRIVES)

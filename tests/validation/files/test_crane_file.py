@@ -262,7 +262,9 @@ NOT_OF_MISSIONS = {
     **{
         name: "a matter of who operates the crane"
         for name in gantry_feedforward.spec().references
-        if name.startswith(("command.", "measured.")) or name == "limits.scale"
+        if name.startswith(("command.", "measured."))
+        or name == "limits.scale"
+        or name.endswith(".brake_deceleration")
     },
     **{
         name: "the mission has no obstacles"

@@ -17,11 +17,13 @@ from segfmu.kernels.limits.records import LimitRow, PlanLimits
 from segfmu.kernels.messages import READY, TAKEOVER
 from segfmu.kernels.operation.records import (
     Command,
+    DriveBrakes,
     Known,
     OperationMode,
     OperationStatus,
     ReadyFault,
     ReadyStatus,
+    Swing,
 )
 from segfmu.kernels.planner.records import Lower, PlanOptions
 from segfmu.planning import Trajectory
@@ -70,7 +72,7 @@ class Commands:
         known = self.motion.known
         for row, record in (
             (Known.CRANE, Resistance), (Known.ROPE, RopeBounds), (Known.BOUNDS, DriveBounds),
-            (Known.SPACE, Space), (Known.OPTIONS, PlanOptions),
+            (Known.BRAKES, DriveBrakes), (Known.SPACE, Space), (Known.OPTIONS, PlanOptions),
         ):
             record.fill(known[row], self._value)
         limits = filled(PlanLimits, self._value).reshape(3, -1)
@@ -83,11 +85,20 @@ class Commands:
         command = self.motion.command
         Command.fill(command, self._value)
         command[Command.LEAD] = self._value("setpoint.lead")
-        waits = command[Command.MODE] == OperationMode.MISSION and not command[Command.TAKE_OVER]
-        if not self.acts and waits:
-            return
-        self.acts = True
-        self.motion.operate(time, step)
+        asks = command[Command.TRIPPED : Command.MEASURED].any()
+        if self.acts or asks or command[Command.MODE] != OperationMode.MISSION:
+            self.acts = True
+            self.motion.operate(time, step)
+
+    def foresee(self, time: float) -> tuple[float, float]:
+        """What an emergency stop at a time of the plan's clock [s] would come to.
+
+        Time until the carriages stand [s], and sway from then on [rad]; -1: there is no such stop.
+        """
+        found = self.motion.foresee(time) if self._value("command.foresees") else None
+        if found is None:
+            return -1.0, -1.0
+        return float(found[Swing.STAND]), float(found[Swing.SWAY])
 
     @property
     def stops(self) -> float:

@@ -33,6 +33,7 @@ from segfmu.fmu.standard.spec import (
     parameter,
     triple_parameter,
 )
+from segfmu.kernels.crane.records import DRIVES
 from segfmu.kernels.operation.records import MEASURED, Tries
 
 __all__ = [
@@ -56,6 +57,21 @@ def _answers() -> list[Variable]:
             output(
                 f"plan.{name}", None, f"{meaning}; 0: taken, 1: reduced, 2: limits, 3: rope, 4: "
                 "workspace, 5: obstacle, 6: drives, 7: pending, 8: travel", kind="Integer",
+            )
+        )
+    for name, unit, meaning in (
+        ("duration", "s", "time until the carriages stand"),
+        ("sway", "rad", "largest angle between rope and vertical from then on"),
+    ):
+        rows.append(
+            Variable(
+                f"plan.emergency.{name}",
+                "Real",
+                "output",
+                "discrete",
+                f"what an emergency stop would come to, with command.foresees: {meaning}; -1: "
+                "there is none",
+                unit=unit,
             )
         )
     return rows
@@ -124,6 +140,24 @@ def _commands() -> list[Variable]:
             "one tries others", kind="Integer", minimum=1, maximum=Tries.MOST,
         ),
     ]
+    rows.append(
+        parameter(
+            "command.foresees", False, None, "each step tells what an emergency stop would come "
+            "to", kind="Boolean",
+        )
+    )
+    for drive in DRIVES:
+        rows += [
+            command(
+                f"command.tripped.{drive}", False, None, f"the {drive} drive has tripped: its "
+                "brake stops it, the others stop as fast as they can; while it is true, no other "
+                "command is followed", kind="Boolean",
+            ),
+            parameter(
+                f"drive.{drive}.brake_deceleration", 0.0, "m/s2", f"deceleration of the brake of "
+                f"the {drive} drive, when it trips; 0: the drive's greatest one", minimum=0.0,
+            ),
+        ]
     return rows + triple_parameter(
         "command.distance", 0.01, "m", "way of a push in the mode inching", minimum=0.0
     )

@@ -99,7 +99,14 @@ class FeedforwardSlave(SpecSlave):
         """Follow the command, and evaluate at the end of the step."""
         if self._commands is not None:
             self._commands.follow(time + self._ahead, step)
+        self._foresee(time + step)
         self._evaluate(time + step)
+
+    def _foresee(self, time: float) -> None:
+        """Tell what an emergency stop would come to."""
+        if self._commands is not None:
+            found = self._commands.foresee(time + self._ahead)
+            self.assign(("plan.emergency.duration", "plan.emergency.sway"), found)
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
         """Plan if the importer asks for outputs in initialisation mode."""
@@ -134,6 +141,7 @@ class FeedforwardSlave(SpecSlave):
         if self.value("command.enabled"):
             self._commands = Commands(self.value, trajectory, self._begin)
         self.assign(("plan.duration",), (trajectory.duration,))
+        self._foresee(self.start_time)
         self._evaluate(self.start_time)
         self._planned = True
 

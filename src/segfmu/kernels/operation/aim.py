@@ -26,6 +26,21 @@ def least_scale() -> float:
     return 1e-3
 
 
+def has_tripped(command: 'float[:]') -> bool:
+    """Whether a drive has tripped."""
+    for drive in range(3):
+        if command[Command.TRIPPED + drive] > 0.5:
+            return True
+    return False
+
+
+def wanted_mode(command: 'float[:]') -> int:
+    """The mode that is followed: an emergency stop as long as a drive has tripped."""
+    if has_tripped(command):
+        return OperationMode.EMERGENCY
+    return int(command[Command.MODE])
+
+
 def write_aim(
     operation: 'float[:,:]', limits: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]',
@@ -35,7 +50,7 @@ def write_aim(
     The present plan tells where a push of INCHING begins.
     """
     command = operation[Operation.COMMAND, :]
-    mode = int(command[Command.MODE])
+    mode = wanted_mode(command)
     scale = command[Command.SCALE]
     if not scale >= least_scale():
         scale = 0.0

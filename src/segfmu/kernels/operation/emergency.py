@@ -1,18 +1,21 @@
 """Emergency stops: the carriages stop as fast as their drives can, and the load swings on.
 
 Each carriage brakes at the bound of its drive's acceleration. Where forces or powers of the drives,
-or the pull of the rope, do not allow that, all brake with the same share of it.
+or the pull of the rope, do not allow that, all brake with the same share of it. A drive that has
+tripped is stopped by its brake instead, whose force has no bound.
 """
 
 from segfmu.kernels.crane._crane import crane_flat_inverse
-from segfmu.kernels.crane.records import Demand, DriveBounds, Masses, State
+from segfmu.kernels.crane.records import Demand, Masses, State
 from segfmu.kernels.crane.uses import bound_magnitude
 from segfmu.kernels.operation.plans import note_present
 from segfmu.kernels.operation.records import (
     Command,
+    DriveBrakes,
     FlatOrder,
     Known,
     Operation,
+    OperationStatus,
     OperationWork,
     Progress,
     Swing,
@@ -37,10 +40,24 @@ def plan_emergency(
 
     False if a drive has no bound of its acceleration, or if no share of it keeps the other bounds.
     """
-    for drive in range(3):
-        if not known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX + drive] > 0.0:
-            return False
     note_swing(operation, known, work)
+    note_trips(operation)
+    return plan_brakes(operation, known, work)
+
+
+def note_trips(operation: 'float[:,:]') -> None:
+    """Note in SWING which drives have tripped."""
+    for drive in range(3):
+        operation[Operation.SWING, Swing.TRIPPED + drive] = operation[
+            Operation.COMMAND, Command.TRIPPED + drive
+        ]
+
+
+def plan_brakes(operation: 'float[:,:]', known: 'float[:,:]', work: 'float[:,:]') -> bool:
+    """The same from the state in SWING."""
+    for drive in range(3):
+        if not least_brake(drive, operation[Operation.SWING, :], known) > 0.0:
+            return False
     if brakes_with(1.0, operation, known, work):
         return True
     kept = 0.0
@@ -126,11 +143,27 @@ def set_brakes(share: float, swing: 'float[:]', known: 'float[:,:]') -> None:
             side = 0
             if velocity > 0.0:
                 side = 1
-            most = share * bound_magnitude(
-                Demand.ACCELERATION + axis, side, known[Known.BOUNDS, :]
-            )
+            most = brake_of(axis, side, share, swing, known)
             swing[Swing.LEFT + axis] = abs(velocity) / most
             swing[Swing.ACCELERATION + axis] = (1.0 - 2.0 * side) * most
+
+
+def brake_of(
+    drive: int, side: int, share: float, swing: 'float[:]', known: 'float[:,:]'
+) -> float:
+    """Deceleration [m/s2] of a drive towards a side, with a share of its bound, or of its brake."""
+    most = bound_magnitude(Demand.ACCELERATION + drive, side, known[Known.BOUNDS, :])
+    if swing[Swing.TRIPPED + drive] > 0.5:
+        own = known[Known.BRAKES, DriveBrakes.DECELERATION + drive]
+        if own > 0.0:
+            return own
+        return most
+    return share * most
+
+
+def least_brake(drive: int, swing: 'float[:]', known: 'float[:,:]') -> float:
+    """The least deceleration of a drive [m/s2]; 0 if it has no bound."""
+    return min(brake_of(drive, 0, 1.0, swing, known), brake_of(drive, 1, 1.0, swing, known))
 
 
 def is_bearable(swing: 'float[:]', known: 'float[:,:]', work: 'float[:,:]') -> bool:
@@ -158,6 +191,8 @@ def is_bearable(swing: 'float[:]', known: 'float[:,:]', work: 'float[:,:]') -> b
             )
     invert_flat(known, work)
     for drive in range(3):
+        if swing[Swing.TRIPPED + drive] > 0.5:
+            continue
         force = work[OperationWork.FORCE, drive]
         power = force * swing[Swing.VELOCITY + drive]
         if not is_inside(force, Demand.FORCE + drive, known):
@@ -184,6 +219,7 @@ def begin_emergency(
     gravity = known[Known.CRANE, Masses.GRAVITY]
     swing = operation[Operation.SWING, :]
     if not plan_emergency(operation, known, work):
+        operation[Operation.PROGRESS, Progress.REFUSED] = OperationStatus.DRIVES
         return False
     # a load that rests needs no motion
     if swing[Swing.STAND] == 0.0 and swing[Swing.SWAY] < 1e-9:

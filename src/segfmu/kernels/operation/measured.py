@@ -4,6 +4,7 @@ from math import cos, sin
 
 from segfmu.kernels.crane.records import Masses, State
 from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.operation.aim import wanted_mode
 from segfmu.kernels.operation.records import (
     Command,
     Known,
@@ -27,7 +28,7 @@ def takes_measured(
     """
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
-    if int(command[Command.MODE]) == OperationMode.EMERGENCY:
+    if wanted_mode(command) == OperationMode.EMERGENCY:
         return False
     if not command[Command.TAKE_OVER] > 0.5:
         progress[Progress.TAKES] = 0.0

@@ -6,7 +6,7 @@ Nothing else is ever followed. Work spaces are cleared before they are used, so 
 commands give the same plans after a state was restored.
 """
 
-from segfmu.kernels.operation.aim import is_aim, write_aim
+from segfmu.kernels.operation.aim import is_aim, wanted_mode, write_aim
 from segfmu.kernels.operation.attempts import (
     first_stop,
     is_worth,
@@ -31,6 +31,7 @@ from segfmu.kernels.operation.records import (
 )
 from segfmu.kernels.operation.takeover import calm_on, is_calming, take_over, wants_calm
 from segfmu.kernels.operation.target import seek_target
+from segfmu.kernels.operation.tripping import brake_anew, trips
 from segfmu.kernels.operation.velocity import holds_long_enough, prolong_holds, seek_velocity
 
 
@@ -58,11 +59,13 @@ def operate(
     """
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
-    mode = int(command[Command.MODE])
+    mode = wanted_mode(command)
     elapsed = command[Command.TIME] - progress[Progress.BEGIN]
     if takes_measured(operation, known, timing, coefficients, offsets, work, stack):
         return True
     if operation[Operation.SWING, Swing.ACTIVE] > 0.5:
+        if trips(operation):
+            return brake_anew(elapsed, operation, known, timing, coefficients, offsets, work)
         if not wants_calm(operation):
             return prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work)
         take_over(elapsed, operation, known, timing, coefficients, offsets, work, stack)

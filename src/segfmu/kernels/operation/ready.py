@@ -3,6 +3,7 @@
 from segfmu.kernels.crane.friction import rubs
 from segfmu.kernels.crane.records import Compensation
 from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.operation.aim import wanted_mode
 from segfmu.kernels.operation.records import (
     Command,
     HeldVelocity,
@@ -44,7 +45,7 @@ def next_operation(operation: 'float[:,:]') -> float:
     command = operation[Operation.COMMAND, :]
     progress = operation[Operation.PROGRESS, :]
     swing = operation[Operation.SWING, :]
-    mode = int(command[Command.MODE])
+    mode = wanted_mode(command)
     if swing[Swing.ACTIVE] > 0.5:
         uncovered = progress[Progress.BEGIN] + swing[Swing.COVERED] - 0.5 * command[Command.HOLD]
         if mode == OperationMode.EMERGENCY or mode == OperationMode.MISSION:

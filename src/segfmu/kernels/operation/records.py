@@ -2,6 +2,7 @@
 
 from segfmu.kernels.clearance.records import Box, ObstacleRow, Space, SpaceFault, SpaceLimits
 from segfmu.kernels.crane.records import (
+    DRIVES,
     Axes,
     Coordinates,
     Demand,
@@ -35,7 +36,8 @@ class OperationMode(Codes):
     """What the load does.
 
     MISSION: follows the plan that it has. INCHING: moves by a distance with each push. EMERGENCY:
-    the carriages stop as fast as their drives can, and the load swings on.
+    the carriages stop as fast as their drives can, and the load swings on; so they do while a drive
+    has tripped.
     """
 
     MISSION = 0
@@ -117,6 +119,11 @@ class Command(Record):
         "plans that are tried in a step at most, one at least", variables=("command.tries",)
     )
     LEAD = field("how much later than the measured state the present time is", "s")
+    TRIPPED = field(
+        "1: the drive has tripped, its brake stops it",
+        size=3,
+        variables=[f"command.tripped.{d}" for d in DRIVES],
+    )
     TAKE_OVER = field(
         "1: begin in the measured state, when it was 0 before", variables=("command.take_over",)
     )
@@ -125,6 +132,17 @@ class Command(Record):
         "m, rad, m/s, rad/s",
         size=State.SIZE,
         variables=[f"measured.{name}" for name in MEASURED],
+    )
+
+
+class DriveBrakes(Record):
+    """What stops a drive that has tripped."""
+
+    DECELERATION = field(
+        "deceleration of the brake, 0: the drive's greatest one",
+        "m/s2",
+        size=3,
+        variables=[f"drive.{d}.brake_deceleration" for d in DRIVES],
     )
 
 
@@ -170,7 +188,7 @@ class Motion(Record):
 class Swing(Record):
     """Carriages of known accelerations, and the load that swings below them.
 
-    ACTIVE, COVERED, LEFT, STAND and SWAY are of an emergency stop.
+    ACTIVE, COVERED, LEFT, STAND, SWAY and TRIPPED are of an emergency stop.
     """
 
     ACTIVE = field("1: it is the present motion")
@@ -185,6 +203,7 @@ class Swing(Record):
     RATE = field("its rate", "m/s", size=3)
     STAND = field("time from the stop's start until all rest", "s")
     SWAY = field("largest angle between rope and vertical from then on", "rad")
+    TRIPPED = field("1: the brake of this drive is at work, as it has tripped", size=3)
     CALM = field("when the load rests whose swing has been taken over", "s")
 
 
@@ -242,6 +261,7 @@ class Known(Record):
     CRANE = field("masses, gravity and friction", of=Resistance)
     ROPE = field("its range", of=RopeBounds)
     BOUNDS = field("of the drives", of=DriveBounds)
+    BRAKES = field("of the drives", of=DriveBrakes)
     SPACE = field("of the load", of=Space)
     OPTIONS = field("how targets are planned", of=PlanOptions)
     LOWER = field("by axis: limits in the negative direction", size=3, of=Lower)

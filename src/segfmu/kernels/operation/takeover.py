@@ -4,7 +4,7 @@ While the load comes to rest, an aim is a target of which the scale is 1, or jus
 """
 
 from segfmu.kernels.crane.records import Masses
-from segfmu.kernels.operation.aim import is_aim, write_target
+from segfmu.kernels.operation.aim import is_aim, wanted_mode, write_target
 from segfmu.kernels.operation.calming import plan_calm
 from segfmu.kernels.operation.controlled import set_knot
 from segfmu.kernels.operation.emergency import cover_swing, note_swing
@@ -34,7 +34,7 @@ def is_calming(operation: 'float[:,:]') -> bool:
 def note_calming(operation: 'float[:,:]') -> None:
     """Note what a command comes to until the load rests: what is asked, or just to rest."""
     progress = operation[Operation.PROGRESS, :]
-    mode = int(operation[Operation.COMMAND, Command.MODE])
+    mode = wanted_mode(operation[Operation.COMMAND, :])
     progress[Progress.STATUS] = OperationStatus.REDUCED
     if mode == OperationMode.STOP or (
         mode == OperationMode.TARGET and not aims_elsewhere(operation)
@@ -45,7 +45,7 @@ def note_calming(operation: 'float[:,:]') -> None:
 def wants_calm(operation: 'float[:,:]') -> bool:
     """Whether a command asks to take the swing behind an emergency stop over, now."""
     command = operation[Operation.COMMAND, :]
-    mode = int(command[Command.MODE])
+    mode = wanted_mode(command)
     if mode == OperationMode.EMERGENCY or mode == OperationMode.MISSION:
         return False
     return command[Command.TIME] >= next_calm(operation)

@@ -79,6 +79,7 @@ static void fill_known(const feedforward *m, operation_arrays *a)
     feed_record(&feeds_resistance, &m->base, row_of(&a->known, KNOWN_CRANE));
     feed_record(&feeds_rope_bounds, &m->base, row_of(&a->known, KNOWN_ROPE));
     feed_record(&feeds_drive_bounds, &m->base, row_of(&a->known, KNOWN_BOUNDS));
+    feed_record(&feeds_drive_brakes, &m->base, row_of(&a->known, KNOWN_BRAKES));
     feed_record(&feeds_space, &m->base, row_of(&a->known, KNOWN_SPACE));
     feed_record(&feeds_plan_options, &m->base, row_of(&a->known, KNOWN_OPTIONS));
     feed_record(&feeds_plan_limits, &m->base, limits);
@@ -105,6 +106,21 @@ static void note_answer(feedforward *m, const operation_arrays *a)
     }
     m->base.integer[V_PLAN_STATUS] = (int64_t)progress[PROGRESS_STATUS];
     m->base.integer[V_PLAN_REFUSED] = (int64_t)progress[PROGRESS_REFUSED];
+}
+
+/* What an emergency stop at a time [s] would come to, if the user wants to know. */
+static void foresee(feedforward *m, operation_arrays *a, double time)
+{
+    double *swing = row_of(&a->operation, OPERATION_SWING);
+    bool found = false;
+    if (m->base.integer[V_COMMAND_FORESEES]) {
+        row_of(&a->operation, OPERATION_COMMAND)[COMMAND_TIME] = time;
+        fill_known(m, a);
+        found = segfmu_foresee_emergency(a->operation, a->known, a->timing, a->coefficients,
+                                         a->offsets, a->work);
+    }
+    m->base.real[V_PLAN_EMERGENCY_DURATION] = found ? swing[SWING_STAND] : -1.0;
+    m->base.real[V_PLAN_EMERGENCY_SWAY] = found ? swing[SWING_SWAY] : -1.0;
 }
 
 /* Begin in the measured state instead of with the plan; false with a message where that cannot be. */
@@ -147,7 +163,22 @@ bool begin_commands(feedforward *m, char message[MESSAGE])
     memcpy(a.offsets.data, plan.offsets, SLOT_OFFSETS * sizeof *plan.offsets);
     segfmu_begin_operation(feedforward_start(m), a.operation);
     m->operates = 1;
-    return !m->base.integer[V_COMMAND_TAKE_OVER] || begin_measured(m, &a, message);
+    if (m->base.integer[V_COMMAND_TAKE_OVER] && !begin_measured(m, &a, message)) {
+        return false;
+    }
+    foresee(m, &a, m->base.real[V_TIME] + ahead_of(m));
+    return true;
+}
+
+/* Whether a command asks for anything but the plan that there is. */
+static bool asks(const double command[COMMAND_SIZE])
+{
+    for (int i = COMMAND_TRIPPED; i < COMMAND_MEASURED; i++) {
+        if (command[i] != 0.0) {
+            return true;
+        }
+    }
+    return command[COMMAND_MODE] != OPERATION_MODE_MISSION;
 }
 
 void follow_command(feedforward *m, double step, char message[MESSAGE])
@@ -159,15 +190,15 @@ void follow_command(feedforward *m, double step, char message[MESSAGE])
     command[COMMAND_TIME] = m->base.real[V_TIME] + ahead_of(m);
     command[COMMAND_STEP] = step;
     command[COMMAND_LEAD] = m->base.real[V_SETPOINT_LEAD];
-    if (!m->operating && command[COMMAND_MODE] == OPERATION_MODE_MISSION
-        && command[COMMAND_TAKE_OVER] == 0.0) {
-        return;
+    const double time = command[COMMAND_TIME] + step;
+    if (m->operating || asks(command)) {
+        m->operating = 1;
+        fill_known(m, &a);
+        segfmu_operate(a.operation, a.limits, a.known, a.timing, a.coefficients, a.offsets, a.states,
+                       a.cells, a.lead, a.work, a.stack);
+        note_answer(m, &a);
     }
-    m->operating = 1;
-    fill_known(m, &a);
-    segfmu_operate(a.operation, a.limits, a.known, a.timing, a.coefficients, a.offsets, a.states,
-                   a.cells, a.lead, a.work, a.stack);
-    note_answer(m, &a);
+    foresee(m, &a, time);
 }
 
 double operation_begin(const feedforward *m)
