@@ -6,7 +6,6 @@ GantryFeedforward, and wind.* of GantryCrane.
 
 from __future__ import annotations
 
-import csv
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +23,7 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.standard.spec import started
 from segfmu.kernels.crane.records import DRIVES
+from segfmu.validation.files.recording import load_recording
 
 FloatArray = NDArray[np.float64]
 FOLDER = Path(__file__).parents[1] / "models" / "commands"
@@ -64,13 +64,10 @@ class Row:
 
 def read(path: Path) -> list[Row]:
     """The rows of a recording."""
-    with path.open(newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+    found = load_recording(path)
     return [
-        Row(float(row.pop("time")), {
-            n: v if n == "command.mode" else float(v) for n, v in row.items()
-        })
-        for row in rows
+        Row(time, {name: column[i] for name, column in found.columns.items()})
+        for i, time in enumerate(found.times)
     ]
 
 

@@ -139,6 +139,12 @@ def simulate(
     step: Annotated[
         float | None, typer.Option(help="Communication step [s]; default: the mission's.")
     ] = None,
+    commands: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Recording (CSV) of an operator's commands, which are followed."
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Build the FMUs, co-simulate a mission, write and judge the results."""
@@ -148,7 +154,9 @@ def simulate(
 
     require_folder(output, *RUN_FILES)
     with on_stderr(), watched() as progress:
-        run = runs.simulate(mission, step=step, output=output, progress=progress)
+        run = runs.simulate(
+            mission, step=step, commands=commands, output=output, progress=progress
+        )
     target = Path(output)
     left_out = run.to_csv(target / "run.csv")
     save(run.plot(), target / "run.png")

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.cosim.change import Change
 from segfmu.cosim.points import communication_points
 from segfmu.cosim.schedule import Coupling
 from segfmu.cosim.system import Engine, System
@@ -23,6 +24,7 @@ def simulate(
     start_time: float = 0.0,
     source_values: Mapping[str, Any] | None = None,
     sink_values: Mapping[str, Any] | None = None,
+    changes: Iterable[Change] = (),
     coupling: Coupling | None = None,
     events: bool = True,
     engine: Engine = "auto",
@@ -40,6 +42,8 @@ def simulate(
     source_values, sink_values : mapping of str to number or str
         Parameters, start values and constant inputs; enumerations by the name of an item; arrays
         of FMI 3.0 after their sizes.
+    changes : iterable of Change
+        New values during the run; FMUs are called as the names of their models.
     coupling, events, engine
         As of `System`.
     progress : callable
@@ -65,5 +69,5 @@ def simulate(
         first, second = system.names
         return system.run(
             {first: source_values or {}, second: sink_values or {}}, start_time=start_time,
-            stop_time=stop_time, progress=progress,
+            stop_time=stop_time, changes=changes, progress=progress,
         )

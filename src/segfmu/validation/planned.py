@@ -84,8 +84,8 @@ def unknown_wind(task: Mission) -> str:
     )
 
 
-def require_memory(task: Mission, trajectory: Trajectory) -> None:
-    """Refuse missions whose results would not fit in memory.
+def require_memory(task: Mission, arrival: float) -> None:
+    """Refuse missions whose results would not fit in memory; arrival: of the load [s].
 
     Raises
     ------
@@ -94,6 +94,6 @@ def require_memory(task: Mission, trajectory: Trajectory) -> None:
     """
     settings = task.simulation
     try:
-        require_steps(trajectory.duration + settings.settle, settings.step)
+        require_steps(arrival + settings.settle, settings.step)
     except InputError as error:
         raise InputError(f"simulation.step: {error} (settle, dwell, limits)") from None

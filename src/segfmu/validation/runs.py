@@ -21,7 +21,9 @@ from segfmu.planning import Trajectory
 from segfmu.planning.arrays import FloatArray, finite_number
 from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
+from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.mission import Mission, Source, load_mission
+from segfmu.validation.files.recording import load_recording
 from segfmu.validation.frames import frame
 from segfmu.validation.output import about, file_path, folder, note, stride, thinned
 from segfmu.validation.planned import (
@@ -31,7 +33,7 @@ from segfmu.validation.planned import (
     unknown_wind,
 )
 from segfmu.validation.progress import Progress, quiet
-from segfmu.validation.scenario import ending, run
+from segfmu.validation.scenario import arrival, run
 from segfmu.validation.units import signal_units
 
 if TYPE_CHECKING:
@@ -169,6 +171,7 @@ def simulate(
     mission: Source,
     *,
     step: float | None = None,
+    commands: str | Path | None = None,
     output: str | Path | None = None,
     progress: Progress = quiet,
 ) -> Run:
@@ -180,6 +183,10 @@ def simulate(
         As of `load_mission`.
     step : float, optional
         Communication step [s]; by default the mission's.
+    commands : path, optional
+        Recording of an operator's commands, which the planner follows: a CSV file with a column
+        time [s], and columns of variables of both FMUs, whose rows are held. The load is to be at
+        rest after its last row.
     output : path, optional
         Folder that keeps the FMUs.
     progress : callable
@@ -218,22 +225,35 @@ def simulate(
     if step is not None:
         simulation = task.simulation.model_copy(update={"step": step})
         task = task.model_copy(update={"simulation": simulation})
+    recording = None if commands is None else load_recording(Path(commands))
+    if recording is not None:
+        with about(task.file):
+            require_gantry(task.build_crane(), "commands")
     with about(task.file):
         trajectory = planned(task, progress)
-        require_memory(task, trajectory)
-        stride(task, trajectory.duration + task.simulation.settle)
+        ends = arrival(task, trajectory, recording)
+        require_memory(task, ends)
+        stride(task, ends + task.simulation.settle)
     with ExitStack() as stack:
         place = stack.enter_context(work_folder()) if output is None else folder(output)
         archives = for_simulation(task, trajectory, place, progress)
         rows = run(
             task, archives.feedforward, archives.crane, trajectory,
-            lambda share: progress("co-simulating", share),
+            lambda share: progress("co-simulating", share), recording,
         )
     rows.flags.writeable = False
+    if recording is not None:
+        ends = max(ends, _rests(rows))
     settings = task.simulation
     found = judge(
-        rows, ending(task, trajectory), settings.tracking_tolerance, settings.sway_tolerance,
+        rows, ends, settings.tracking_tolerance, settings.sway_tolerance,
         task.build_bounds(),
     )
     notes = archives.note, sticking(task, trajectory), unknown_wind(task)
     return Run(task, trajectory, rows, found, tuple(filter(None, notes)))
+
+
+def _rests(rows: NDArray[np.void]) -> float:
+    """Time from which on nothing is planned any more [s]."""
+    moving = np.flatnonzero(~rows["plan.done"].astype(bool))
+    return float(rows["time"][min(moving[-1] + 1, rows.size - 1)]) if moving.size else 0.0

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.cosim import simulate
+from segfmu.cosim import Change, simulate
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.fmu.feedforward.interface import FAR, WAYPOINTS
@@ -26,6 +26,7 @@ from segfmu.validation.files.crane_models import model_of, table_of
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.objects import LIMITS
+from segfmu.validation.files.recording import Recording
 
 QUANTITIES = ("position", "velocity", "acceleration")
 # of which these may be free
@@ -71,6 +72,13 @@ def ending(mission: Mission, trajectory: Trajectory) -> float:
     """Time at which the motion ends [s]: it begins when the longest dead time has passed."""
     drives = (mission.crane.bridge, mission.crane.trolley, mission.crane.hoist)
     return trajectory.duration + max(drive.dead_time or 0.0 for drive in drives)
+
+
+def arrival(
+    mission: Mission, trajectory: Trajectory, recording: Recording | None = None
+) -> float:
+    """Time from which on the load is to be at rest [s]: not before the last row of a recording."""
+    return max(ending(mission, trajectory), 0.0 if recording is None else recording.end)
 
 
 def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, float | str]:
@@ -203,17 +211,28 @@ def run(
     crane: Path,
     trajectory: Trajectory,
     progress: Callable[[float], None] = lambda _: None,
+    recording: Recording | None = None,
 ) -> NDArray[np.void]:
-    """Co-simulate a mission for the duration of its trajectory plus the settling time."""
+    """Co-simulate a mission for the duration of its trajectory plus the settling time.
+
+    With a recording, until its last row is settled.
+    """
+    changes: list[Change] = []
+    enabled: dict[str, bool] = {}
+    if recording is not None:
+        names = {spec.name: tuple(spec.references) for spec in specs(mission, trajectory)}
+        changes = list(recording.changes(names))
+        enabled = {"command.enabled": True} if recording.commands else {}
     return simulate(
         feedforward,
         crane,
-        stop_time=ending(mission, trajectory) + mission.simulation.settle,
+        stop_time=arrival(mission, trajectory, recording) + mission.simulation.settle,
         step=mission.simulation.step,
-        source_values=feedforward_values(mission, trajectory),
+        source_values=feedforward_values(mission, trajectory) | enabled,
         # weights are those of the build
         sink_values={
             n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
         },
+        changes=changes,
         progress=progress,
     )

@@ -20,7 +20,7 @@ from segfmu.validation.baselines.methods import course, position_gains
 from segfmu.validation.files.crane_parameters import models
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.scenario_file import Scenario
-from segfmu.validation.files.scenario_tables import moment, moments
+from segfmu.validation.files.scenario_tables import CRANE, moment, moments
 from segfmu.validation.kept import Kept
 from segfmu.validation.monitor import Finding, judge
 from segfmu.validation.pairs import Pairs, with_arrays, without_starts
@@ -31,7 +31,7 @@ from segfmu.validation.scenario import (
     feedforward_values,
 )
 
-LEAD = "setpoint.lead"
+LEAD, ENABLED = "setpoint.lead", "command.enabled"
 # control of positions knows no disturbances
 NO_REJECTION = {
     "feedback.design": "lqr", "feedback.rejection.carriage": 0.0, "feedback.rejection.load": 0.0,
@@ -172,6 +172,7 @@ class Runner:
         end = ending(mission, trajectory)
         if own is not None:
             end = own.duration + max(own.dead_time)
+        end = max(end, *(r.end for r in scenario.recordings if r is not None), 0.0)
         return {"start": 0.0, "arrival": end, "end": end + mission.simulation.settle}
 
     def _course(self, scenario: Scenario) -> Course | None:
@@ -189,9 +190,22 @@ class Runner:
             times = communication_points(0.0, known["end"], scenario.mission.simulation.step)
             found += inputs(own, models(scenario.mission.crane).crane, times)
         found += [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
-        for p in file.profiles:
-            found += profile(p.fmu, p.variable, moments(p.times, known), p.values)
+        for p, recording in zip(file.profiles, scenario.recordings, strict=True):
+            if recording is not None:
+                owners = self._interfaces(scenario)
+                if p.fmu is not None:
+                    owners = {p.fmu: tuple(recording.columns)}
+                found += recording.changes(owners)
+            elif p.variable is not None:
+                instants = moments(p.times, known)
+                found += profile(p.fmu or CRANE, p.variable, instants, p.values)
         return found
+
+    def _interfaces(self, scenario: Scenario) -> dict[str, tuple[str, ...]]:
+        """Names of the variables of both FMUs."""
+        mission, fmi = scenario.mission, scenario.file.fmi
+        pair = self._pairs.get(mission, self._plan(mission), fmi)
+        return {spec.name: tuple(spec.references) for spec in pair.interfaces}
 
     def _findings(
         self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float], rows: Rows
@@ -240,6 +254,8 @@ class Runner:
             own.feedforward: source | lead, own.crane: sink | lead,
             **{unit.name: dict(unit.values) for unit in file.fmus},
         }
+        if any(r is not None and r.commands for r in scenario.recordings):
+            values[own.feedforward][ENABLED] = True
         if file.method != "feedforward":
             del values[own.feedforward]
         for fmu, given in file.parameters.items():
@@ -290,6 +306,7 @@ def _undisturbed(scenario: Scenario) -> Scenario:
     return replace(
         scenario,
         file=scenario.file.model_copy(update={"events": [], "profiles": [], "parameters": {}}),
+        recordings=(),
         mission=scenario.mission.model_copy(
             update={"true_crane": None, "simulation": simulation}
         ),

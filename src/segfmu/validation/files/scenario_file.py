@@ -8,9 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
+from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission import Mission, build_mission, read_mission
 from segfmu.validation.files.reading import checked, merged, read
+from segfmu.validation.files.recording import Recording, load_recording
 from segfmu.validation.files.scenario_tables import ScenarioFile
 
 # keys whose lists are merged by the names of their tables
@@ -31,11 +33,14 @@ class Scenario:
         With what it inherits.
     mission : Mission
         With the scenario's changes.
+    recordings : tuple of Recording or None
+        By profile; None for one without a file.
     """
 
     path: Path
     file: ScenarioFile
     mission: Mission
+    recordings: tuple[Recording | None, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +117,12 @@ def build_scenario(source: Source, changes: Mapping[str, Any] | None = None) -> 
     for unit in file.fmus:
         if not Path(unit.path).is_file():
             raise InputError(f"{path}: fmus: {unit.path} of {unit.name} is no file")
-    return Scenario(path, file, mission)
+    recordings = tuple(
+        None if p.file is None else load_recording(Path(p.file)) for p in file.profiles
+    )
+    if any(r is not None and r.commands for r in recordings):
+        require_gantry(mission.build_crane(), "commands")
+    return Scenario(path, file, mission, recordings)
 
 
 def find(paths: Iterable[Path]) -> list[Path]:
@@ -190,7 +200,9 @@ def located(path: Path, data: Mapping[str, Any]) -> dict[str, Any]:
         return {**table, key: str(path.parent / name)}
 
     found: dict[str, Any] = place(dict(data), "mission")
-    for kind, key, ending in (("fmus", "path", ""), ("criteria", "reference", ".csv")):
+    for kind, key, ending in (
+        ("fmus", "path", ""), ("criteria", "reference", ".csv"), ("profiles", "file", ""),
+    ):
         if isinstance(found.get(kind), list):
             found = {**found, kind: [place(entry, key, ending) for entry in found[kind]]}
     return found

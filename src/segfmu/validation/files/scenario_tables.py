@@ -89,15 +89,40 @@ class EventTable(Table):
 
 
 class ProfileTable(Table):
-    """Samples that a variable follows, each held until the next one."""
+    """Samples that variables follow, each held until the next one."""
 
-    fmu: Annotated[Name, Key("whose variable")] = CRANE
-    variable: Annotated[Name, Key("an input that is not connected, or a tunable parameter")]
-    times: Annotated[list[Instant], Key("of the samples", "s"), Field(min_length=1)]
-    values: Annotated[list[Number], Key("samples"), Field(min_length=1)]
+    fmu: Annotated[
+        Name | None,
+        Key("whose variables", default="GantryCrane; of a file the FMU that has the variable"),
+    ] = None
+    variable: Annotated[
+        Name | None,
+        Key("an input that is not connected, or a tunable parameter",
+            default="required without a file"),
+    ] = None
+    times: Annotated[
+        list[Instant], Key("of the samples", "s", default="required without a file")
+    ] = []
+    values: Annotated[
+        list[Annotated[Any, BeforeValidator(scalar)]],
+        Key("samples", default="required without a file"),
+    ] = []
+    file: Annotated[
+        Name | None,
+        Key("a CSV file in place of these: a column time in s, the others are variables; with "
+            "commands of an operator these are followed, and arrival is not before its last row",
+            default="none"),
+    ] = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        own = self.variable is not None, bool(self.times), bool(self.values)
+        if self.file is not None:
+            if any(own):
+                raise ValueError("has a file, and variable, times or values beside it")
+            return self
+        if not all(own):
+            raise ValueError("needs variable, times and values, or a file")
         if len(self.times) != len(self.values):
             raise ValueError(f"has {len(self.times)} times but {len(self.values)} values")
         moments(self.times, {"start": 0.0, "arrival": nan, "end": nan})

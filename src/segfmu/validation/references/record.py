@@ -68,7 +68,7 @@ def record(
     """
     settings = task.simulation
     stop, step = ending(task, trajectory) + settings.settle, settings.step
-    require_memory(task, trajectory)
+    require_memory(task, trajectory.duration)
     with System(archives, step=step) as system:
         rows = system.run(stop_time=stop, progress=lambda share: progress("co-simulating", share))
         connections = list(system.connections)

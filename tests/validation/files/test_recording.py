@@ -1,0 +1,70 @@
+"""Recordings: what a CSV file has to be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from segfmu.cosim import Change
+from segfmu.errors import InputError
+from segfmu.validation.files.recording import load_recording
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "r.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_row_is_held_and_only_what_changes_is_set(tmp_path: Path) -> None:
+    found = load_recording(written(
+        tmp_path, "time, command.mode,wind.x,command.go\n0,velocity,0.0,true\n1.5,velocity,2,True\n"
+        "\n2,stop,2.0,false\n",
+    ))
+    assert (found.times, found.end, found.commands) == ((0.0, 1.5, 2.0), 2.0, True)
+    variables = {"planner": ("command.mode", "command.go"), "crane": ("wind.x",)}
+    assert list(found.changes(variables)) == [
+        Change(0.0, "planner", {"command.mode": "velocity", "command.go": True}),
+        Change(2.0, "planner", {"command.mode": "stop", "command.go": False}),
+        Change(0.0, "crane", {"wind.x": 0.0}), Change(1.5, "crane", {"wind.x": 2.0}),
+    ]
+    with pytest.raises(InputError, match=r"r\.csv: column wind\.x is no variable of planner"):
+        list(found.changes({"planner": variables["planner"]}))
+
+
+WRONG = {
+    "": "no table of commas and rows",
+    "wind.x\n0\n": "has no column time",
+    "time\n0\n": "has no column beside time",
+    "time,a,a\n0,1,2\n": "two columns are called 'a'",
+    "time,a\n": "has no rows below its header",
+    "time,a\n0\n": "row 1 has 1 values, the header 2",
+    "time,a\n0,\n": "row 1: a is empty; repeat the value before",
+    "time,a\n0,1\nnow,1\n": "row 2: time must be a time >= 0 s, got 'now'",
+    "time,a\n-1,1\n": "row 1: time must be a time >= 0 s, got '-1'",
+    "time,a\nnan,1\n": "row 1: time must be a time >= 0 s, got 'nan'",
+    "time,a\n1,1\n1,2\n": "row 2: time must increase, got 1 after 1",
+    "time,a\n0,\0\n": "r.csv: ",
+}
+
+
+@pytest.mark.parametrize("text", WRONG)
+def test_what_is_no_recording_is_told(tmp_path: Path, text: str) -> None:
+    path = written(tmp_path, text)
+    try:
+        load_recording(path)
+    except InputError as error:
+        assert str(error).startswith(f"{path}: ")
+        assert WRONG[text] in str(error)
+    else:
+        # some versions of csv take a zero byte for text
+        assert "\0" in text
+
+
+def test_a_file_that_is_missing_is_told(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"none\.csv: cannot be read: No such file"):
+        load_recording(tmp_path / "none.csv")
+    (tmp_path / "bytes.csv").write_bytes(b"\xff\xfe\x00time")
+    with pytest.raises(InputError, match=r"bytes\.csv: cannot be read: no table"):
+        load_recording(tmp_path / "bytes.csv")

@@ -1,0 +1,141 @@
+"""Recordings of commands: scenarios and missions that follow them as an operator does."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import segfmu
+from segfmu.errors import InputError
+from segfmu.validation.files.recording import load_recording
+from segfmu.validation.files.scenario_file import find, load_scenario
+from segfmu.validation.suite import Runner
+from tests.compiler import require_native
+
+FOLDER = Path(__file__).parents[2] / "models" / "commands"
+CRANES = ("lab", "factory", "port")
+KINDS = {"inching", "microspeed", "released", "retarget", "wind", "payload", "emergency"}
+LOAD = [f"reference.load.position.{a}" for a in "xyz"]
+
+
+@pytest.fixture(scope="module")
+def runner() -> Iterator[Runner]:
+    require_native()
+    with Runner() as runner:
+        yield runner
+
+
+def operated(mission: segfmu.Mission, path: Path, times: np.ndarray, push: float) -> np.ndarray:
+    """Positions of the load of an operator that gets a recording."""
+    recording, operator = load_recording(path), mission.operator()
+    places, row = [operator.load[0]], 0
+    for now, following in pairwise(times):
+        if row < len(recording.times) and now >= recording.times[row] - 1e-9:
+            values = {name: column[row] for name, column in recording.columns.items()}
+            operator.command(
+                str(values["command.mode"]), distance=push, scale=float(values["limits.scale"]),
+                **{n: [float(values[f"command.{n}.{a}"]) for a in "xyz"]
+                   for n in ("velocity", "target")},
+            )
+            row += 1
+        places.append(operator.step(following - now)[0])
+    return np.array(places)
+
+
+@pytest.mark.parametrize("name", CRANES)
+def test_all_scenarios_of_a_crane_pass(runner: Runner, name: str) -> None:
+    paths = find([FOLDER / name])
+    assert {p.stem for p in paths} == KINDS
+    for path in paths:
+        scenario = load_scenario(path)
+        result = runner.run(scenario)
+        result.require()
+        assert result.rows is not None
+        if path.stem == "payload":
+            continue
+        given = scenario.file.parameters.get("GantryFeedforward", {})
+        expected = operated(
+            scenario.mission, path.with_suffix(".csv"), result.rows["time"],
+            given.get("command.distance.y", 0.01),
+        )
+        found = np.column_stack([result.rows[n] for n in LOAD])
+        np.testing.assert_allclose(found, expected, atol=1e-9 * np.abs(expected).max())
+
+
+def test_a_mission_follows_a_recording(tmp_path: Path) -> None:
+    require_native()
+    done = subprocess.run(
+        [sys.executable, "-m", "segfmu", "simulate", str(FOLDER / "lab" / "_mission.toml"),
+         "--commands", str(FOLDER / "lab" / "released.csv"), "--output", str(tmp_path)],
+        capture_output=True, text=True, timeout=300,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    run = segfmu.simulate(
+        FOLDER / "lab" / "_mission.toml", commands=FOLDER / "lab" / "released.csv"
+    )
+    assert run.passed
+    expected = operated(run.mission, FOLDER / "lab" / "released.csv", run.time, 0.01)
+    np.testing.assert_allclose(
+        np.column_stack([run[n] for n in LOAD]), expected, atol=1e-9
+    )
+    # the load rests where its last stop has led it, and not before the last row
+    assert np.ptp(expected, axis=0).max() > 0.1
+    assert run.time[-1] > load_recording(FOLDER / "lab" / "released.csv").end
+
+
+def test_values_of_a_profile_may_be_names(runner: Runner, tmp_path: Path) -> None:
+    text = (
+        f'name = "s"\nmission = "{(FOLDER / "lab" / "_mission.toml").as_posix()}"\n'
+        '[parameters.GantryFeedforward]\n"command.enabled" = true\n"command.velocity.x" = 0.2\n'
+        '[[profiles]]\nfmu = "GantryFeedforward"\nvariable = "command.mode"\ntimes = [0.5, 1.5]\n'
+        'values = ["velocity", "stop"]\n'
+        '[[criteria]]\nname = "it moves"\nsignal = "load.position.x"\nkind = "at"\nat = "end"\n'
+        'sense = "at least"\nbound = 0.1\n'
+    )
+    path = tmp_path / "s.toml"
+    path.write_text(text, encoding="utf-8")
+    result = runner.run(load_scenario(path))
+    result.require()
+    assert result.rows is not None and result.rows["load.position.x"][-1] < 0.3
+
+
+WRONG = {
+    'file = "none.csv"': "none.csv: cannot be read",
+    'file = "wind.csv"\nvariable = "wind.x"': "has a file, and variable, times or values beside it",
+    'variable = "wind.x"\ntimes = [0.0]': "needs variable, times and values, or a file",
+}
+
+
+@pytest.mark.parametrize("profile", WRONG)
+def test_what_is_no_profile_is_told(tmp_path: Path, profile: str) -> None:
+    (tmp_path / "wind.csv").write_text("time,wind.x\n0,1\n", encoding="utf-8")
+    path = tmp_path / "s.toml"
+    path.write_text(
+        f'base = "{(FOLDER / "lab" / "_base.toml").as_posix()}"\n[[profiles]]\n{profile}\n',
+        encoding="utf-8",
+    )
+    with pytest.raises(InputError) as caught:
+        load_scenario(path)
+    assert WRONG[profile] in str(caught.value)
+
+
+def test_a_column_that_no_fmu_has_is_told(runner: Runner, tmp_path: Path) -> None:
+    scenario = load_scenario(FOLDER / "lab" / "released.toml")
+    path = tmp_path / "r.csv"
+    path.write_text("time,command.modes\n0,stop\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"r\.csv: column command\.modes is no variable of"):
+        runner.run(replace(scenario, recordings=(load_recording(path),)))
+
+
+def test_a_crane_with_a_hook_follows_no_commands() -> None:
+    with pytest.raises(InputError, match="a crane with a hook has no commands"):
+        segfmu.simulate(
+            FOLDER.parent / "hook_lab.toml", commands=FOLDER / "lab" / "released.csv"
+        )
