@@ -1,45 +1,47 @@
 within Segfmu;
 model GantryFeedforward "Plans the motion of a crane's load through waypoints within limits on velocity, acceleration, jerk and snap, and inverts the crane exactly: force and velocity setpoints and the reference of load and state"
   parameter String folder = "" "folder of the unpacked FMU; empty: that in Resources/FMUs" annotation(Dialog(tab = "FMU"));
-  Interfaces.RealOutput force_bridge(unit = "N", nominal = 10.0) "feedforward force setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 422}, {216, 438}})));
-  Interfaces.RealOutput force_trolley(unit = "N", nominal = 10.0) "feedforward force setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 402}, {216, 418}})));
-  Interfaces.RealOutput force_hoist(unit = "N", nominal = 10.0) "feedforward force setpoint of the winch; negative is rope tension" annotation(Placement(transformation(extent = {{200, 382}, {216, 398}})));
-  Interfaces.RealOutput velocity_bridge(unit = "m/s") "velocity setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 342}, {216, 358}})));
-  Interfaces.RealOutput velocity_trolley(unit = "m/s") "velocity setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 322}, {216, 338}})));
-  Interfaces.RealOutput velocity_hoist(unit = "m/s") "rope velocity setpoint; positive pays rope out" annotation(Placement(transformation(extent = {{200, 302}, {216, 318}})));
-  Interfaces.RealOutput reference_load_position_x(unit = "m") "planned position of the load, x" annotation(Placement(transformation(extent = {{200, 262}, {216, 278}})));
-  Interfaces.RealOutput reference_load_position_y(unit = "m") "planned position of the load, y" annotation(Placement(transformation(extent = {{200, 242}, {216, 258}})));
-  Interfaces.RealOutput reference_load_position_z(unit = "m") "planned position of the load, z" annotation(Placement(transformation(extent = {{200, 222}, {216, 238}})));
-  Interfaces.RealOutput reference_load_velocity_x(unit = "m/s") "planned velocity of the load, x" annotation(Placement(transformation(extent = {{200, 202}, {216, 218}})));
-  Interfaces.RealOutput reference_load_velocity_y(unit = "m/s") "planned velocity of the load, y" annotation(Placement(transformation(extent = {{200, 182}, {216, 198}})));
-  Interfaces.RealOutput reference_load_velocity_z(unit = "m/s") "planned velocity of the load, z" annotation(Placement(transformation(extent = {{200, 162}, {216, 178}})));
-  Interfaces.RealOutput reference_load_acceleration_x(unit = "m/s2") "planned acceleration of the load, x" annotation(Placement(transformation(extent = {{200, 142}, {216, 158}})));
-  Interfaces.RealOutput reference_load_acceleration_y(unit = "m/s2") "planned acceleration of the load, y" annotation(Placement(transformation(extent = {{200, 122}, {216, 138}})));
-  Interfaces.RealOutput reference_load_acceleration_z(unit = "m/s2") "planned acceleration of the load, z" annotation(Placement(transformation(extent = {{200, 102}, {216, 118}})));
-  Interfaces.RealOutput reference_load_jerk_x(unit = "m/s3") "planned jerk of the load, x" annotation(Placement(transformation(extent = {{200, 82}, {216, 98}})));
-  Interfaces.RealOutput reference_load_jerk_y(unit = "m/s3") "planned jerk of the load, y" annotation(Placement(transformation(extent = {{200, 62}, {216, 78}})));
-  Interfaces.RealOutput reference_load_jerk_z(unit = "m/s3") "planned jerk of the load, z" annotation(Placement(transformation(extent = {{200, 42}, {216, 58}})));
-  Interfaces.RealOutput reference_load_snap_x(unit = "m/s4") "planned snap of the load, x" annotation(Placement(transformation(extent = {{200, 22}, {216, 38}})));
-  Interfaces.RealOutput reference_load_snap_y(unit = "m/s4") "planned snap of the load, y" annotation(Placement(transformation(extent = {{200, 2}, {216, 18}})));
-  Interfaces.RealOutput reference_load_snap_z(unit = "m/s4") "planned snap of the load, z" annotation(Placement(transformation(extent = {{200, -18}, {216, -2}})));
-  Interfaces.RealOutput reference_bridge_position(unit = "m") "planned bridge position" annotation(Placement(transformation(extent = {{200, -38}, {216, -22}})));
-  Interfaces.RealOutput reference_bridge_velocity(unit = "m/s") "planned bridge velocity" annotation(Placement(transformation(extent = {{200, -58}, {216, -42}})));
-  Interfaces.RealOutput reference_bridge_acceleration(unit = "m/s2") "planned bridge acceleration" annotation(Placement(transformation(extent = {{200, -78}, {216, -62}})));
-  Interfaces.RealOutput reference_trolley_position(unit = "m") "planned trolley position" annotation(Placement(transformation(extent = {{200, -98}, {216, -82}})));
-  Interfaces.RealOutput reference_trolley_velocity(unit = "m/s") "planned trolley velocity" annotation(Placement(transformation(extent = {{200, -118}, {216, -102}})));
-  Interfaces.RealOutput reference_trolley_acceleration(unit = "m/s2") "planned trolley acceleration" annotation(Placement(transformation(extent = {{200, -138}, {216, -122}})));
-  Interfaces.RealOutput reference_rope_length(unit = "m") "planned rope length" annotation(Placement(transformation(extent = {{200, -158}, {216, -142}})));
-  Interfaces.RealOutput reference_rope_velocity(unit = "m/s") "planned rope velocity" annotation(Placement(transformation(extent = {{200, -178}, {216, -162}})));
-  Interfaces.RealOutput reference_rope_acceleration(unit = "m/s2") "planned rope acceleration" annotation(Placement(transformation(extent = {{200, -198}, {216, -182}})));
-  Interfaces.RealOutput reference_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_x" annotation(Placement(transformation(extent = {{200, -218}, {216, -202}})));
-  Interfaces.RealOutput reference_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_x" annotation(Placement(transformation(extent = {{200, -238}, {216, -222}})));
-  Interfaces.RealOutput reference_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_y" annotation(Placement(transformation(extent = {{200, -258}, {216, -242}})));
-  Interfaces.RealOutput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_y" annotation(Placement(transformation(extent = {{200, -278}, {216, -262}})));
-  Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -318}, {216, -302}})));
-  Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
-  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
-  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending, 8: travel" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
-  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending, 8: travel" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
+  Interfaces.RealOutput force_bridge(unit = "N", nominal = 10.0) "feedforward force setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 442}, {216, 458}})));
+  Interfaces.RealOutput force_trolley(unit = "N", nominal = 10.0) "feedforward force setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 422}, {216, 438}})));
+  Interfaces.RealOutput force_hoist(unit = "N", nominal = 10.0) "feedforward force setpoint of the winch; negative is rope tension" annotation(Placement(transformation(extent = {{200, 402}, {216, 418}})));
+  Interfaces.RealOutput velocity_bridge(unit = "m/s") "velocity setpoint of the bridge drive" annotation(Placement(transformation(extent = {{200, 362}, {216, 378}})));
+  Interfaces.RealOutput velocity_trolley(unit = "m/s") "velocity setpoint of the trolley drive" annotation(Placement(transformation(extent = {{200, 342}, {216, 358}})));
+  Interfaces.RealOutput velocity_hoist(unit = "m/s") "rope velocity setpoint; positive pays rope out" annotation(Placement(transformation(extent = {{200, 322}, {216, 338}})));
+  Interfaces.RealOutput reference_load_position_x(unit = "m") "planned position of the load, x" annotation(Placement(transformation(extent = {{200, 282}, {216, 298}})));
+  Interfaces.RealOutput reference_load_position_y(unit = "m") "planned position of the load, y" annotation(Placement(transformation(extent = {{200, 262}, {216, 278}})));
+  Interfaces.RealOutput reference_load_position_z(unit = "m") "planned position of the load, z" annotation(Placement(transformation(extent = {{200, 242}, {216, 258}})));
+  Interfaces.RealOutput reference_load_velocity_x(unit = "m/s") "planned velocity of the load, x" annotation(Placement(transformation(extent = {{200, 222}, {216, 238}})));
+  Interfaces.RealOutput reference_load_velocity_y(unit = "m/s") "planned velocity of the load, y" annotation(Placement(transformation(extent = {{200, 202}, {216, 218}})));
+  Interfaces.RealOutput reference_load_velocity_z(unit = "m/s") "planned velocity of the load, z" annotation(Placement(transformation(extent = {{200, 182}, {216, 198}})));
+  Interfaces.RealOutput reference_load_acceleration_x(unit = "m/s2") "planned acceleration of the load, x" annotation(Placement(transformation(extent = {{200, 162}, {216, 178}})));
+  Interfaces.RealOutput reference_load_acceleration_y(unit = "m/s2") "planned acceleration of the load, y" annotation(Placement(transformation(extent = {{200, 142}, {216, 158}})));
+  Interfaces.RealOutput reference_load_acceleration_z(unit = "m/s2") "planned acceleration of the load, z" annotation(Placement(transformation(extent = {{200, 122}, {216, 138}})));
+  Interfaces.RealOutput reference_load_jerk_x(unit = "m/s3") "planned jerk of the load, x" annotation(Placement(transformation(extent = {{200, 102}, {216, 118}})));
+  Interfaces.RealOutput reference_load_jerk_y(unit = "m/s3") "planned jerk of the load, y" annotation(Placement(transformation(extent = {{200, 82}, {216, 98}})));
+  Interfaces.RealOutput reference_load_jerk_z(unit = "m/s3") "planned jerk of the load, z" annotation(Placement(transformation(extent = {{200, 62}, {216, 78}})));
+  Interfaces.RealOutput reference_load_snap_x(unit = "m/s4") "planned snap of the load, x" annotation(Placement(transformation(extent = {{200, 42}, {216, 58}})));
+  Interfaces.RealOutput reference_load_snap_y(unit = "m/s4") "planned snap of the load, y" annotation(Placement(transformation(extent = {{200, 22}, {216, 38}})));
+  Interfaces.RealOutput reference_load_snap_z(unit = "m/s4") "planned snap of the load, z" annotation(Placement(transformation(extent = {{200, 2}, {216, 18}})));
+  Interfaces.RealOutput reference_bridge_position(unit = "m") "planned bridge position" annotation(Placement(transformation(extent = {{200, -18}, {216, -2}})));
+  Interfaces.RealOutput reference_bridge_velocity(unit = "m/s") "planned bridge velocity" annotation(Placement(transformation(extent = {{200, -38}, {216, -22}})));
+  Interfaces.RealOutput reference_bridge_acceleration(unit = "m/s2") "planned bridge acceleration" annotation(Placement(transformation(extent = {{200, -58}, {216, -42}})));
+  Interfaces.RealOutput reference_trolley_position(unit = "m") "planned trolley position" annotation(Placement(transformation(extent = {{200, -78}, {216, -62}})));
+  Interfaces.RealOutput reference_trolley_velocity(unit = "m/s") "planned trolley velocity" annotation(Placement(transformation(extent = {{200, -98}, {216, -82}})));
+  Interfaces.RealOutput reference_trolley_acceleration(unit = "m/s2") "planned trolley acceleration" annotation(Placement(transformation(extent = {{200, -118}, {216, -102}})));
+  Interfaces.RealOutput reference_rope_length(unit = "m") "planned rope length" annotation(Placement(transformation(extent = {{200, -138}, {216, -122}})));
+  Interfaces.RealOutput reference_rope_velocity(unit = "m/s") "planned rope velocity" annotation(Placement(transformation(extent = {{200, -158}, {216, -142}})));
+  Interfaces.RealOutput reference_rope_acceleration(unit = "m/s2") "planned rope acceleration" annotation(Placement(transformation(extent = {{200, -178}, {216, -162}})));
+  Interfaces.RealOutput reference_sway_x_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_x" annotation(Placement(transformation(extent = {{200, -198}, {216, -182}})));
+  Interfaces.RealOutput reference_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_x" annotation(Placement(transformation(extent = {{200, -218}, {216, -202}})));
+  Interfaces.RealOutput reference_sway_y_angle(unit = "rad", displayUnit = "deg", nominal = 0.1) "planned sway angle phi_y" annotation(Placement(transformation(extent = {{200, -238}, {216, -222}})));
+  Interfaces.RealOutput reference_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", nominal = 0.1) "planned rate of phi_y" annotation(Placement(transformation(extent = {{200, -258}, {216, -242}})));
+  Interfaces.IntegerOutput plan_interval "active waypoint interval, from 1" annotation(Placement(transformation(extent = {{200, -298}, {216, -282}})));
+  Interfaces.BooleanOutput plan_done "the planned motion has ended" annotation(Placement(transformation(extent = {{200, -318}, {216, -302}})));
+  Interfaces.RealOutput plan_next_event(unit = "s") "time of the next event: arrival at a waypoint, end of the motion, or jump of a derivative of the forces (the first at smoothness 4), and while friction changes its sign; behind the last, its time" annotation(Placement(transformation(extent = {{200, -338}, {216, -322}})));
+  Interfaces.IntegerOutput plan_status "what became of the last command; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending, 8: travel" annotation(Placement(transformation(extent = {{200, -358}, {216, -342}})));
+  Interfaces.IntegerOutput plan_refused "what the last plan for a command that was not taken does not keep; 0: taken, 1: reduced, 2: limits, 3: rope, 4: workspace, 5: obstacle, 6: drives, 7: pending, 8: travel" annotation(Placement(transformation(extent = {{200, -378}, {216, -362}})));
+  Interfaces.RealOutput plan_emergency_duration(unit = "s") "what an emergency stop would come to, with command.foresees: time until the carriages stand; -1: there is none" annotation(Placement(transformation(extent = {{200, -398}, {216, -382}})));
+  Interfaces.RealOutput plan_emergency_sway(unit = "rad", displayUnit = "deg") "what an emergency stop would come to, with command.foresees: largest angle between rope and vertical from then on; -1: there is none" annotation(Placement(transformation(extent = {{200, -418}, {216, -402}})));
   parameter Real crane_bridge_mass(unit = "kg", min = 1e-09) = 2.2 "nominal crane: mass of the bridge, which moves in x together with the trolley" annotation(Dialog(tab = "crane"));
   parameter Real crane_trolley_mass(unit = "kg", min = 1e-09) = 1.155 "nominal crane: mass of the trolley, which moves in y on the bridge" annotation(Dialog(tab = "crane"));
   parameter Real crane_payload_mass(unit = "kg", min = 1e-09) = 1.0 "nominal crane: mass of the load" annotation(Dialog(tab = "crane"));
@@ -137,6 +139,13 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real limits_scale(min = 0.0, max = 1.0) = 1.0 "share of the velocity limits that commands are followed with; 0: stop" annotation(Dialog(tab = "limits"));
   parameter Real command_hold(unit = "s", min = 0.001) = 0.1 "how long a commanded velocity is held beyond a step, if nothing renews it" annotation(Dialog(tab = "command"));
   parameter Integer command_tries(min = 1, max = 9) = 3 "plans that are tried in a step at most; the next one tries others" annotation(Dialog(tab = "command"));
+  parameter Boolean command_foresees = false "each step tells what an emergency stop would come to" annotation(Dialog(tab = "command"));
+  parameter Boolean command_tripped_bridge = false "the bridge drive has tripped: its brake stops it, the others stop as fast as they can; while it is true, no other command is followed" annotation(Dialog(tab = "command"));
+  parameter Real drive_bridge_brake_deceleration(unit = "m/s2", min = 0.0) = 0.0 "deceleration of the brake of the bridge drive, when it trips; 0: the drive's greatest one" annotation(Dialog(tab = "drive"));
+  parameter Boolean command_tripped_trolley = false "the trolley drive has tripped: its brake stops it, the others stop as fast as they can; while it is true, no other command is followed" annotation(Dialog(tab = "command"));
+  parameter Real drive_trolley_brake_deceleration(unit = "m/s2", min = 0.0) = 0.0 "deceleration of the brake of the trolley drive, when it trips; 0: the drive's greatest one" annotation(Dialog(tab = "drive"));
+  parameter Boolean command_tripped_hoist = false "the hoist drive has tripped: its brake stops it, the others stop as fast as they can; while it is true, no other command is followed" annotation(Dialog(tab = "command"));
+  parameter Real drive_hoist_brake_deceleration(unit = "m/s2", min = 0.0) = 0.0 "deceleration of the brake of the hoist drive, when it trips; 0: the drive's greatest one" annotation(Dialog(tab = "drive"));
   parameter Real command_distance_x(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, x" annotation(Dialog(tab = "command"));
   parameter Real command_distance_y(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
   parameter Real command_distance_z(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
@@ -233,55 +242,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   final parameter Real plan_use_sway_y(fixed = false) "largest use of the bound of sway y; 1: all; 0: no bound";
   final parameter Real plan_use_sway_y_time(unit = "s", fixed = false) "when it is reached, since the start of the plan";
 protected
-  constant Integer waypoint_position_references[16, 3] = [344, 345, 346;
-      360, 361, 362;
-      376, 377, 378;
-      392, 393, 394;
-      408, 409, 410;
-      424, 425, 426;
-      440, 441, 442;
-      456, 457, 458;
-      472, 473, 474;
-      488, 489, 490;
-      504, 505, 506;
-      520, 521, 522;
-      536, 537, 538;
-      552, 553, 554;
-      568, 569, 570;
-      584, 585, 586];
-  constant Integer waypoint_velocity_references[16, 3] = [347, 348, 349;
-      363, 364, 365;
-      379, 380, 381;
-      395, 396, 397;
-      411, 412, 413;
-      427, 428, 429;
-      443, 444, 445;
-      459, 460, 461;
-      475, 476, 477;
-      491, 492, 493;
-      507, 508, 509;
-      523, 524, 525;
-      539, 540, 541;
-      555, 556, 557;
-      571, 572, 573;
-      587, 588, 589];
-  constant Integer waypoint_acceleration_references[16, 3] = [350, 351, 352;
-      366, 367, 368;
-      382, 383, 384;
-      398, 399, 400;
-      414, 415, 416;
-      430, 431, 432;
-      446, 447, 448;
-      462, 463, 464;
-      478, 479, 480;
-      494, 495, 496;
-      510, 511, 512;
-      526, 527, 528;
-      542, 543, 544;
-      558, 559, 560;
-      574, 575, 576;
-      590, 591, 592];
-  constant Integer waypoint_velocity_free_references[16, 3] = [353, 354, 355;
+  constant Integer waypoint_position_references[16, 3] = [353, 354, 355;
       369, 370, 371;
       385, 386, 387;
       401, 402, 403;
@@ -297,7 +258,7 @@ protected
       561, 562, 563;
       577, 578, 579;
       593, 594, 595];
-  constant Integer waypoint_acceleration_free_references[16, 3] = [356, 357, 358;
+  constant Integer waypoint_velocity_references[16, 3] = [356, 357, 358;
       372, 373, 374;
       388, 389, 390;
       404, 405, 406;
@@ -313,47 +274,95 @@ protected
       564, 565, 566;
       580, 581, 582;
       596, 597, 598];
-  constant Integer waypoint_dwell_references[16] = {359, 375, 391, 407, 423, 439, 455, 471, 487, 503, 519, 535, 551, 567, 583, 599};
-  constant Integer obstacle_minimum_references[16, 3] = [175, 176, 177;
-      183, 184, 185;
-      191, 192, 193;
-      199, 200, 201;
-      207, 208, 209;
-      215, 216, 217;
-      223, 224, 225;
-      231, 232, 233;
-      239, 240, 241;
-      247, 248, 249;
-      255, 256, 257;
-      263, 264, 265;
-      271, 272, 273;
-      279, 280, 281;
-      287, 288, 289;
-      295, 296, 297];
-  constant Integer obstacle_maximum_references[16, 3] = [178, 179, 180;
-      186, 187, 188;
-      194, 195, 196;
-      202, 203, 204;
-      210, 211, 212;
-      218, 219, 220;
-      226, 227, 228;
-      234, 235, 236;
-      242, 243, 244;
-      250, 251, 252;
-      258, 259, 260;
-      266, 267, 268;
-      274, 275, 276;
-      282, 283, 284;
-      290, 291, 292;
-      298, 299, 300];
-  constant Integer obstacle_margin_references[16] = {181, 189, 197, 205, 213, 221, 229, 237, 245, 253, 261, 269, 277, 285, 293, 301};
-  constant Integer obstacle_rope_references[16] = {182, 190, 198, 206, 214, 222, 230, 238, 246, 254, 262, 270, 278, 286, 294, 302};
-  final parameter Integer real_references[:] = cat(1, {42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
-      65, 87, 88, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108,
-      109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126,
-      127, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 305, 306, 307, 308, 309,
-      310, 312, 313, 315, 316, 317, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330,
-      331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342},
+  constant Integer waypoint_acceleration_references[16, 3] = [359, 360, 361;
+      375, 376, 377;
+      391, 392, 393;
+      407, 408, 409;
+      423, 424, 425;
+      439, 440, 441;
+      455, 456, 457;
+      471, 472, 473;
+      487, 488, 489;
+      503, 504, 505;
+      519, 520, 521;
+      535, 536, 537;
+      551, 552, 553;
+      567, 568, 569;
+      583, 584, 585;
+      599, 600, 601];
+  constant Integer waypoint_velocity_free_references[16, 3] = [362, 363, 364;
+      378, 379, 380;
+      394, 395, 396;
+      410, 411, 412;
+      426, 427, 428;
+      442, 443, 444;
+      458, 459, 460;
+      474, 475, 476;
+      490, 491, 492;
+      506, 507, 508;
+      522, 523, 524;
+      538, 539, 540;
+      554, 555, 556;
+      570, 571, 572;
+      586, 587, 588;
+      602, 603, 604];
+  constant Integer waypoint_acceleration_free_references[16, 3] = [365, 366, 367;
+      381, 382, 383;
+      397, 398, 399;
+      413, 414, 415;
+      429, 430, 431;
+      445, 446, 447;
+      461, 462, 463;
+      477, 478, 479;
+      493, 494, 495;
+      509, 510, 511;
+      525, 526, 527;
+      541, 542, 543;
+      557, 558, 559;
+      573, 574, 575;
+      589, 590, 591;
+      605, 606, 607];
+  constant Integer waypoint_dwell_references[16] = {368, 384, 400, 416, 432, 448, 464, 480, 496, 512, 528, 544, 560, 576, 592, 608};
+  constant Integer obstacle_minimum_references[16, 3] = [177, 178, 179;
+      185, 186, 187;
+      193, 194, 195;
+      201, 202, 203;
+      209, 210, 211;
+      217, 218, 219;
+      225, 226, 227;
+      233, 234, 235;
+      241, 242, 243;
+      249, 250, 251;
+      257, 258, 259;
+      265, 266, 267;
+      273, 274, 275;
+      281, 282, 283;
+      289, 290, 291;
+      297, 298, 299];
+  constant Integer obstacle_maximum_references[16, 3] = [180, 181, 182;
+      188, 189, 190;
+      196, 197, 198;
+      204, 205, 206;
+      212, 213, 214;
+      220, 221, 222;
+      228, 229, 230;
+      236, 237, 238;
+      244, 245, 246;
+      252, 253, 254;
+      260, 261, 262;
+      268, 269, 270;
+      276, 277, 278;
+      284, 285, 286;
+      292, 293, 294;
+      300, 301, 302];
+  constant Integer obstacle_margin_references[16] = {183, 191, 199, 207, 215, 223, 231, 239, 247, 255, 263, 271, 279, 287, 295, 303};
+  constant Integer obstacle_rope_references[16] = {184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304};
+  final parameter Integer real_references[:] = cat(1, {44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66,
+      67, 89, 90, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109,
+      110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127,
+      128, 129, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 307, 308, 309, 310,
+      311, 312, 314, 315, 319, 321, 323, 324, 325, 326, 328, 329, 330, 331, 332, 333, 334, 335,
+      336, 337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347, 348, 349, 350, 351},
       FMI.references(waypoint_position_references, waypoint_count),
       FMI.references(waypoint_velocity_references, waypoint_count),
       FMI.references(waypoint_acceleration_references, waypoint_count),
@@ -381,15 +390,17 @@ protected
       workspace_x_max, workspace_y_min, workspace_y_max, workspace_z_min, workspace_z_max,
       load_size_x, load_size_y, load_size_z, load_centre_x, load_centre_y, load_centre_z,
       command_velocity_x, command_velocity_y, command_velocity_z, command_target_x,
-      command_target_y, command_target_z, limits_scale, command_hold, command_distance_x,
-      command_distance_y, command_distance_z, measured_bridge_position, measured_trolley_position,
-      measured_rope_length, measured_sway_x_angle, measured_sway_y_angle,
-      measured_bridge_velocity, measured_trolley_velocity, measured_rope_velocity,
-      measured_sway_x_rate, measured_sway_y_rate, friction_bridge_viscous,
-      friction_bridge_coulomb, friction_bridge_static, friction_bridge_drag,
-      friction_trolley_viscous, friction_trolley_coulomb, friction_trolley_static,
-      friction_trolley_drag, friction_hoist_viscous, friction_hoist_coulomb,
-      friction_hoist_static, friction_hoist_drag, friction_width, friction_presliding},
+      command_target_y, command_target_z, limits_scale, command_hold,
+      drive_bridge_brake_deceleration, drive_trolley_brake_deceleration,
+      drive_hoist_brake_deceleration, command_distance_x, command_distance_y, command_distance_z,
+      measured_bridge_position, measured_trolley_position, measured_rope_length,
+      measured_sway_x_angle, measured_sway_y_angle, measured_bridge_velocity,
+      measured_trolley_velocity, measured_rope_velocity, measured_sway_x_rate,
+      measured_sway_y_rate, friction_bridge_viscous, friction_bridge_coulomb,
+      friction_bridge_static, friction_bridge_drag, friction_trolley_viscous,
+      friction_trolley_coulomb, friction_trolley_static, friction_trolley_drag,
+      friction_hoist_viscous, friction_hoist_coulomb, friction_hoist_static, friction_hoist_drag,
+      friction_width, friction_presliding},
       FMI.rows(waypoint_position),
       FMI.rows(waypoint_velocity),
       FMI.rows(waypoint_acceleration),
@@ -397,23 +408,24 @@ protected
       FMI.rows(obstacle_minimum),
       FMI.rows(obstacle_maximum),
       obstacle_margin);
-  constant Integer integer_references[7] = {84, 85, 86, 174, 304, 314, 343};
+  constant Integer integer_references[7] = {86, 87, 88, 176, 306, 316, 352};
   final parameter Integer integers[7] = {planner_smoothness, Integer(planner_shape), Integer(planner_synchronization),
       obstacle_count, Integer(command_mode), command_tries, waypoint_count};
-  final parameter Integer boolean_references[:] = cat(1, {89, 90, 303, 311, 318},
+  final parameter Integer boolean_references[:] = cat(1, {91, 92, 305, 313, 317, 318, 320, 322, 327},
       FMI.references(waypoint_velocity_free_references, waypoint_count),
       FMI.references(waypoint_acceleration_free_references, waypoint_count),
       obstacle_rope_references[1:obstacle_count]);
   final parameter Integer booleans[:] = cat(1, {if planner_finds_limits then 1 else 0, if planner_slows_down then 1 else 0, if
-      command_enabled then 1 else 0, if command_go then 1 else 0, if command_take_over then 1 else
-      0},
+      command_enabled then 1 else 0, if command_go then 1 else 0, if command_foresees then 1 else
+      0, if command_tripped_bridge then 1 else 0, if command_tripped_trolley then 1 else 0, if
+      command_tripped_hoist then 1 else 0, if command_take_over then 1 else 0},
       FMI.truths(waypoint_velocity_free),
       FMI.truths(waypoint_acceleration_free),
       FMI.truths(matrix(obstacle_rope)));
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{44bf676e-5e9d-4994-39ef-ecbb2f5ae0df}", 0);
+      "{ffa49c58-830e-cfac-588b-bd8cfc893118}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";
@@ -441,9 +453,9 @@ initial equation
       plan_use_hoist_power_time, plan_use_travel_bridge, plan_use_travel_bridge_time,
       plan_use_travel_trolley, plan_use_travel_trolley_time, plan_use_travel_rope,
       plan_use_travel_rope_time, plan_use_sway_x, plan_use_sway_x_time, plan_use_sway_y,
-      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {40, 41, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 128, 129,
-      130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147,
-      148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 158, 159, 160, 161}, started);
+      plan_use_sway_y_time} = FMI.reals(fmu, time, x, fill(0, 0), fill(0.0, 0), {42, 43, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 130, 131,
+      132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149,
+      150, 151, 152, 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163}, started);
 equation
   when {initial(), time >= pre(next)} then
     next = FMI.event(fmu, time, x, input_references, inputs, begun);
@@ -459,25 +471,26 @@ equation
       reference_bridge_velocity, reference_bridge_acceleration, reference_trolley_position,
       reference_trolley_velocity, reference_trolley_acceleration, reference_rope_length,
       reference_rope_velocity, reference_rope_acceleration, reference_sway_x_angle,
-      reference_sway_x_rate, reference_sway_y_angle, reference_sway_y_rate, plan_next_event}
+      reference_sway_x_rate, reference_sway_y_angle, reference_sway_y_rate, plan_next_event,
+      plan_emergency_duration, plan_emergency_sway}
       = FMI.reals(fmu, time, x, fill(0, 0),
       fill(0.0, 0),
       {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
-      26, 27, 28, 29, 30, 31, 32, 33, 34, 37}, last);
+      26, 27, 28, 29, 30, 31, 32, 33, 34, 37, 40, 41}, last);
   plan_interval = FMI.integer(fmu, 35, last);
   plan_done = FMI.boolean(fmu, 36, last);
   plan_status = FMI.integer(fmu, 38, last);
   plan_refused = FMI.integer(fmu, 39, last);
   annotation(
-    Diagram(coordinateSystem(extent = {{-200, -450}, {200, 450}})),
-    Icon(coordinateSystem(extent = {{-200, -450}, {200, 450}}), graphics = {
-      Rectangle(extent = {{-200, -450}, {200, 450}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-200, 460}, {200, 520}}, textString = "%name", textColor = {0, 0, 255}),
+    Diagram(coordinateSystem(extent = {{-200, -470}, {200, 470}})),
+    Icon(coordinateSystem(extent = {{-200, -470}, {200, 470}}), graphics = {
+      Rectangle(extent = {{-200, -470}, {200, 470}}, lineColor = {60, 60, 60}, fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
+      Text(extent = {{-200, 480}, {200, 540}}, textString = "%name", textColor = {0, 0, 255}),
       Line(points = {{-60, 60}, {60, 60}}, color = {60, 60, 60}, thickness = 3),
       Line(points = {{-20, 60}, {10, -10}}, color = {60, 60, 60}),
       Ellipse(extent = {{-2, -52}, {42, -8}}, lineColor = {200, 90, 0}, fillColor = {200, 90, 0}, fillPattern = FillPattern.Solid),
-      Text(extent = {{90, 422}, {190, 438}}, textString = "force", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 342}, {190, 358}}, textString = "velocity", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, 262}, {190, 278}}, textString = "reference", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
-      Text(extent = {{90, -318}, {190, -302}}, textString = "plan", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
+      Text(extent = {{90, 442}, {190, 458}}, textString = "force", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 362}, {190, 378}}, textString = "velocity", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, 282}, {190, 298}}, textString = "reference", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60}),
+      Text(extent = {{90, -298}, {190, -282}}, textString = "plan", horizontalAlignment = TextAlignment.Right, textColor = {60, 60, 60})}));
 end GantryFeedforward;

@@ -367,6 +367,8 @@ static bool judge_step(array_double_2d search, array_double_2d values, array_dou
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static double least_scale(void);
+static bool has_tripped(array_double_1d command);
+static int64_t wanted_mode(array_double_1d command);
 static double push_of(double velocity);
 static double standstill(int64_t slot, int64_t axis, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static double stop_towards(int64_t side, int64_t axis, array_double_2d known);
@@ -487,10 +489,14 @@ static double seek_calm(double share, array_double_2d operation, array_double_2d
 static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static void invert_flat(array_double_2d known, array_double_2d work);
 static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work);
+static void note_trips(array_double_2d operation);
+static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known);
+static double least_brake(int64_t drive, array_double_1d swing, array_double_2d known);
 static void set_brakes(double share, array_double_1d swing, array_double_2d known);
 static bool is_inside(double value, int64_t demand, array_double_2d known);
 static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work);
 static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool plan_brakes(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work);
 static double covered_time(array_double_2d operation);
 static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
@@ -959,6 +965,8 @@ static bool lead_to_target(array_double_2d operation, array_double_2d limits, ar
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static bool trips(array_double_2d operation);
+static bool brake_anew(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static void begin_swing(array_double_2d operation);
 static bool is_stop(array_double_1d aim);
 static void note_taken(int64_t attempt, array_double_2d operation);
@@ -13389,6 +13397,28 @@ static double least_scale(void)
 {
     return 0.001;
 }
+static bool has_tripped(array_double_1d command)
+{
+    int64_t drive;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        if ((*cspan_at(&command, INT64_C(17) + drive)) > 0.5)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static int64_t wanted_mode(array_double_1d command)
+{
+    int64_t result;
+    if (has_tripped(command))
+    {
+        return INT64_C(5);
+    }
+    result = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    return result;
+}
 static double push_of(double velocity)
 {
     if (velocity > 0.0)
@@ -13428,7 +13458,7 @@ static double low_end(int64_t axis, array_double_2d known)
 {
     double end;
     double longest;
-    end = (*cspan_at(&known, INT64_C(3), INT64_C(1) + axis));
+    end = (*cspan_at(&known, INT64_C(4), INT64_C(1) + axis));
     longest = (*cspan_at(&known, INT64_C(1), INT64_C(2)));
     if ((axis == INT64_C(2)) && (longest > 0.0))
     {
@@ -13440,7 +13470,7 @@ static double low_end(int64_t axis, array_double_2d known)
 static double high_end(int64_t axis, array_double_2d known)
 {
     double end;
-    end = (*cspan_at(&known, INT64_C(3), INT64_C(4) + axis));
+    end = (*cspan_at(&known, INT64_C(4), INT64_C(4) + axis));
     if (axis == INT64_C(2))
     {
         end = span_min(end, -(*cspan_at(&known, INT64_C(1), INT64_C(1))));
@@ -13546,7 +13576,7 @@ static void write_wish(int64_t mode, double scale, array_double_1d aim, array_do
     {
         for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
         {
-            lower = (*cspan_at(&known, INT64_C(5) + axis, INT64_C(0)));
+            lower = (*cspan_at(&known, INT64_C(6) + axis, INT64_C(0)));
             (*cspan_at(&aim, INT64_C(1) + axis)) = limited_velocity((*cspan_at(&command, INT64_C(3) + axis)), scale, (*cspan_at(&limits, axis, INT64_C(0))), lower);
         }
     }
@@ -13562,7 +13592,7 @@ static void write_aim(array_double_2d operation, array_double_2d limits, array_d
     double scale;
     int64_t axis;
     command = span_row(&operation, INT64_C(0));
-    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    mode = wanted_mode(command);
     scale = (*cspan_at(&command, INT64_C(10)));
     if (!(scale >= least_scale()))
     {
@@ -13673,7 +13703,7 @@ static void set_lower_of(int64_t place, array_double_2d operation, array_double_
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
             share = (*cspan_at(&limits, place, axis, i)) / (*cspan_at(&limits, INT64_C(0), axis, i));
-            (*cspan_at(&operation, INT64_C(17) + axis, i)) = share * (*cspan_at(&known, INT64_C(5) + axis, i));
+            (*cspan_at(&operation, INT64_C(17) + axis, i)) = share * (*cspan_at(&known, INT64_C(6) + axis, i));
         }
     }
 }
@@ -15374,7 +15404,7 @@ static void write_swing(double least, array_double_2d operation, array_double_2d
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
     swing = span_row(&operation, INT64_C(26));
     ahead = span_row(&operation, INT64_C(27));
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
     }
@@ -15450,7 +15480,7 @@ static void begin_controlled(array_double_2d operation)
 {
     int64_t i;
     int64_t axis;
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&operation, INT64_C(27), i)) = (*cspan_at(&operation, INT64_C(26), i));
     }
@@ -16093,7 +16123,7 @@ static bool keeps_limits(array_double_2d operation, array_double_2d limits, arra
             (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
         }
     }
-    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(5), INT64_C(8)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(305), INT64_C(353))) == INT64_C(0);
+    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(305), INT64_C(353))) == INT64_C(0);
     return result;
 }
 static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
@@ -16107,7 +16137,7 @@ static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_
     {
         return INT64_C(3);
     }
-    contact = segfmu_space_contact(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(3)), span_rows(&known, INT64_C(8), INT64_C(24)), span_rows(&work, INT64_C(52), INT64_C(74)), span_rows(&work, INT64_C(0), INT64_C(52)), stack, span_rows(&work, INT64_C(74), INT64_C(80)), span_row(&work, INT64_C(80)));
+    contact = segfmu_space_contact(span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), pieces, span_row(&known, INT64_C(4)), span_rows(&known, INT64_C(9), INT64_C(25)), span_rows(&work, INT64_C(52), INT64_C(74)), span_rows(&work, INT64_C(0), INT64_C(52)), stack, span_rows(&work, INT64_C(74), INT64_C(80)), span_row(&work, INT64_C(80)));
     if (contact == INT64_C(3))
     {
         return INT64_C(4);
@@ -16380,6 +16410,36 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
         }
     }
 }
+static void note_trips(array_double_2d operation)
+{
+    int64_t drive;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(26), INT64_C(28) + drive)) = (*cspan_at(&operation, INT64_C(0), INT64_C(17) + drive));
+    }
+}
+static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known)
+{
+    double most;
+    double own;
+    most = bound_magnitude(INT64_C(6) + drive, side, span_row(&known, INT64_C(2)));
+    if ((*cspan_at(&swing, INT64_C(28) + drive)) > 0.5)
+    {
+        own = (*cspan_at(&known, INT64_C(3), INT64_C(0) + drive));
+        if (own > 0.0)
+        {
+            return own;
+        }
+        return most;
+    }
+    return share * most;
+}
+static double least_brake(int64_t drive, array_double_1d swing, array_double_2d known)
+{
+    double result;
+    result = span_min(brake_of(drive, INT64_C(0), 1.0, swing, known), brake_of(drive, INT64_C(1), 1.0, swing, known));
+    return result;
+}
 static void set_brakes(double share, array_double_1d swing, array_double_2d known)
 {
     int64_t axis;
@@ -16400,7 +16460,7 @@ static void set_brakes(double share, array_double_1d swing, array_double_2d know
             {
                 side = INT64_C(1);
             }
-            most = share * bound_magnitude(INT64_C(6) + axis, side, span_row(&known, INT64_C(2)));
+            most = brake_of(axis, side, share, swing, known);
             (*cspan_at(&swing, INT64_C(17) + axis)) = fabs(velocity) / most;
             (*cspan_at(&swing, INT64_C(8) + axis)) = (1.0 - 2.0 * side) * most;
         }
@@ -16454,6 +16514,10 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     invert_flat(known, work);
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
+        if ((*cspan_at(&swing, INT64_C(28) + drive)) > 0.5)
+        {
+            continue;
+        }
         force = (*cspan_at(&work, INT64_C(167), drive));
         power = force * (*cspan_at(&swing, INT64_C(5) + drive));
         if (!is_inside(force, INT64_C(0) + drive, known))
@@ -16480,7 +16544,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     swing = span_row(&operation, INT64_C(26));
     ahead = span_row(&operation, INT64_C(27));
     set_brakes(share, swing, known);
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
     }
@@ -16516,7 +16580,7 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     }
     return 1;
 }
-static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work)
+static bool plan_brakes(array_double_2d operation, array_double_2d known, array_double_2d work)
 {
     int64_t drive;
     double kept;
@@ -16526,12 +16590,11 @@ static bool plan_emergency(array_double_2d operation, array_double_2d known, arr
     bool result;
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        if (!((*cspan_at(&known, INT64_C(2), INT64_C(6) + drive)) > 0.0))
+        if (!(least_brake(drive, span_row(&operation, INT64_C(26)), known) > 0.0))
         {
             return 0;
         }
     }
-    note_swing(operation, known, work);
     if (brakes_with(1.0, operation, known, work))
     {
         return 1;
@@ -16551,6 +16614,14 @@ static bool plan_emergency(array_double_2d operation, array_double_2d known, arr
         }
     }
     result = (kept > 0.0) && brakes_with(kept, operation, known, work);
+    return result;
+}
+static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    bool result;
+    note_swing(operation, known, work);
+    note_trips(operation);
+    result = plan_brakes(operation, known, work);
     return result;
 }
 static double covered_time(array_double_2d operation)
@@ -16574,6 +16645,7 @@ static bool begin_emergency(array_double_2d operation, array_double_2d known, ar
     swing = span_row(&operation, INT64_C(26));
     if (!plan_emergency(operation, known, work))
     {
+        (*cspan_at(&operation, INT64_C(4), INT64_C(2))) = INT64_C(6);
         return 0;
     }
     if (((*cspan_at(&swing, INT64_C(26))) == 0.0) && ((*cspan_at(&swing, INT64_C(27))) < 1e-09))
@@ -16620,7 +16692,7 @@ bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, 
 static bool is_calming(array_double_2d operation)
 {
     bool result;
-    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(26), INT64_C(28)));
+    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(26), INT64_C(31)));
     return result;
 }
 static bool aims_elsewhere(array_double_2d operation)
@@ -16639,7 +16711,7 @@ static void note_calming(array_double_2d operation)
     array_double_1d progress;
     int64_t mode;
     progress = span_row(&operation, INT64_C(4));
-    mode = (int64_t)((*cspan_at(&operation, INT64_C(0), INT64_C(2))));
+    mode = wanted_mode(span_row(&operation, INT64_C(0)));
     (*cspan_at(&progress, INT64_C(1))) = INT64_C(1);
     if ((mode == INT64_C(3)) || ((mode == INT64_C(1)) && (!aims_elsewhere(operation))))
     {
@@ -16662,7 +16734,7 @@ static bool wants_calm(array_double_2d operation)
     int64_t mode;
     bool result;
     command = span_row(&operation, INT64_C(0));
-    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    mode = wanted_mode(command);
     if ((mode == INT64_C(5)) || (mode == INT64_C(0)))
     {
         return 0;
@@ -16707,7 +16779,7 @@ static void follow_calm(array_double_2d operation, array_double_3d timing, array
         }
     }
     (*cspan_at(&swing, INT64_C(0))) = 0.0;
-    (*cspan_at(&swing, INT64_C(28))) = (*cspan_at(&command, INT64_C(0))) + plan_end(INT64_C(0), INT64_C(0), timing, offsets);
+    (*cspan_at(&swing, INT64_C(31))) = (*cspan_at(&command, INT64_C(0))) + plan_end(INT64_C(0), INT64_C(0), timing, offsets);
     (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&command, INT64_C(0)));
     (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
     (*cspan_at(&progress, INT64_C(3))) = 0.0;
@@ -16764,7 +16836,7 @@ static void take_over(double elapsed, array_double_2d operation, array_double_2d
 static void put_aside(array_double_2d operation)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&operation, INT64_C(28), i)) = (*cspan_at(&operation, INT64_C(26), i));
     }
@@ -16783,7 +16855,7 @@ static void note_calm_state(double elapsed, array_double_2d operation, array_dou
     swing = span_row(&operation, INT64_C(26));
     ahead = span_row(&operation, INT64_C(27));
     begin = (*cspan_at(&operation, INT64_C(4), INT64_C(0)));
-    interval = ((*cspan_at(&swing, INT64_C(28))) - begin) / INT64_C(99);
+    interval = ((*cspan_at(&swing, INT64_C(31))) - begin) / INT64_C(99);
     k = span_min_int(span_max_int((int64_t)(elapsed / interval), INT64_C(0)), INT64_C(99) - INT64_C(1));
     set_knot(k, interval, ahead, span_rows(&operation, INT64_C(29), INT64_C(32)));
     since = elapsed - k * interval;
@@ -16800,7 +16872,7 @@ static void note_calm_state(double elapsed, array_double_2d operation, array_dou
 static void bring_back(array_double_2d operation)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&operation, INT64_C(26), i)) = (*cspan_at(&operation, INT64_C(28), i));
     }
@@ -16837,20 +16909,20 @@ static bool is_hanging(array_double_1d command)
     double paid_out;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        if (!(fabs((*cspan_at(&command, INT64_C(18) + i))) < 1e+300))
+        if (!(fabs((*cspan_at(&command, INT64_C(21) + i))) < 1e+300))
         {
             return 0;
         }
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        if (!(fabs((*cspan_at(&command, INT64_C(18) + INT64_C(3) + i))) < 1.5))
+        if (!(fabs((*cspan_at(&command, INT64_C(21) + INT64_C(3) + i))) < 1.5))
         {
             return 0;
         }
     }
-    length = (*cspan_at(&command, INT64_C(18) + INT64_C(0) + INT64_C(2)));
-    paid_out = (*cspan_at(&command, INT64_C(16))) * (*cspan_at(&command, INT64_C(18) + INT64_C(5) + INT64_C(2)));
+    length = (*cspan_at(&command, INT64_C(21) + INT64_C(0) + INT64_C(2)));
+    paid_out = (*cspan_at(&command, INT64_C(16))) * (*cspan_at(&command, INT64_C(21) + INT64_C(5) + INT64_C(2)));
     return span_min(length, length + paid_out) > 0.0;
 }
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work)
@@ -16869,9 +16941,9 @@ static void write_measured(array_double_2d operation, array_double_2d known, arr
     double rate_x;
     double rate_y;
     command = span_row(&operation, INT64_C(0));
-    state = span_piece(&command, INT64_C(18), INT64_C(28));
+    state = span_piece(&command, INT64_C(21), INT64_C(31));
     swing = span_row(&operation, INT64_C(26));
-    for (i = INT64_C(0); i < INT64_C(29); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&swing, i)) = 0.0;
     }
@@ -16907,7 +16979,7 @@ int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d kno
     double retry;
     int64_t result;
     progress = span_row(&operation, INT64_C(4));
-    (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&operation, INT64_C(0), INT64_C(17)));
+    (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&operation, INT64_C(0), INT64_C(20)));
     if (!is_hanging(span_row(&operation, INT64_C(0))))
     {
         (*cspan_at(&progress, INT64_C(1))) = INT64_C(3);
@@ -16934,11 +17006,11 @@ static bool takes_measured(array_double_2d operation, array_double_2d known, arr
     bool result;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
-    if ((int64_t)((*cspan_at(&command, INT64_C(2)))) == INT64_C(5))
+    if (wanted_mode(command) == INT64_C(5))
     {
         return 0;
     }
-    if (!((*cspan_at(&command, INT64_C(17))) > 0.5))
+    if (!((*cspan_at(&command, INT64_C(20))) > 0.5))
     {
         (*cspan_at(&progress, INT64_C(10))) = 0.0;
         return 0;
@@ -29819,7 +29891,7 @@ static void set_options(array_double_2d known, array_double_2d work)
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(85), i)) = (*cspan_at(&known, INT64_C(4), i));
+        (*cspan_at(&work, INT64_C(85), i)) = (*cspan_at(&known, INT64_C(5), i));
     }
     (*cspan_at(&work, INT64_C(85), INT64_C(3))) = 0.0;
     (*cspan_at(&work, INT64_C(85), INT64_C(4))) = 0.0;
@@ -29931,6 +30003,35 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     }
     return 1;
 }
+static bool trips(array_double_2d operation)
+{
+    int64_t drive;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        if ((*cspan_at(&operation, INT64_C(0), INT64_C(17) + drive)) > 0.5)
+        {
+            if ((*cspan_at(&operation, INT64_C(26), INT64_C(28) + drive)) < 0.5)
+            {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+static bool brake_anew(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(26)), work);
+    put_aside(operation);
+    note_trips(operation);
+    if (!plan_brakes(operation, known, work))
+    {
+        bring_back(operation);
+        note_trips(operation);
+        (*cspan_at(&operation, INT64_C(4), INT64_C(2))) = INT64_C(6);
+    }
+    cover_swing(operation, known, timing, coefficients, offsets, work);
+    return 1;
+}
 void segfmu_begin_operation(double time, array_double_2d operation)
 {
     int64_t row;
@@ -29964,7 +30065,7 @@ static void begin_swing(array_double_2d operation)
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
     (*cspan_at(&progress, INT64_C(4))) = 0.0;
     (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
-    (*cspan_at(&operation, INT64_C(26), INT64_C(28))) = 0.0;
+    (*cspan_at(&operation, INT64_C(26), INT64_C(31))) = 0.0;
     (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
 }
 static bool is_stop(array_double_1d aim)
@@ -30131,7 +30232,7 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     bool result;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
-    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    mode = wanted_mode(command);
     elapsed = (*cspan_at(&command, INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
     if (takes_measured(operation, known, timing, coefficients, offsets, work, stack))
     {
@@ -30139,6 +30240,11 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     }
     if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
     {
+        if (trips(operation))
+        {
+            result = brake_anew(elapsed, operation, known, timing, coefficients, offsets, work);
+            return result;
+        }
         if (!wants_calm(operation))
         {
             result = prolong_swing(elapsed, operation, known, timing, coefficients, offsets, work);
@@ -30246,7 +30352,7 @@ double segfmu_next_operation(array_double_2d operation)
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
     swing = span_row(&operation, INT64_C(26));
-    mode = (int64_t)((*cspan_at(&command, INT64_C(2))));
+    mode = wanted_mode(command);
     if ((*cspan_at(&swing, INT64_C(0))) > 0.5)
     {
         uncovered = (*cspan_at(&progress, INT64_C(0))) + (*cspan_at(&swing, INT64_C(1))) - 0.5 * (*cspan_at(&command, INT64_C(14)));
@@ -30263,7 +30369,7 @@ double segfmu_next_operation(array_double_2d operation)
     }
     if (is_calming(operation))
     {
-        result = (*cspan_at(&swing, INT64_C(28)));
+        result = (*cspan_at(&swing, INT64_C(31)));
         return result;
     }
     if (((*cspan_at(&progress, INT64_C(3))) > 0.0) || ((*cspan_at(&progress, INT64_C(6))) > 0.0))
