@@ -157,13 +157,47 @@ def test_junit_and_a_comparison_of_the_command(
         assert test.get("name") == row.criterion and f"in run {row.run}: sway" in text
 
 
-def killed_at_half(process: subprocess.Popen[bytes], out: Path) -> None:
-    deadline = time.monotonic() + 120.0
-    while rows(out) < RUNS // 3:
-        assert process.poll() is None and time.monotonic() < deadline
-        time.sleep(0.05)
-    process.send_signal(signal.SIGKILL)
-    process.wait()
+# the command, which does something at a given place of the campaign, however fast runs are made
+DRIVER = """
+import os, signal
+from segfmu.cli.app import main
+from segfmu.validation.campaigns.store import Store
+
+add, came = Store.add, 0
+
+def adds(self, outcomes):
+    global came
+    outcomes = list(outcomes)
+    add(self, outcomes)
+    before, came = came, came + len(outcomes)
+    {action}
+
+if __name__ == "__main__":
+    Store.add = adds
+    main()
+"""
+# a third is written; what comes next is lost with the process
+KILLED = """
+    if before >= {count}:
+        os.kill(os.getpid(), signal.SIGKILL)
+    if came >= {count}:
+        self.flush()
+"""
+WORKER_KILLED = """
+    if before < {count} <= came:
+        os.kill({pid}, signal.SIGKILL)
+"""
+
+
+def driven(folder: Path, action: str, *words: str | Path) -> subprocess.Popen[str]:
+    """`segfmu campaign` with something that happens on the way."""
+    script = folder / "driver.py"
+    script.write_text(DRIVER.format(action=action), encoding="utf-8")
+    _, _, _, _, *own = command(*words)
+    return subprocess.Popen(
+        [sys.executable, str(script), "campaign", *own], stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True,
+    )
 
 
 def rows(out: Path) -> int:
@@ -173,10 +207,10 @@ def rows(out: Path) -> int:
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGKILL")
 def test_a_killed_campaign_goes_on_where_it_was(long: CampaignResult, tmp_path: Path) -> None:
     path, out = write(tmp_path, LONG), tmp_path / "out"
-    with subprocess.Popen(
-        command(path, "-o", out, "--jobs", "2"), stdout=subprocess.DEVNULL
-    ) as process:
-        killed_at_half(process, out)
+    action = KILLED.format(count=RUNS // 3)
+    with driven(tmp_path, action, path, "-o", out, "--jobs", "2") as process:
+        said = process.communicate(timeout=300)
+    assert process.returncode == -signal.SIGKILL, said
     before = {p: p.read_bytes() for p in (out / "parts").glob("*.parquet")}
     kept = rows(out)
     assert RUNS // 3 <= kept < RUNS
@@ -223,15 +257,8 @@ def test_a_worker_that_is_killed_loses_nothing(
 ) -> None:
     path, out = write(tmp_path, LONG), tmp_path / "out"
     address, workers = scheduler
-    with subprocess.Popen(
-        command(path, "-o", out, "--scheduler", address), stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True,
-    ) as process:
-        deadline = time.monotonic() + 120.0
-        while rows(out) < RUNS // 6:
-            assert process.poll() is None and time.monotonic() < deadline
-            time.sleep(0.05)
-        workers[0].kill()
+    action = WORKER_KILLED.format(count=RUNS // 6, pid=workers[0].pid)
+    with driven(tmp_path, action, path, "-o", out, "--scheduler", address) as process:
         said, errors = process.communicate(timeout=300)
     assert process.returncode == 0, said + errors
     assert load_result(out).table.equals(long.table)

@@ -28,8 +28,11 @@ MOST_SHARED = 64
 AHEAD = 2
 # of a future whose worker died with the result: it is made again
 REPEATED = ("lost", "pending")
-# s; for a scheduler to answer, and for a worker to come
+# s; for a scheduler to answer, and for a worker of a scheduler elsewhere to come
 ANSWER, PATIENCE = 5.0, 30.0
+FOREVER = "365 days"
+# of one that restarts a worker of this machine, however long that takes: it will not
+GIVEN_UP = ("closing", "closed", "failed")
 
 
 @contextmanager
@@ -41,9 +44,12 @@ def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
     InputError
         If the scheduler does not answer, has no workers, or these have another segfmu.
     """
+    from dask import config
     from distributed import Client, LocalCluster
 
     with ExitStack() as stack:
+        # a worker that dies is begun anew, which takes long on a busy machine
+        stack.enter_context(config.set({"distributed.deploy.lost-worker-timeout": FOREVER}))
         if scheduler is None:
             # of Dask's locks and of archives, also those of a worker that is killed
             folder = stack.enter_context(work_folder())
@@ -109,7 +115,7 @@ def stream(
             # a campaign that is resumed asks for the same again
             future = client.submit(worker.perform, sources, own, timeout, pure=False)
             running[future] = own
-        if threads:
+        if threads or _restarts(client):
             seen = monotonic()
         elif monotonic() - seen > PATIENCE:
             raise SimulationError(
@@ -128,6 +134,12 @@ def stream(
             if future.status in REPEATED:
                 continue
             yield _outcomes(client, future, running.pop(future), shares)
+
+
+def _restarts(client: Client) -> bool:
+    """Whether a worker of this machine is or will be made again after its end."""
+    own = getattr(client.cluster, "workers", {})
+    return any(nanny.status.name not in GIVEN_UP for nanny in own.values())
 
 
 def _outcomes(
