@@ -930,9 +930,9 @@ static void set_stretched(double target, bool resting, array_double_2d cell, arr
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double first_feasible(double accuracy, double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double earlier_feasible(double start, double end, array_double_2d cell, array_double_1d axis, array_double_2d work);
-static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
-static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double common_duration(double start, double most, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static void note_shortest(double time, array_double_1d axis, array_double_2d cell);
 static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells);
@@ -994,7 +994,7 @@ static bool set_axes(array_double_2d limits, array_double_2d lower, array_double
 static bool plan_alone(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double shortest_of(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells);
 static double least_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double common_length(int64_t place, double most, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
@@ -1017,6 +1017,7 @@ static void write_grid(int64_t order, array_double_2d grid, array_double_2d squa
 static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links);
 static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells);
 static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells);
+static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells);
 static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool runs_backwards(array_double_2d spans);
@@ -1034,6 +1035,7 @@ static bool centre_path(double theta, array_double_1d path, array_double_2d trac
 static void write_times(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
 static bool begin_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static bool slow_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static double follow_path(double theta, double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
 static double limit_of(int64_t place, int64_t axis, array_double_2d limits);
 static void write_tracks(array_double_2d limits, array_double_2d lower, array_double_1d path, array_double_2d tracks);
@@ -1042,6 +1044,7 @@ static void write_box_scale(double first, array_double_2d link);
 static void write_scales_of(bool smoothstep, array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans);
 static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried);
 static double gap_of(int64_t place);
+static bool may_beat(double known, int64_t place, double total);
 static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice);
 static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool tighten_path(array_double_2d spans);
@@ -1058,7 +1061,7 @@ static bool stays(int64_t point, array_double_3d choice);
 static int64_t write_places(array_double_3d states, array_double_1d dwells, array_double_3d choice, array_double_1d place, array_double_3d spots);
 static void bring_down(array_double_3d given, array_double_2d limits, array_double_2d lower, array_double_2d axes);
 static bool is_given(int64_t point, int64_t count, array_double_3d spots);
-static double searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static void searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool choose_fields(bool all_fields, array_double_3d spots);
 static double fastest_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static int64_t sensing_rows(double sample_time, double dead_time);
@@ -29015,7 +29018,7 @@ static double earlier_feasible(double start, double end, array_double_2d cell, a
     }
     return end;
 }
-static double next_feasible(double start, array_double_2d cell, array_double_1d axis, array_double_2d work)
+static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
     double delay;
@@ -29035,6 +29038,7 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);
+            duration = span_min(duration, most);
             if (set_duration(duration, cell, axis, work))
             {
                 if (((*cspan_at(&axis, INT64_C(14))) < 0.5) || (!ramps_suffice(axis)))
@@ -29043,6 +29047,10 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
                 }
                 result = earlier_feasible(start, duration, cell, axis, work);
                 return result;
+            }
+            if (duration >= most)
+            {
+                return -1.0;
             }
             after = duration;
         }
@@ -29054,11 +29062,15 @@ static double next_feasible(double start, array_double_2d cell, array_double_1d 
     growth = 1.005;
     for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
     {
-        duration = after * growth;
+        duration = span_min(after * growth, most);
         if (set_duration(duration, cell, axis, work))
         {
             result = first_feasible(4e-09, after, duration, cell, axis, work);
             return result;
+        }
+        if (duration >= most)
+        {
+            return -1.0;
         }
         after = duration;
         if (i > INT64_C(230))
@@ -29080,7 +29092,7 @@ static double round_up(double duration, double sample_time)
     }
     return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
 }
-static double common_duration(double start, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static double common_duration(double start, double most, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t i;
     int64_t place;
@@ -29103,6 +29115,10 @@ static double common_duration(double start, double sample_time, int64_t first, i
         {
             return duration;
         }
+        if (duration >= most)
+        {
+            return -1.0;
+        }
         cell = span_matrix(&cells, place);
         row = span_floor_mod(place, axes.shape[INT64_C(0)]);
         axis = span_row(&axes, row);
@@ -29112,7 +29128,7 @@ static double common_duration(double start, double sample_time, int64_t first, i
         }
         else
         {
-            duration = next_feasible(duration, cell, axis, work);
+            duration = next_feasible(duration, most, cell, axis, work);
             if (duration < 0.0)
             {
                 return -1.0;
@@ -29424,7 +29440,7 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
             {
                 present = (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
                 end = j + last - first;
-                reached = common_duration(present * factor + extra, 0.0, j, end, axes, cells, work);
+                reached = common_duration(present * factor + extra, 1e+300, 0.0, j, end, axes, cells, work);
                 if ((reached < 0.0) || (reached - present > rest * (1.0 + 1e-13)))
                 {
                     (*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) = 0.0;
@@ -29461,7 +29477,7 @@ static bool prolong_from(int64_t begin, double share, int64_t first, int64_t las
         time_left(&rest, &base, &count, first, step, target, cells);
         j = first + span_floor_mod((begin - first + k * step), (intervals * step));
         present = (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
-        reached = common_duration(present + share * rest, 0.0, j, j + last - first, axes, cells, work);
+        reached = common_duration(present + share * rest, 1e+300, 0.0, j, j + last - first, axes, cells, work);
         if ((reached >= 0.0) && (reached - present <= rest * (1.0 + 1e-13)))
         {
             for (i = j; i < j + last - first; i += INT64_C(1))
@@ -29574,7 +29590,7 @@ static double meet_intervals(int64_t first, int64_t last, array_double_1d option
             {
                 longest = span_max(longest, (*cspan_at(&cells, i, INT64_C(67), INT64_C(1))));
             }
-            time = common_duration(longest, sample_time, j, end, axes, cells, work);
+            time = common_duration(longest, 1e+300, sample_time, j, end, axes, cells, work);
             (*cspan_at(&work, INT64_C(99), INT64_C(0))) = first;
             (*cspan_at(&work, INT64_C(99), INT64_C(1))) = span_floor_div(j, axes.shape[INT64_C(0)]);
             if (time < 0.0)
@@ -30894,14 +30910,14 @@ static double least_length(int64_t place, array_double_2d axes, array_double_3d 
     }
     return longest;
 }
-static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work)
+static double common_length(int64_t place, double most, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     int64_t first;
     array_double_2d planner;
     double found;
     first = place * axes.shape[INT64_C(0)];
     planner = span_rows(&work, INT64_C(2), INT64_C(242));
-    found = common_duration(0.0, 0.0, first, first + axes.shape[INT64_C(0)], axes, cells, planner);
+    found = common_duration(0.0, most, 0.0, first, first + axes.shape[INT64_C(0)], axes, cells, planner);
     if (found < 0.0)
     {
         return 1e+300;
@@ -30919,7 +30935,7 @@ static double plan_lengths(array_double_3d states, array_double_2d spans, array_
         (*cspan_at(&spans, j, INT64_C(10))) = least_length(j, axes, cells, work);
         if ((*cspan_at(&spans, j, INT64_C(10))) < 1e+300)
         {
-            (*cspan_at(&spans, j, INT64_C(10))) = common_length(j, axes, cells, work);
+            (*cspan_at(&spans, j, INT64_C(10))) = common_length(j, 1e+300, axes, cells, work);
         }
         total = total + (*cspan_at(&spans, j, INT64_C(10)));
     }
@@ -30967,7 +30983,7 @@ static bool leaves_box(int64_t place, array_double_3d states, array_double_1d pa
             for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
             {
                 beyond = farthest_beyond(side, low, high, first, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, work);
-                if (beyond > (*cspan_at(&path, INT64_C(16))))
+                if (beyond > (*cspan_at(&path, INT64_C(18))))
                 {
                     return 1;
                 }
@@ -31007,16 +31023,16 @@ static int64_t offer_states(array_double_3d tried, array_double_3d best, array_d
         (*cspan_at(&spans, j, INT64_C(10))) = least_length(j, axes, cells, work);
         total = total + (*cspan_at(&spans, j, INT64_C(10)));
     }
-    shorter = total < (*cspan_at(&path, INT64_C(11)));
+    shorter = total < (*cspan_at(&path, INT64_C(13)));
     if (shorter)
     {
         total = 0.0;
         for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
         {
-            (*cspan_at(&spans, j, INT64_C(10))) = common_length(j, axes, cells, work);
+            (*cspan_at(&spans, j, INT64_C(10))) = common_length(j, 1e+300, axes, cells, work);
             total = total + (*cspan_at(&spans, j, INT64_C(10)));
         }
-        shorter = total < (*cspan_at(&path, INT64_C(11)));
+        shorter = total < (*cspan_at(&path, INT64_C(13)));
     }
     count = INT64_C(0);
     beyond = 0;
@@ -31036,7 +31052,7 @@ static int64_t offer_states(array_double_3d tried, array_double_3d best, array_d
     }
     if (shorter && (!beyond))
     {
-        (*cspan_at(&path, INT64_C(11))) = total;
+        (*cspan_at(&path, INT64_C(13))) = total;
         copy_states(tried, best);
     }
     return count;
@@ -31194,10 +31210,10 @@ static void write_margin(array_double_1d path, array_double_3d links)
             }
         }
     }
-    (*cspan_at(&path, INT64_C(16))) = 0.0;
+    (*cspan_at(&path, INT64_C(18))) = 0.0;
     if (most > least)
     {
-        (*cspan_at(&path, INT64_C(16))) = 1e-09 * (most - least);
+        (*cspan_at(&path, INT64_C(18))) = 1e-09 * (most - least);
     }
 }
 static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
@@ -31456,40 +31472,58 @@ static void set_state(double value, int64_t point, int64_t axis, int64_t field, 
     first = (point - INT64_C(1)) * count;
     set_problems(span_layers(&states, point - INT64_C(1), point + INT64_C(2)), span_layers(&cells, first, first + INT64_C(2) * count));
 }
+static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells)
+{
+    int64_t other;
+    double longest;
+    longest = 0.0;
+    for (other = INT64_C(0); other < axes.shape[INT64_C(0)]; other += INT64_C(1))
+    {
+        if (other != without)
+        {
+            longest = span_max(longest, shortest_of(place, other, axes, cells));
+        }
+    }
+    return longest;
+}
 static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     double least;
     int64_t place;
-    double longest;
-    int64_t other;
-    double total;
+    double others;
+    double shortest;
+    double most;
+    double found;
+    double result;
     least = 0.0;
     for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
     {
+        least = least + longest_of(place, axis, axes, cells);
+    }
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        if (!(least < (*cspan_at(&path, INT64_C(14)))))
+        {
+            return 1e+300;
+        }
         if (!plan_alone(place, axis, axes, cells, work))
         {
             return 1e+300;
         }
-        longest = 0.0;
-        for (other = INT64_C(0); other < axes.shape[INT64_C(0)]; other += INT64_C(1))
-        {
-            longest = span_max(longest, shortest_of(place, other, axes, cells));
-        }
-        least = least + longest;
+        others = longest_of(place, axis, axes, cells);
+        least = least + span_max(shortest_of(place, axis, axes, cells) - others, 0.0);
     }
-    if (!(least < (*cspan_at(&path, INT64_C(12)))))
-    {
-        return 1e+300;
-    }
-    total = 0.0;
     for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
     {
-        (*cspan_at(&spans, place, INT64_C(11))) = common_length(place, axes, cells, work);
-        total = total + (*cspan_at(&spans, place, INT64_C(11)));
-    }
-    if (!(total < (*cspan_at(&path, INT64_C(12)))))
-    {
-        return 1e+300;
+        shortest = span_max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells));
+        most = (*cspan_at(&path, INT64_C(14))) - (least - shortest);
+        found = common_length(place, most, axes, cells, work);
+        if (found >= 1e+300)
+        {
+            return 1e+300;
+        }
+        (*cspan_at(&spans, place, INT64_C(11))) = found;
+        least = least + (found - shortest);
     }
     for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
     {
@@ -31498,7 +31532,8 @@ static double tried_length(int64_t point, int64_t axis, array_double_3d states, 
             return 1e+300;
         }
     }
-    return total;
+    result = (*cspan_at(&spans, point - INT64_C(1), INT64_C(11))) + (*cspan_at(&spans, point, INT64_C(11)));
+    return result;
 }
 static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
@@ -31519,7 +31554,7 @@ static void polish_state(int64_t spot, int64_t field, array_double_3d states, ar
     high = (*cspan_at(&axes, axis, INT64_C(2) + field));
     low = -(*cspan_at(&axes, axis, INT64_C(9) + field));
     least = (*cspan_at(&spans, point - INT64_C(1), INT64_C(10))) + (*cspan_at(&spans, point, INT64_C(10)));
-    move = (*cspan_at(&path, INT64_C(14))) * 0.5 * (high - low);
+    move = (*cspan_at(&path, INT64_C(16))) * 0.5 * (high - low);
     before = 1e+300;
     for (trial = INT64_C(0); trial < INT64_C(1000); trial += INT64_C(1))
     {
@@ -31527,7 +31562,7 @@ static void polish_state(int64_t spot, int64_t field, array_double_3d states, ar
         value = span_min(span_max(here + move, low), high);
         keep_cells(point, axis, 0, axes, cells, links);
         set_state(value, point, axis, field, states, axes, cells);
-        (*cspan_at(&path, INT64_C(12))) = least * (1.0 - 1e-06);
+        (*cspan_at(&path, INT64_C(14))) = least * (1.0 - 1e-06);
         found = tried_length(point, axis, states, path, links, spans, axes, cells, timing, coefficients, work);
         if ((trial > INT64_C(1)) && (found < 1e+300))
         {
@@ -31597,7 +31632,7 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
     count = axes.shape[INT64_C(0)];
     last = states.shape[INT64_C(0)] - INT64_C(1);
     plan_lengths(states, spans, axes, cells, work);
-    (*cspan_at(&path, INT64_C(14))) = 0.03;
+    (*cspan_at(&path, INT64_C(16))) = 0.03;
     for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
     {
         backwards = runs_backwards(spans);
@@ -31619,7 +31654,7 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
                 }
             }
         }
-        (*cspan_at(&path, INT64_C(14))) = 0.32 * (*cspan_at(&path, INT64_C(14)));
+        (*cspan_at(&path, INT64_C(16))) = 0.32 * (*cspan_at(&path, INT64_C(16)));
     }
     total = 0.0;
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
@@ -32050,6 +32085,43 @@ static bool begin_path(array_double_1d path, array_double_2d tracks, array_doubl
     result = retreat(path, tracks, spots, links, spans, grid, square, band);
     return result;
 }
+static bool slow_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+{
+    int64_t attempt;
+    int64_t i;
+    int64_t field;
+    double power;
+    int64_t j;
+    (*cspan_at(&path, INT64_C(8))) = 1.0;
+    for (attempt = INT64_C(0); attempt < INT64_C(60); attempt += INT64_C(1))
+    {
+        try_move(0.0, path, spots, links, spans);
+        if (largest_node_share(1, path, tracks, links, spans, grid, square) < 0.9)
+        {
+            return 1;
+        }
+        for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+            {
+                (*cspan_at(&spots, i, INT64_C(3), field)) = (*cspan_at(&spots, i, INT64_C(3), field)) / pow(1.02, (double)((field + INT64_C(1))));
+            }
+        }
+        power = pow(1.02, (double)((int64_t)((*cspan_at(&path, INT64_C(0))))));
+        for (i = INT64_C(0); i < links.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            for (j = INT64_C(5); j < INT64_C(14); j += INT64_C(1))
+            {
+                (*cspan_at(&links, i, INT64_C(3), j)) = (*cspan_at(&links, i, INT64_C(3), j)) / power;
+            }
+        }
+        for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+        {
+            (*cspan_at(&spans, j, INT64_C(0))) = (*cspan_at(&spans, j, INT64_C(0))) + log(1.02);
+        }
+    }
+    return 0;
+}
 static double follow_path(double theta, double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
 {
     double reached;
@@ -32265,6 +32337,10 @@ static double gap_of(int64_t place)
     }
     return 0.03;
 }
+static bool may_beat(double known, int64_t place, double total)
+{
+    return total <= (1.0 + 1.05 * gap_of(place)) * known;
+}
 static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice)
 {
     int64_t begin;
@@ -32284,6 +32360,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     array_double_3d tried;
     array_double_3d best;
     bool smoothstep;
+    double start;
     double theta;
     int64_t fewest;
     int64_t place;
@@ -32297,24 +32374,37 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     given = span_layers(&choice, begin, end);
     block_rows(&begin, &end, INT64_C(3), path, choice);
     tried = span_layers(&choice, begin, end);
-    block_rows(&begin, &end, (int64_t)((*cspan_at(&path, INT64_C(13)))), path, choice);
+    block_rows(&begin, &end, (int64_t)((*cspan_at(&path, INT64_C(15)))), path, choice);
     best = span_layers(&choice, begin, end);
     smoothstep = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1)))) == INT64_C(0);
     write_scales_of(smoothstep, given, path, axes, spots, links, spans);
-    if (!begin_path(path, axes, spots, links, spans, grid, square, band))
+    start = (*cspan_at(&path, INT64_C(9)));
+    if ((*cspan_at(&path, INT64_C(10))) > 0.5)
+    {
+        start = gap_of(INT64_C(0));
+        if (!slow_path(path, axes, spots, links, spans, grid, square))
+        {
+            return 0;
+        }
+    }
+    else if (!begin_path(path, axes, spots, links, spans, grid, square, band))
     {
         return 0;
     }
-    theta = (*cspan_at(&path, INT64_C(7))) / ((*cspan_at(&path, INT64_C(9))) * path_total(INT64_C(0), spans));
+    theta = (*cspan_at(&path, INT64_C(7))) / (start * path_total(INT64_C(0), spans));
     fewest = spans.shape[INT64_C(0)] + INT64_C(1);
-    for (place = INT64_C(0); place < INT64_C(3); place += INT64_C(1))
+    for (place = INT64_C(0); place < INT64_C(2) + INT64_C(1); place += INT64_C(1))
     {
         theta = follow_path(theta, gap_of(place), path, axes, spots, links, spans, grid, square, band);
         if (theta < 0.0)
         {
             break;
         }
-        (*cspan_at(&path, INT64_C(10))) = path_total(INT64_C(0), spans);
+        (*cspan_at(&path, INT64_C(11))) = path_total(INT64_C(0), spans);
+        if (!may_beat(span_min((*cspan_at(&path, INT64_C(13))), (*cspan_at(&path, INT64_C(14)))), place, (*cspan_at(&path, INT64_C(11)))))
+        {
+            return 0;
+        }
         write_tried(given, path, axes, spots, tried);
         slow = offer_states(tried, best, path, links, spans, axes, cells, timing, coefficients, work);
         if (slow < fewest)
@@ -32376,7 +32466,11 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
 {
     array_double_1d path;
     int64_t j;
+    int64_t begin;
+    int64_t end;
+    bool resting;
     int64_t sweep;
+    bool going_on;
     path = span_row(&tools, INT64_C(0));
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
     {
@@ -32384,13 +32478,18 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
         (*cspan_at(&spans, j, INT64_C(6))) = -1.0;
         (*cspan_at(&spans, j, INT64_C(7))) = 1e+300;
     }
+    (*cspan_at(&path, INT64_C(10))) = 0.0;
+    (*cspan_at(&path, INT64_C(11))) = 1e+300;
+    block_rows(&begin, &end, INT64_C(0), path, choice);
+    resting = !is_moving(span_layers(&choice, begin, end));
     for (sweep = INT64_C(0); sweep < INT64_C(10); sweep += INT64_C(1))
     {
-        if (!try_path(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work))
+        going_on = try_path(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
+        if (sweep == INT64_C(0))
         {
-            return;
+            (*cspan_at(&path, INT64_C(12))) = span_min((*cspan_at(&path, INT64_C(12))), (*cspan_at(&path, INT64_C(11))));
         }
-        if ((*cspan_at(&path, INT64_C(10))) > 1.03 * span_min((*cspan_at(&path, INT64_C(11))), (*cspan_at(&path, INT64_C(12)))))
+        if (!going_on)
         {
             return;
         }
@@ -32398,6 +32497,7 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
         {
             return;
         }
+        (*cspan_at(&path, INT64_C(10))) = resting;
     }
 }
 static int64_t check_limits(array_double_2d limits, array_double_1d report)
@@ -32845,7 +32945,7 @@ bool segfmu_next_passage(array_double_2d tools, array_double_3d spots)
     (*cspan_at(&path, INT64_C(6))) = last;
     return last <= end;
 }
-static double searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
+static void searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
 {
     array_double_1d path;
     int64_t begin;
@@ -32853,13 +32953,13 @@ static double searched_states(array_double_3d choice, array_double_2d tools, arr
     array_double_3d given;
     int64_t attempts;
     int64_t attempt;
-    double result;
     path = span_row(&tools, INT64_C(0));
     block_rows(&begin, &end, INT64_C(0), path, choice);
     given = span_layers(&choice, begin, end);
-    block_rows(&begin, &end, (int64_t)((*cspan_at(&path, INT64_C(13)))), path, choice);
+    block_rows(&begin, &end, (int64_t)((*cspan_at(&path, INT64_C(15)))), path, choice);
     copy_states(given, span_layers(&choice, begin, end));
-    (*cspan_at(&path, INT64_C(11))) = plan_lengths(given, spans, axes, cells, work);
+    (*cspan_at(&path, INT64_C(12))) = 1e+300;
+    (*cspan_at(&path, INT64_C(13))) = plan_lengths(given, spans, axes, cells, work);
     (*cspan_at(&path, INT64_C(9))) = 10.0;
     attempts = INT64_C(1);
     if (is_moving(given))
@@ -32872,8 +32972,6 @@ static double searched_states(array_double_3d choice, array_double_2d tools, arr
         search_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
         (*cspan_at(&path, INT64_C(9))) = 100.0;
     }
-    result = (*cspan_at(&path, INT64_C(11)));
-    return result;
 }
 static bool choose_fields(bool all_fields, array_double_3d spots)
 {
@@ -32900,34 +32998,34 @@ static double fastest_states(array_double_3d choice, array_double_2d tools, arra
     int64_t end;
     array_double_3d best;
     array_double_3d alone;
-    double total;
     double least;
+    double total;
     path = span_row(&tools, INT64_C(0));
     block_rows(&begin, &end, INT64_C(1), path, choice);
     best = span_layers(&choice, begin, end);
     block_rows(&begin, &end, INT64_C(2), path, choice);
     alone = span_layers(&choice, begin, end);
-    (*cspan_at(&path, INT64_C(12))) = 1e+300;
-    (*cspan_at(&path, INT64_C(13))) = INT64_C(1);
-    total = searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
-    least = 1e+300;
-    if (choose_fields(0, spots))
+    (*cspan_at(&path, INT64_C(14))) = 1e+300;
+    (*cspan_at(&path, INT64_C(15))) = INT64_C(1);
+    searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
+    total = polish_states(best, path, spots, links, spans, axes, cells, timing, coefficients, work);
+    if (!choose_fields(0, spots))
     {
-        (*cspan_at(&path, INT64_C(12))) = total;
-        (*cspan_at(&path, INT64_C(13))) = INT64_C(2);
-        least = searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
-        if (least < total)
-        {
-            copy_states(alone, best);
-        }
+        return total;
+    }
+    (*cspan_at(&path, INT64_C(14))) = total;
+    (*cspan_at(&path, INT64_C(15))) = INT64_C(2);
+    searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
+    least = 1e+300;
+    if (may_beat(total, INT64_C(2), (*cspan_at(&path, INT64_C(12)))))
+    {
         least = polish_states(alone, path, spots, links, spans, axes, cells, timing, coefficients, work);
     }
     choose_fields(1, spots);
-    total = polish_states(best, path, spots, links, spans, axes, cells, timing, coefficients, work);
     if (least < total)
     {
         copy_states(alone, best);
-        return least;
+        total = polish_states(best, path, spots, links, spans, axes, cells, timing, coefficients, work);
     }
     return total;
 }
@@ -32973,7 +33071,7 @@ void segfmu_choose_passage(array_double_3d choice, array_double_2d tools, array_
     own_cells = span_layers(&cells, low, high);
     least = 1e+300;
     copy_states(part, kept);
-    share = (*cspan_at(&path, INT64_C(15)));
+    share = (*cspan_at(&path, INT64_C(17)));
     for (attempt = INT64_C(0); attempt < INT64_C(2); attempt += INT64_C(1))
     {
         if (attempt == INT64_C(1))

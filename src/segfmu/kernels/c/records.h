@@ -1655,14 +1655,16 @@ enum {
     PATH_TERMS = 7,
     PATH_ROOM = 8,
     PATH_START = 9,
-    PATH_TOTAL = 10,
-    PATH_BEST = 11,
-    PATH_KNOWN = 12,
-    PATH_BLOCK = 13,
-    PATH_STEP = 14,
-    PATH_SHARE = 15,
-    PATH_MARGIN = 16,
-    PATH_SIZE = 17
+    PATH_FOLLOWED = 10,
+    PATH_TOTAL = 11,
+    PATH_LOOSEST = 12,
+    PATH_BEST = 13,
+    PATH_KNOWN = 14,
+    PATH_BLOCK = 15,
+    PATH_STEP = 16,
+    PATH_SHARE = 17,
+    PATH_MARGIN = 18,
+    PATH_SIZE = 19
 };
 
 enum {
@@ -1792,7 +1794,7 @@ enum {
     TOOLS_GRID = 1,
     TOOLS_SQUARE = 57,
     TOOLS_SIZE = 106,
-    TOOLS_COLUMNS = 17
+    TOOLS_COLUMNS = 19
 };
 
 enum {

@@ -17,7 +17,13 @@ from segfmu.kernels.passage.grid import write_grid
 from segfmu.kernels.passage.judge import copy_states, plan_lengths, set_axes
 from segfmu.kernels.passage.polish import polish_states
 from segfmu.kernels.passage.records import Block, Free, Path, Spot, Tools, Track
-from segfmu.kernels.passage.search import block_rows, search_states, write_tracks
+from segfmu.kernels.passage.search import (
+    LAST_POINT,
+    block_rows,
+    may_beat,
+    search_states,
+    write_tracks,
+)
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
@@ -218,29 +224,29 @@ def fastest_states(
     alone = choice[begin:end, :, :]
     path[Path.KNOWN] = NEVER
     path[Path.BLOCK] = Block.BEST
-    total = searched_states(
+    searched_states(
+        choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
+    )
+    total = polish_states(best, path, spots, links, spans, axes, cells, timing, coefficients, work)
+    if not choose_fields(False, spots):
+        return total
+    # as if velocities alone were free: from the best it may end elsewhere
+    path[Path.KNOWN] = total
+    path[Path.BLOCK] = Block.ALONE
+    searched_states(
         choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
     )
     least = NEVER
-    if choose_fields(False, spots):
-        # polished on its own, as if velocities alone were free: from the best it may end elsewhere
-        path[Path.KNOWN] = total
-        path[Path.BLOCK] = Block.ALONE
-        least = searched_states(
-            choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
-        )
-        if least < total:
-            copy_states(alone, best)
+    if may_beat(total, LAST_POINT, path[Path.LOOSEST]):
         least = polish_states(
             alone, path, spots, links, spans, axes, cells, timing, coefficients, work
         )
     choose_fields(True, spots)
-    total = polish_states(
-        best, path, spots, links, spans, axes, cells, timing, coefficients, work
-    )
     if least < total:
         copy_states(alone, best)
-        return least
+        total = polish_states(
+            best, path, spots, links, spans, axes, cells, timing, coefficients, work
+        )
     return total
 
 
@@ -260,8 +266,8 @@ def searched_states(
     choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
     timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
-) -> float:
-    """Write the fastest states on central paths, or rest, to the path's block; their duration [s].
+) -> None:
+    """Write the fastest states on central paths, or rest, to the path's block.
 
     What is no faster than KNOWN of the path is of no interest.
     """
@@ -270,6 +276,7 @@ def searched_states(
     given = choice[begin:end, :, :]
     begin, end = block_rows(int(path[Path.BLOCK]), path, choice)
     copy_states(given, choice[begin:end, :, :])
+    path[Path.LOOSEST] = NEVER
     path[Path.BEST] = plan_lengths(given, spans, axes, cells, work)
     # the motion found depends on where the path begins, so each is tried if given states move
     path[Path.START] = 10.0
@@ -282,7 +289,6 @@ def searched_states(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         )
         path[Path.START] = 100.0
-    return path[Path.BEST]
 
 
 def end_choice(

@@ -61,12 +61,12 @@ def least_length(
 
 
 def common_length(
-    place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+    place: int, most: float, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> float:
-    """The duration of an interval [s], whose shortest ones are known; NEVER: none."""
+    """The duration of an interval [s], whose shortest ones are known; NEVER: none below `most`."""
     first = place * axes.shape[0]
     planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
-    found = common_duration(0.0, 0.0, first, first + axes.shape[0], axes, cells, planner)
+    found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner)
     if found < 0.0:
         return NEVER
     return found
@@ -82,7 +82,7 @@ def plan_lengths(
     for j in range(spans.shape[0]):
         spans[j, Stretch.LENGTH] = least_length(j, axes, cells, work)
         if spans[j, Stretch.LENGTH] < NEVER:
-            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
+            spans[j, Stretch.LENGTH] = common_length(j, NEVER, axes, cells, work)
         total = total + spans[j, Stretch.LENGTH]
     return min(total, NEVER)
 
@@ -146,7 +146,7 @@ def offer_states(
     if shorter:
         total = 0.0
         for j in range(spans.shape[0]):
-            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
+            spans[j, Stretch.LENGTH] = common_length(j, NEVER, axes, cells, work)
             total = total + spans[j, Stretch.LENGTH]
         shorter = total < path[Path.BEST]
     count = 0

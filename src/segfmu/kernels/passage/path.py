@@ -30,6 +30,13 @@ from segfmu.kernels.passage.records import (
     Track,
 )
 
+# a path is slowed down by this factor at a time, until it uses less than a share of its limits
+SLOWING = 1.02
+SLOWED = 0.9
+SLOWER = 60
+# a gap is reached within this factor
+ENOUGH = 1.05
+
 
 def try_move(
     share: float, path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
@@ -146,6 +153,31 @@ def begin_path(
     return retreat(path, tracks, spots, links, spans, grid, square, band)
 
 
+def slow_path(
+    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
+) -> bool:
+    """Begin at the point of the last path, slowed down as a whole until it keeps its limits.
+
+    The states at the ends are at rest, so this is a motion. False if it never keeps them.
+    """
+    path[Path.ROOM] = 1.0
+    for attempt in range(SLOWER):
+        try_move(0.0, path, spots, links, spans)
+        if largest_node_share(True, path, tracks, links, spans, grid, square) < SLOWED:
+            return True
+        for i in range(spots.shape[0]):
+            for field in range(Free.SIZE):
+                spots[i, Spot.SHARE, field] = spots[i, Spot.SHARE, field] / SLOWING ** (field + 1)
+        power = SLOWING ** int(path[Path.ORDER])
+        for i in range(links.shape[0]):
+            for j in range(int(GridColumn.COMPONENTS), GridColumn.TIME):
+                links[i, Link.POINT, j] = links[i, Link.POINT, j] / power
+        for j in range(spans.shape[0]):
+            spans[j, Stretch.TIME] = spans[j, Stretch.TIME] + log(SLOWING)
+    return False
+
+
 def write_times(
     path: 'float[:]', tracks: 'float[:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
     grid: 'float[:,:]', square: 'float[:,:]',
@@ -212,7 +244,7 @@ def follow_path(
     -1 where it ends.
     """
     reached = NEVER
-    while reached > 1.05 * gap:
+    while reached > ENOUGH * gap:
         if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
             return -1.0
         reached = path[Path.TERMS] / (theta * path_total(Stretch.TIME, spans))

@@ -48,6 +48,15 @@ def set_state(
     set_problems(states[point - 1:point + 2, :, :], cells[first:first + 2 * count, :, :])
 
 
+def longest_of(place: int, without: int, axes: 'float[:,:]', cells: 'float[:,:,:]') -> float:
+    """The longest of the shortest durations of all axes but one in an interval [s]."""
+    longest = 0.0
+    for other in range(axes.shape[0]):
+        if other != without:
+            longest = max(longest, shortest_of(place, other, axes, cells))
+    return longest
+
+
 def tried_length(
     point: int, axis: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
     spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
@@ -57,26 +66,29 @@ def tried_length(
 
     NEVER if that is no less than KNOWN of the path, or leaves a box.
     """
+    # the other axes alone may already take as long
     least = 0.0
     for place in range(point - 1, point + 1):
+        least = least + longest_of(place, axis, axes, cells)
+    for place in range(point - 1, point + 1):
+        if not least < path[Path.KNOWN]:
+            return NEVER
         if not plan_alone(place, axis, axes, cells, work):
             return NEVER
-        longest = 0.0
-        for other in range(axes.shape[0]):
-            longest = max(longest, shortest_of(place, other, axes, cells))
-        least = least + longest
-    if not least < path[Path.KNOWN]:
-        return NEVER
-    total = 0.0
+        others = longest_of(place, axis, axes, cells)
+        least = least + max(shortest_of(place, axis, axes, cells) - others, 0.0)
     for place in range(point - 1, point + 1):
-        spans[place, Stretch.TRIED] = common_length(place, axes, cells, work)
-        total = total + spans[place, Stretch.TRIED]
-    if not total < path[Path.KNOWN]:
-        return NEVER
+        shortest = max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells))
+        most = path[Path.KNOWN] - (least - shortest)
+        found = common_length(place, most, axes, cells, work)
+        if found >= NEVER:
+            return NEVER
+        spans[place, Stretch.TRIED] = found
+        least = least + (found - shortest)
     for place in range(point - 1, point + 1):
         if leaves_box(place, states, path, links, axes, cells, timing, coefficients, work):
             return NEVER
-    return total
+    return spans[point - 1, Stretch.TRIED] + spans[point, Stretch.TRIED]
 
 
 def polish_state(

@@ -9,8 +9,9 @@ is the planner's own duration. Arrays as in path.py and judge.py.
 from math import floor, sqrt
 
 from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.passage.boxes import is_moving
 from segfmu.kernels.passage.judge import offer_states
-from segfmu.kernels.passage.path import begin_path, follow_path, path_total
+from segfmu.kernels.passage.path import ENOUGH, begin_path, follow_path, path_total, slow_path
 from segfmu.kernels.passage.records import (
     Block,
     Cells,
@@ -25,6 +26,9 @@ from segfmu.kernels.passage.records import (
 )
 from segfmu.kernels.planner.records import PlanOptions, Shape, WaypointState
 from segfmu.kernels.trajectory.records import MotionWork
+
+# of a path, see gap_of
+LAST_POINT = 2
 
 
 def write_tracks(
@@ -162,6 +166,11 @@ def gap_of(place: int) -> float:
     return 0.03
 
 
+def may_beat(known: float, place: int, total: float) -> bool:
+    """Whether a path may be shorter than a known one, by the duration of a point (`gap_of`)."""
+    return total <= (1.0 + ENOUGH * gap_of(place)) * known
+
+
 def try_path(
     choice: 'float[:,:,:]', tools: 'float[:,:]', axes: 'float[:,:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]', spans: 'float[:,:]', band: 'float[:,:]', cells: 'float[:,:,:]',
@@ -169,7 +178,7 @@ def try_path(
 ) -> bool:
     """Offer the states on a path; writes the intervals in which the best of them are slow.
 
-    False if the path has none.
+    False if the path has none, or none that can be faster.
     """
     path = tools[Tools.PATH, :]
     grid = tools[Tools.GRID:Tools.SQUARE, :]
@@ -182,17 +191,24 @@ def try_path(
     best = choice[begin:end, :, :]
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
-    if not begin_path(path, axes, spots, links, spans, grid, square, band):
+    start = path[Path.START]
+    if path[Path.FOLLOWED] > 0.5:
+        start = gap_of(0)
+        if not slow_path(path, axes, spots, links, spans, grid, square):
+            return False
+    elif not begin_path(path, axes, spots, links, spans, grid, square, band):
         return False
-    theta = path[Path.TERMS] / (path[Path.START] * path_total(int(Stretch.TIME), spans))
+    theta = path[Path.TERMS] / (start * path_total(int(Stretch.TIME), spans))
     fewest = spans.shape[0] + 1
-    for place in range(3):
+    for place in range(LAST_POINT + 1):
         theta = follow_path(
             theta, gap_of(place), path, axes, spots, links, spans, grid, square, band
         )
         if theta < 0.0:
             break
         path[Path.TOTAL] = path_total(int(Stretch.TIME), spans)
+        if not may_beat(min(path[Path.BEST], path[Path.KNOWN]), place, path[Path.TOTAL]):
+            return False
         write_tried(given, path, axes, spots, tried)
         slow = offer_states(
             tried, best, path, links, spans, axes, cells, timing, coefficients, work
@@ -221,16 +237,22 @@ def search_states(
         spans[j, Stretch.DEGREE] = 0.0
         spans[j, Stretch.FAILED] = -1.0
         spans[j, Stretch.GOOD] = NEVER
+    path[Path.FOLLOWED] = 0.0
+    path[Path.TOTAL] = NEVER
+    begin, end = block_rows(Block.GIVEN, path, choice)
+    resting = not is_moving(choice[begin:end, :, :])
     for sweep in range(10):
-        if not try_path(
+        going_on = try_path(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
-        ):
-            return
-        # a path this much longer than the best plan holds nothing faster
-        if path[Path.TOTAL] > 1.03 * min(path[Path.BEST], path[Path.KNOWN]):
+        )
+        if sweep == 0:
+            path[Path.LOOSEST] = min(path[Path.LOOSEST], path[Path.TOTAL])
+        if not going_on:
             return
         if not tighten_path(spans):
             return
+        # the next path is much like this one
+        path[Path.FOLLOWED] = resting
 
 
 def tighten_path(spans: 'float[:,:]') -> bool:

@@ -101,9 +101,11 @@ def set_duration(
 
 
 def next_feasible(
-    start: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+    start: float, most: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
     """The end of the gap that contains the infeasible duration `start` [s]; -1 if none is found.
+
+    most: the longest duration that is looked for [s].
 
     The durations at which gaps can end are tried in turn. The end is searched for if none of them
     is feasible or, with smoothsteps, whose families have more kinks, and limits above the snap,
@@ -116,18 +118,23 @@ def next_feasible(
         count = gap_ends(after - delay, shortest, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
             duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + ROUNDED)
+            duration = min(duration, most)
             if set_duration(duration, cell, axis, work):
                 if axis[Axis.PLATEAU] < 0.5 or not ramps_suffice(axis):
                     duration = first_feasible(ACCURACY, after, duration, cell, axis, work)
                 return earlier_feasible(start, duration, cell, axis, work)
+            if duration >= most:
+                return -1.0
             after = duration
         if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:
             break
     growth = GROWTH
     for i in range(GROWTHS):
-        duration = after * growth
+        duration = min(after * growth, most)
         if set_duration(duration, cell, axis, work):
             return first_feasible(ACCURACY, after, duration, cell, axis, work)
+        if duration >= most:
+            return -1.0
         after = duration
         if i > LATER:
             growth = GROWTH_LATER
@@ -190,6 +197,7 @@ def round_up(duration: float, sample_time: float) -> float:
 
 def common_duration(
     start: float,
+    most: float,
     sample_time: float,
     first: int,
     last: int,
@@ -197,9 +205,10 @@ def common_duration(
     cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> float:
-    """The shortest duration >= start [s] feasible for the cells first .. last - 1; -1 if none.
+    """The shortest duration from `start` to `most` [s] feasible for the cells first .. last - 1.
 
-    The cells belong to one interval. Their profiles of that duration are written.
+    -1 if there is none. The cells belong to one interval. Their profiles of that duration are
+    written.
     """
     duration = start
     for i in range(first, last):
@@ -210,13 +219,15 @@ def common_duration(
     for i in range(SWEEPS):
         if agreed == last - first:
             return duration
+        if duration >= most:
+            return -1.0
         cell = cells[place, :, :]
         row = place % axes.shape[0]
         axis = axes[row, :]
         if set_duration(duration, cell, axis, work):
             agreed = agreed + 1
         else:
-            duration = next_feasible(duration, cell, axis, work)
+            duration = next_feasible(duration, most, cell, axis, work)
             if duration < 0.0:
                 return -1.0
             duration = round_up(duration, sample_time)

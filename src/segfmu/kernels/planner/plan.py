@@ -3,7 +3,7 @@
 `plan_phases` is the entry point; it allocates nothing.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, SAME
+from segfmu.kernels.numerics.numbers import EQUAL, NEVER, SAME
 from segfmu.kernels.planner.intervals import common_duration, set_duration
 from segfmu.kernels.planner.parameters import axis_limits
 from segfmu.kernels.planner.plan_axis import plan_axis
@@ -115,7 +115,7 @@ def prolong_from(
         j = first + (begin - first + k * step) % (intervals * step)
         present = cells[j, Cell.RESULT, Interval.DURATION]
         reached = common_duration(
-            present + share * rest, 0.0, j, j + last - first, axes, cells, work
+            present + share * rest, NEVER, 0.0, j, j + last - first, axes, cells, work
         )
         if reached >= 0.0 and reached - present <= rest * (1.0 + SAME):
             for i in range(j, j + last - first):
@@ -158,7 +158,7 @@ def prolong_all(
                 present = cells[j, Cell.RESULT, Interval.DURATION]
                 end = j + last - first
                 reached = common_duration(
-                    present * factor + extra, 0.0, j, end, axes, cells, work
+                    present * factor + extra, NEVER, 0.0, j, end, axes, cells, work
                 )
                 if reached < 0.0 or reached - present > rest * (1.0 + SAME):
                     cells[j, Cell.PLACE, Place.PROLONGED] = 0.0
@@ -259,7 +259,7 @@ def meet_intervals(
             longest = 0.0
             for i in range(j, end):
                 longest = max(longest, cells[i, Cell.RESULT, Interval.DURATION])
-            time = common_duration(longest, sample_time, j, end, axes, cells, work)
+            time = common_duration(longest, NEVER, sample_time, j, end, axes, cells, work)
             work[PlanWork.REFUSAL, Refusal.AXIS] = first
             work[PlanWork.REFUSAL, Refusal.INTERVAL] = j // axes.shape[0]
             if time < 0.0:
