@@ -46,8 +46,7 @@ def specs(site: Site, step: float) -> list[Spec]:
     return [started(PENDULUM.spec(), swing), started(interface.spec(2), given)]
 
 
-@pytest.fixture(scope="module", params=[(s, fmi) for s in SITES for fmi in (2, 3)],
-                ids=lambda p: f"{p[0]} FMI {p[1]}")
+@pytest.fixture(scope="module")
 def built(request, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, int, list[Path]]:
     """Stick and planner of a site."""
     require_native()
@@ -85,6 +84,7 @@ def require_equal(found: np.ndarray, expected: np.ndarray) -> None:
     np.testing.assert_allclose(found / scale, expected / scale, rtol=0, atol=1e-9)
 
 
+@pytest.mark.parametrize("built", [(name, 2) for name in SITES], indirect=True, ids=str)
 def test_libcosim(built, expected) -> None:
     require("libcosimpy")
     from libcosimpy.CosimConstants import success
@@ -92,9 +92,7 @@ def test_libcosim(built, expected) -> None:
     from libcosimpy.CosimObserver import CosimObserver
     from libcosimpy.CosimSlave import CosimLocalSlave
 
-    name, fmi, paths = built
-    if fmi == 3:
-        pytest.skip("libcosim reads FMI 2 alone")
+    name, _, paths = built
     execution = CosimExecution.from_step_size(round(STEP[name] * 1e9))
     stick, planner = (
         execution.add_local_slave(CosimLocalSlave(fmu_path=str(path), instance_name=fmu))
@@ -112,6 +110,9 @@ def test_libcosim(built, expected) -> None:
     require_equal(np.array(rows), expected)
 
 
+@pytest.mark.parametrize(
+    "built", [(name, fmi) for name in SITES for fmi in (2, 3)], indirect=True, ids=str
+)
 def test_ecos(built, expected) -> None:
     library = load()
     name, _, paths = built
