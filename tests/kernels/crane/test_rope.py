@@ -103,3 +103,21 @@ def test_a_touch_between_two_samples_is_found() -> None:
     assert status == 3
     assert time == pytest.approx(peak - np.sqrt(excess), abs=1e-6)
     assert 1.0 < worst <= 1.0 + excess
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_the_extremes_of_the_rope_decide(seed: int) -> None:
+    """Of motions that sway little or much, against samples of load and rope by Newton's laws."""
+    random = np.random.default_rng(seed)
+    size = 10.0 ** random.uniform(-2.0, -0.9)
+    x, y, z = size * random.normal(size=(3, 6))
+    z[0] = -3.0 - 4.0 * size
+    t = np.linspace(0.0, 1.0, 20001)
+    place = [np.polynomial.Polynomial(p) for p in (x, y, z)]
+    force = [p.deriv(2)(t) + (GRAVITY if i == 2 else 0.0) for i, p in enumerate(place)]
+    assert force[2].min() > 0.1 and place[2](t).max() < -0.1
+    rope = -place[2](t) * np.sqrt(1.0 + (force[0] ** 2 + force[1] ** 2) / force[2] ** 2)
+    motion = [[p.tolist()] for p in (x, y, z)]
+    for share, refused in ((1.0 + 1e-6, False), (1.0 - 1e-6, True)):
+        assert judge(*motion, longest=share * rope.max())[0] == (3 if refused else 0)
+        assert judge(*motion, shortest=rope.min() / share)[0] == (4 if refused else 0)
