@@ -8,6 +8,8 @@ does not depend on the step. The computation is in kernels/rig/rig.py; this clas
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -263,6 +265,12 @@ class Plant:
         """The kernels' `Outputs`; target: reference position of the load (3,) [m]."""
         found = np.zeros(Outputs.SIZE)
         backend.rig_outputs(target, self._memory, np.zeros(Balance.SIZE), found)
+        return found
+
+    def told(self, kernel: Callable[[FloatArray, FloatArray], None], size: int) -> FloatArray:
+        """What a kernel of a model writes of the rig's memory, shape (size,)."""
+        found = np.zeros(size)
+        kernel(self._memory, found)
         return found
 
     def step(self, duration: float, setpoints: Setpoints) -> None:

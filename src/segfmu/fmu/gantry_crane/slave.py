@@ -10,7 +10,9 @@ import numpy as np
 from pythonfmu.enums import Fmi2Status
 
 from segfmu.crane import Crane, Rig
+from segfmu.crane.controller import Controller
 from segfmu.crane.feedback import SwayFeedback
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.plant import Plant
 from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import TrackingController
@@ -39,7 +41,10 @@ REFERENCE = slice(SetpointRecord.REFERENCE, SetpointRecord.REFERENCE + State.SIZ
 
 
 class CraneSlave(SpecSlave):
-    """The slave; it uses `segfmu.crane.plant.Plant`."""
+    """The slave; it uses `segfmu.crane.plant.Plant`.
+
+    One of another model has its own interface, crane, state and feedback of measured signals.
+    """
 
     spec = gantry_crane.spec()
 
@@ -60,27 +65,50 @@ class CraneSlave(SpecSlave):
             self._start = self._begin()
         state = self._start.state(self._reference(), self._given)
         self.show(State, state)
-        length = float(state[State.POSITION + Axes.ROPE])
+        placed = self.placed(state)
         driven = self.filled(Parameters)[Parameters.MODE] == DriveMode.VELOCITY
         expected = nominal_from(self.value)
-        self._design = partial(gains_from, self.value, expected, length)
-        self._tuned = self._poles()
-        feedback = self._design()
-        self._tracking = None
-        if SOURCES.items[int(self.value("feedback.source")) - 1] == "measured":
-            self._tracking = tracking_from(self.value, expected, feedback)
+        controller, gains = self.controlled(expected, float(state[State.POSITION + Axes.ROPE]))
         self.show(Estimates, np.array([expected.payload_mass, *np.zeros(6)]))
         self._plant = Plant(
-            crane, state, self._setpoints(), self._tracking or feedback, driven=driven,
+            self.crane(), placed, self._setpoints(), controller, driven=driven,
             rig=Rig.of(self.value), start_time=self.start_time,
         )
         self._show(self._plant)
         enabled = bool(self.value("feedback.enabled"))
         warning = self._start.warning(crane, enabled)
-        if enabled and warning is None:
-            warning = gains_warning(self.value, expected, feedback)
+        if enabled and warning is None and gains is not None:
+            warning = gains_warning(self.value, expected, gains)
         if warning:
             self.log(warning, Fmi2Status.warning)
+
+    def crane(self) -> AnyCrane:
+        """The crane that the parameters describe."""
+        return Crane.of(self.value)
+
+    def placed(self, state: FloatArray) -> FloatArray:
+        """The state of the model at the start, from that of carriages and rope, shape (10,)."""
+        return state
+
+    @property
+    def measures(self) -> bool:
+        """Whether the feedback knows the sensors' signals alone."""
+        return SOURCES.items[int(self.value("feedback.source")) - 1] == "measured"
+
+    def controlled(
+        self, expected: Crane, length: float
+    ) -> tuple[Controller | SwayFeedback, SwayFeedback | None]:
+        """The feedback for an expected crane, and its gains, if those of feedback.design act.
+
+        length: of the rope at the start [m].
+        """
+        self._design = partial(gains_from, self.value, expected, length)
+        self._tuned = self._poles()
+        feedback = self._design()
+        self._tracking = None
+        if self.measures:
+            self._tracking = tracking_from(self.value, expected, feedback)
+        return self._tracking or feedback, feedback
 
     def _begin(self) -> Start:
         """Start values, before outputs take their places."""

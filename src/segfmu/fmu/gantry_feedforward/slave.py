@@ -12,6 +12,7 @@ from segfmu.crane import Crane, FlatInverse, Friction
 from segfmu.crane.demand import peaks
 from segfmu.crane.drive_task import Task
 from segfmu.crane.equipment import FRICTION
+from segfmu.crane.flat_models import model_of
 from segfmu.crane.inverse import (
     ACCELERATION,
     DRIVE_ACCELERATION,
@@ -21,8 +22,8 @@ from segfmu.crane.inverse import (
     STATE,
     VELOCITY,
 )
+from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.limit_search import FULL, LimitSearch
-from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import build
 from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
@@ -55,6 +56,7 @@ from segfmu.kernels.crane.records import (
 from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
 from segfmu.kernels.messages import BOUND, SETUP, SPACE
 from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions, WaypointState
+from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.planning.arrays import FloatArray
@@ -75,9 +77,26 @@ class _Path:
 
 
 class FeedforwardSlave(SpecSlave):
-    """The slave; its outputs depend only on time and parameters."""
+    """The slave; its outputs depend only on time and parameters.
+
+    One of another model has its own interface, results and crane.
+    """
 
     spec = gantry_feedforward.spec()
+    results: type[Record] = Feedforward
+
+    def crane(self) -> AnyCrane:
+        """The crane that the parameters describe."""
+        return Crane.of(self.value)
+
+    def require_taut(self, crane: AnyCrane, trajectory: Trajectory) -> None:
+        """Refuse a plan along which what pulls goes slack or leaves its range."""
+        model_of(crane).require_taut(crane, trajectory)
+
+    @property
+    def takes_commands(self) -> bool:
+        """Whether commands can be followed."""
+        return bool(self.value("command.enabled"))
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -128,7 +147,7 @@ class FeedforwardSlave(SpecSlave):
         """Plan, unless nothing was set since the last time."""
         if self._planned:
             return
-        crane, friction = Crane.of(self.value), build(Friction, KNOWN, self.value)
+        crane, friction = self.crane(), build(Friction, KNOWN, self.value)
         self._require_travel()
         self.assign(("plan.pace",), (1.0,))
         if self.value("planner.finds_limits"):
@@ -138,7 +157,7 @@ class FeedforwardSlave(SpecSlave):
         self._inverse, self._trajectory = FlatInverse(crane, trajectory, friction), trajectory
         self._show_limits(trajectory.limits)
         self._commands = None
-        if self.value("command.enabled"):
+        if self.takes_commands:
             self._commands = Commands(self.value, trajectory, self._begin)
         self.assign(("plan.duration",), (trajectory.duration,))
         self._foresee(self.start_time)
@@ -158,14 +177,14 @@ class FeedforwardSlave(SpecSlave):
             [[self.value(f"waypoint[{i}].{n}.{a}") for n in names] for a in AXES] for i in rows
         ], dtype=np.bool_)
 
-    def _as_given(self, crane: Crane, friction: Friction) -> Trajectory:
+    def _as_given(self, crane: AnyCrane, friction: Friction) -> Trajectory:
         """The plan with the given limits, slower if it may be."""
         slows = self.value("planner.slows_down") and not self.value("planner.finds_limits")
         pace = np.zeros(Pace.SIZE)
         backend.begin_pace(1.0, FULL, pace)
         while True:
             trajectory = self._planned_at(float(pace[Pace.PACE]))
-            require_rope(crane, trajectory)
+            self.require_taut(crane, trajectory)
             self.require_space(trajectory)
             status, uses, fault = self._uses(crane, trajectory, friction)
             if not slows or not backend.next_pace(backend.paced_use(uses), pace):
@@ -174,7 +193,7 @@ class FeedforwardSlave(SpecSlave):
         self._keep(status, uses, fault)
         return trajectory
 
-    def _as_found(self, crane: Crane, friction: Friction) -> Trajectory:
+    def _as_found(self, crane: AnyCrane, friction: Friction) -> Trajectory:
         """The plan with limits that are found where those given do not keep the bounds."""
         refusal: SegfmuError | None = None
         if self._has_limits:
@@ -233,7 +252,7 @@ class FeedforwardSlave(SpecSlave):
         }
 
     def _uses(
-        self, crane: Crane, trajectory: Trajectory, friction: Friction
+        self, crane: AnyCrane, trajectory: Trajectory, friction: Friction
     ) -> tuple[int, FloatArray, FloatArray]:
         """What a plan uses of the drives' bounds: BoundStatus, BoundUses and BoundFault."""
         bounds, uses = self.filled(DriveBounds), np.zeros(BoundUses.SIZE)
@@ -335,11 +354,13 @@ class FeedforwardSlave(SpecSlave):
         t = time - start
         found = {d: inverse.evaluate(t + d) for d in {0.0, *dead}}
         values, early = found[0.0].copy(), [found[d] for d in dead]
-        values[FORCE] = [v[FORCE][i] for i, v in enumerate(early)]
+        columns = inverse.model.columns
+        values[columns.force] = [v[columns.force][i] for i, v in enumerate(early)]
         setpoints = [
-            v[VELOCITY][i] + lags[i] * v[DRIVE_ACCELERATION][i] for i, v in enumerate(early)
+            v[columns.velocity][i] + lags[i] * v[columns.drive_acceleration][i]
+            for i, v in enumerate(early)
         ]
-        self.show(Feedforward, np.concatenate([values, setpoints]))
+        self.show(self.results, np.concatenate([values, setpoints]))
         self.show(LoadMotion, np.concatenate([trajectory(t, order) for order in range(ORDERS)]))
         self.assign(
             ("plan.interval", "plan.done"), (trajectory.interval(t), t >= trajectory.duration)
@@ -350,10 +371,10 @@ class FeedforwardSlave(SpecSlave):
 
     def _show_commanded(self, time: float, commands: Commands, inverse: FlatInverse) -> None:
         """Evaluate the plan of the last command."""
-        motion, crane = commands.motion, inverse.crane
+        motion, masses = commands.motion, inverse.crane.masses
         load, values = motion.motion(time + self._ahead, ORDERS), np.zeros(Feedforward.VELOCITY)
         backend.crane_flat_inverse(
-            load, np.array(crane.masses), values[FORCE], values[STATE], values[ACCELERATION]
+            load, np.array(masses), values[FORCE], values[STATE], values[ACCELERATION]
         )
         start = motion.begins - self._ahead
         for axis, (x, v) in enumerate(zip(values[POSITION], values[VELOCITY], strict=True)):

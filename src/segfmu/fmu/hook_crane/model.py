@@ -27,4 +27,5 @@ HOOK_CRANE = Model(
         SlingAccelerations, HookOutputs,
     ),
     shared=GANTRY_CRANE.shared,
+    slave="segfmu.fmu.hook_crane.slave:HookCraneSlave",
 )

@@ -17,4 +17,5 @@ HOOK_FEEDFORWARD = Model(
     largest=cache(lambda: native_spec(spec(MOST_WAYPOINTS))),
     records=(*RECORDS, HookFeedforward),
     shared=("segfmu.fmu.feedforward",),
+    slave="segfmu.fmu.hook_feedforward.slave:HookFeedforwardSlave",
 )
