@@ -151,6 +151,27 @@ def test_what_a_log_does_not_tell_is_named_and_kept() -> None:
     assert set(found.crane["trolley"]) == {"dead_time", "lag"}
 
 
+@pytest.mark.parametrize("size", SIZES)
+def test_a_value_that_the_log_contradicts_is_not_held(size: str) -> None:
+    """A hoist that sticks: any friction above the missing force explains it, none does not."""
+    *_, load, length = SIZES[size]
+    times = np.linspace(0.0, 10.0 * np.sqrt(length / GRAVITY), 200)
+    draw, missing = np.random.default_rng(7), 0.02 * load * GRAVITY
+    still = {name: draw.normal(0.0, 1e-3 * length, 200) for name in OUTPUTS[:3]}
+    still |= {name: draw.normal(0.0, 1e-3, 200) for name in OUTPUTS[3:]}
+    still[OUTPUTS[2]] += length
+    forces = {"force.bridge": 0.0, "force.trolley": 0.0, "force.hoist": missing - load * GRAVITY}
+    found = segfmu.identify(
+        {"time": times, **{n: np.full(200, f) for n, f in forces.items()}, **still},
+        crane(size, "force"), fit=["friction.hoist.coulomb"],
+    )
+    (one,) = found.estimates
+    assert not found.untold and one.value > missing
+    assert one.low == 0.0 and one.high > 5.0 * missing
+    (rope,) = (s for s in found.predicted[0].signals if s.signal == OUTPUTS[2])
+    assert rope.deviation < 1.2e-3 * length
+
+
 def test_a_crane_that_cannot_do_what_the_log_has() -> None:
     log = synthetic("lab", "velocity", 0, rows=200)
     stops = log.crane | {"travel": {"rope": [0.6, 0.9]}}

@@ -7,8 +7,7 @@ scales, in which one is a large change.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -16,6 +15,7 @@ from scipy.stats import t as student
 
 from segfmu.errors import InputError
 from segfmu.planning.arrays import FloatArray
+from segfmu.validation.identification.found import Direction, Fit
 from segfmu.validation.identification.log import Log
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.noise import dependence, noise_of, rough_noise
@@ -46,48 +46,6 @@ TOLERANCE, TOLERANCE_EARLY = 1e-7, 1e-3
 MOST_STEPS = 60
 
 
-@dataclass(frozen=True)
-class Direction:
-    """A combination of unknowns that the signals do not tell.
-
-    Attributes
-    ----------
-    held : int
-        The unknown that was held, so that the others are told.
-    parts : tuple of (int, float)
-        All that change together, in units of their scales, the largest first.
-    """
-
-    held: int
-    parts: tuple[tuple[int, float], ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Fit:
-    """A fit.
-
-    Attributes
-    ----------
-    point : ndarray, shape (unknowns,)
-    half : ndarray, shape (unknowns,)
-        Half of the intervals; NaN of unknowns that were held.
-    free : tuple of int
-        Unknowns that were not held.
-    directions : tuple of Direction
-    noise : list of ndarray, shape (5,)
-        Standard deviations of every log's signals.
-    converged : bool
-        Whether the last fit came to its end.
-    """
-
-    point: FloatArray
-    half: FloatArray
-    free: tuple[int, ...]
-    directions: tuple[Direction, ...]
-    noise: list[FloatArray]
-    converged: bool
-
-
 class Problem:
     """Fits unknowns to logs; all of its work is in units of their scales."""
 
@@ -108,19 +66,49 @@ class Problem:
         InputError
             If the crane of the file cannot do what the log has.
         """
-        point = self._grown(progress)
-        while True:
-            point = self._settled(point)
-            direction = self._untold(point)
-            if direction is None:
-                return self._result(point)
-            self._directions.append(direction)
-            self._free.remove(direction.held)
-            point[direction.held] = 0.0
-            if not self._possible(point, 1.0):
-                point = self._grown(progress)
+        point, kept = self._settled(self._grown(progress)), set[int]()
+        while (direction := self._untold(point, kept)) is not None:
+            without = self._without(point, direction)
+            if without is None:
+                kept.add(direction.held)
+            else:
+                point = self._settled(without)
+        return self._result(point)
 
-    def _grown(self, progress: Callable[[float], None]) -> FloatArray:
+    def _without(self, point: FloatArray, direction: Direction) -> FloatArray | None:
+        """A fit with an unknown held; None if the signals contradict the value that it then has.
+
+        Near the best point they may tell little of what they tell at that value, as of friction
+        with which an axis slides where it would stick.
+        """
+        before, free, steps = self._cost(point), list(self._free), self._steps.copy()
+        limit = (self._student() * self._depends(point)) ** 2
+        self._free.remove(direction.held)
+        start = point.copy()
+        start[direction.held] = 0.0
+        found = self._solved(
+            start if self._possible(start, 1.0) else self._grown(), self._logs, TOLERANCE
+        )
+        if self._cost(found) > before + limit:
+            self._free, self._steps = free, steps
+            return None
+        self._directions.append(direction)
+        return found
+
+    def _cost(self, point: FloatArray) -> float:
+        found = self._residuals(point, self._logs)
+        return float(found @ found)
+
+    def _depends(self, point: FloatArray) -> float:
+        """The root of the greatest number of samples that count as one."""
+        return float(np.sqrt(max(
+            self._dependence(point, i, log).max() for i, log in enumerate(self._logs)
+        )))
+
+    def _student(self) -> float:
+        return float(student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()))
+
+    def _grown(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
         """Fit longer and longer parts of the logs; the point for the longest but the whole."""
         point = np.zeros(self._unknowns.size)
         self._expected, share = EXPECTED_EARLY, FIRST
@@ -254,8 +242,11 @@ class Problem:
                 return change / step, float(np.linalg.norm(change))
         return np.zeros_like(base), MOVED
 
-    def _untold(self, point: FloatArray) -> Direction | None:
-        """The combination of unknowns that the signals tell least, if they do not tell it."""
+    def _untold(self, point: FloatArray, kept: Collection[int]) -> Direction | None:
+        """The combination of unknowns that the signals tell least, if they do not tell it.
+
+        Those that are kept are not held instead of others.
+        """
         matrix = np.concatenate([
             block / np.sqrt(self._dependence(point, i, log))[:, None]
             for i, (block, log) in enumerate(
@@ -263,14 +254,17 @@ class Problem:
             )
         ])
         _, values, rows = np.linalg.svd(matrix, full_matrices=False)
-        if student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()) < UNTOLD * values[-1]:
-            return None
-        weights = rows[-1]
-        order = np.argsort(-np.abs(weights), kind="stable")
-        parts = [(self._free[i], float(weights[i])) for i in order if abs(weights[i]) > PART]
-        # of a parameter and a start that are one, the parameter is what is not told
-        owned = [place for place, _ in parts if self._unknowns.of_log(place) is None]
-        return Direction((owned or [parts[0][0]])[0], tuple(parts))
+        for size, weights in zip(values[::-1], rows[::-1], strict=True):
+            if self._student() < UNTOLD * size:
+                return None
+            order = np.argsort(-np.abs(weights), kind="stable")
+            parts = [(self._free[i], float(weights[i])) for i in order if abs(weights[i]) > PART]
+            # of a parameter and a start that are one, the parameter is what is not told
+            owned = [place for place, _ in parts if self._unknowns.of_log(place) is None]
+            for held in owned or [parts[0][0]]:
+                if held not in kept:
+                    return Direction(held, tuple(parts))
+        return None
 
     def _dependence(self, point: FloatArray, place: int, log: Log) -> FloatArray:
         """Of the rows of a log's residuals: how many samples count as one."""
@@ -294,7 +288,7 @@ class Problem:
         inverse = np.linalg.inv(told / np.outer(size, size)) / np.outer(size, size)
         deviations = np.sqrt(np.diag(inverse @ spread @ inverse))
         half = np.full(point.size, np.nan)
-        half[self._free] = student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()) * deviations
+        half[self._free] = self._student() * deviations
         return Fit(
             point, half, tuple(self._free), tuple(self._directions), self._noise, self._converged
         )

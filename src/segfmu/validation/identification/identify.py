@@ -18,7 +18,8 @@ from segfmu.validation.files.crane_parameters import check
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.objects import plain
 from segfmu.validation.files.reading import checked, read
-from segfmu.validation.identification.fit import Fit, Problem
+from segfmu.validation.identification.fit import Problem
+from segfmu.validation.identification.found import Fit
 from segfmu.validation.identification.log import (
     FEWEST,
     OUTPUTS,
