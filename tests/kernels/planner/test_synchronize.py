@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from segfmu import Limits, Waypoint, plan, verify
+from segfmu.kernels.planner.intervals import round_up
 from segfmu.kernels.planner.records import Cell, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
 from tests.campaign import campaign
@@ -137,3 +138,13 @@ def test_a_prolonged_cruise_has_slower_ramps() -> None:
     assert verify(slower).passed
     # a ramp that is stretched by f has f^-4 of its snap
     assert np.abs(slower.extrema(4)).max() < 0.5 * np.abs(shortest.extrema(4)).max()
+
+
+@pytest.mark.parametrize(("duration", "sample_time", "expected"), [
+    (2.34, 0.1, 2.4), (2.4, 0.1, 2.4), (4e301, 1e-3, 4e301), (1e308, 1e-9, 1e308),
+])
+def test_a_duration_of_any_size_is_rounded_up(
+    duration: float, sample_time: float, expected: float
+) -> None:
+    """Beyond all integers of the machine it stays what it is."""
+    assert round_up(duration, sample_time) == pytest.approx(expected, rel=1e-15)

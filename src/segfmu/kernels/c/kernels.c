@@ -29086,11 +29086,17 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
 }
 static double round_up(double duration, double sample_time)
 {
+    double samples;
     if (sample_time <= 0.0)
     {
         return duration;
     }
-    return (int64_t)ceil(duration / sample_time - 1e-09) * sample_time;
+    samples = duration / sample_time - 1e-09;
+    if (!(samples < 1000000000000000.0))
+    {
+        return duration;
+    }
+    return (int64_t)ceil(samples) * sample_time;
 }
 static double common_duration(double start, double most, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {

@@ -192,7 +192,11 @@ def round_up(duration: float, sample_time: float) -> float:
     """The next multiple of the sample time, or the duration itself if there is none."""
     if sample_time <= 0.0:
         return duration
-    return ceil(duration / sample_time - ROUNDED) * sample_time
+    samples = duration / sample_time - ROUNDED
+    # a larger number has no fraction, and may be no integer
+    if not samples < 1e15:
+        return duration
+    return ceil(samples) * sample_time
 
 
 def common_duration(
