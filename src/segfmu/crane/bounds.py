@@ -190,7 +190,7 @@ def _ends(name: str, value: Given, none: float) -> FloatArray:
     given = [none if v is None else v for v in np.atleast_1d(np.asarray(value, dtype=object))]
     try:
         values = np.array(given, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         values = np.full(1, np.nan)
     if values.ndim != 1 or np.isnan(values).any():
         raise InputError(f"{name} must be positions in m, or None, got {shown(value)}")

@@ -18,7 +18,7 @@ from segfmu.crane import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray, finite_number
+from segfmu.planning.arrays import FloatArray, finite_number, shown
 from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.crane_models import require_gantry
@@ -225,6 +225,8 @@ def simulate(
     if step is not None:
         simulation = task.simulation.model_copy(update={"step": step})
         task = task.model_copy(update={"simulation": simulation})
+    if not isinstance(commands, str | Path | None):
+        raise InputError(f"commands must be the path of a file, got {shown(commands)}")
     recording = None if commands is None else load_recording(Path(commands))
     if recording is not None:
         with about(task.file):
