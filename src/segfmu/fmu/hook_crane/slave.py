@@ -50,7 +50,8 @@ class HookCraneSlave(CraneSlave):
         for axis, angle in zip("xy", sling[Sling.ANGLE : Sling.RATE].tolist(), strict=True):
             if not abs(angle) < MOST_ANGLE:
                 raise InputError(
-                    f"sling.{axis}.angle must start within 90 degrees, got {angle:g} rad"
+                    f"sling.{axis}.angle: {angle:g} rad is no sling below its hook; give less than "
+                    f"{MOST_ANGLE:g} rad"
                 )
         self.show(Sling, sling)
         found = np.zeros(PlantState.SIZE)
