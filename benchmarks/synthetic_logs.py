@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.files.reading import merged

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.linear import SIGNS
 from segfmu.kernels.crane.records import Axes, GeneralisedForce, Vector
 from segfmu.kernels.hook._hook import hook_driven, hook_rhs
 from segfmu.kernels.hook.records import HookState
-from segfmu.planning.arrays import FloatArray
 
 # position, both angles, and their rates, of bridge and trolley; length and its rate of the rope
 PLACES = (

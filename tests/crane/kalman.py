@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.linear import moved_masses
 from segfmu.crane.observer import Uncertainty
 from segfmu.crane.parameters import Crane
-from segfmu.planning.arrays import FloatArray
 
 # states of a horizontal axis, and those of them that the hoist has
 POSITION, ANGLE, VELOCITY, RATE, INPUT, LOAD = range(6)

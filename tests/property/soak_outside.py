@@ -26,7 +26,7 @@ from segfmu import (
     stop,
     verify,
 )
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from tests.kernels.planner.c_planner import Asked, Planner, Result
 from tests.property.replan_in_c import given
 

@@ -29,7 +29,7 @@ from segfmu import (
     stop,
     verify,
 )
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from tests.kernels.planner.c_planner import Planner
 from tests.property.replan_in_c import Replanner
 from tests.property.soak import problems

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
-from segfmu.planning.arrays import FloatArray
 
 PACKAGE = Path(__file__).parents[1]
 # one for the FMUs' documentation, one for that of the project

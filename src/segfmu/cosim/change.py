@@ -8,10 +8,10 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from segfmu.arrays import finite_number, require_mapping
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
-from segfmu.planning.arrays import finite_number, require_mapping
 
 
 @dataclass(frozen=True)

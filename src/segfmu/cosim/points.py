@@ -7,8 +7,8 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import finite_number
 from segfmu.errors import InputError
-from segfmu.planning.arrays import finite_number
 
 # results of two FMUs take 0.7 kB a step
 MAX_STEPS = 2_000_000

@@ -11,6 +11,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import require_mapping
 from segfmu.cosim import native
 from segfmu.cosim.change import Change, due
 from segfmu.cosim.connection import Link, by_name, checked
@@ -20,7 +21,6 @@ from segfmu.cosim.schedule import Coupling, initialise, scheduled
 from segfmu.cosim.table import chosen, columns
 from segfmu.cosim.unit import NEXT_EVENT, Unit
 from segfmu.errors import InputError, SimulationError
-from segfmu.planning.arrays import require_mapping
 
 # parameter of a source by which its outputs are ahead of time
 LEAD = "setpoint.lead"

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import require_mapping
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
-from segfmu.planning.arrays import require_mapping
 
 # rows in a block before it is copied to the result's columns
 BLOCK = 256

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import demands_in_state, peaks
@@ -24,7 +25,6 @@ from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.limit_search import KEPT, Found, LimitSearch
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.limits.records import LimitRow
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import NAMES, Limits, limited
 from segfmu.planning.planner import plan

@@ -10,11 +10,11 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray, Frozen, limit_values, lower_values, shown
 from segfmu.crane.checks import lags_of
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import AXES, Demand
 from segfmu.kernels.crane.travel import no_stop
-from segfmu.planning.arrays import FloatArray, Frozen, limit_values, lower_values, shown
 
 # one value, or one per drive of which some may be None
 Given = ArrayLike | Sequence[float | None] | None

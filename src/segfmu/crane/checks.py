@@ -8,9 +8,9 @@ from math import isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray, finite_vector, shown
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Axes
-from segfmu.planning.arrays import FloatArray, finite_vector, shown
 
 LARGEST_SEED = 2**31 - 1
 

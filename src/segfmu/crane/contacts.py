@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.equipment import FRICTION, Friction
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rope import LoadTrajectory, joined_pieces
@@ -18,7 +19,6 @@ from segfmu.crane.variables import filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DRIVES, Axes, Contact, ContactWork, Resistance
-from segfmu.planning.arrays import FloatArray
 
 NONE = Friction()
 IDEAL = np.zeros(len(DRIVES))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 
 
 class Controller(Protocol):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.bounds import sides
 from segfmu.crane.contacts import IDEAL, NONE, Contacts, resistance
 from segfmu.crane.equipment import Friction
@@ -15,7 +16,6 @@ from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.rope import LoadTrajectory
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Axes, Contact, Demand, DemandPeaks, DemandWork
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.waypoint import Waypoint
 
 # way [m] behind which every contact slides

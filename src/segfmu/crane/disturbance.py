@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import (
     require_finite,
     require_not_negative,
@@ -24,7 +25,6 @@ from segfmu.kernels.numerics.records import RandomState, Sinusoid
 from segfmu.kernels.rig.records import Disturbance, SetupFault, SetupStatus, WindNoise
 from segfmu.kernels.rig.records import PayloadChange as Change
 from segfmu.kernels.rig.records import Turbulence as Spectrum
-from segfmu.planning.arrays import FloatArray
 
 SHAPES = ("cosine", "sine")
 

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.contacts import resistance
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import model_of
@@ -16,7 +17,6 @@ from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.limits.records import AxisTask, LimitRow, Looks
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.excursions import first_excursion
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import PlantFault
 from segfmu.kernels.messages import PLANT
-from segfmu.planning.arrays import FloatArray
 
 
 def failure(status: int, time: float, state: FloatArray, parameters: FloatArray) -> str:

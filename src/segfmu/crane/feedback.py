@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import solve_discrete_are
 
+from segfmu.arrays import FloatArray, finite_vector
 from segfmu.crane.checks import (
     lags_of,
     require_not_negative,
@@ -34,7 +35,6 @@ from segfmu.errors import InputError
 from segfmu.kernels.control.records import GainInputs, Gains
 from segfmu.kernels.control.setting import weak_drive
 from segfmu.kernels.crane.records import Axes, State
-from segfmu.planning.arrays import FloatArray, finite_vector
 
 # unit of the effort, as a multiple of the moved weight
 EFFORT = 3.0

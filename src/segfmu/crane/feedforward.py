@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_not_negative, sized
 from segfmu.crane.inverse import FlatInverse
-from segfmu.planning.arrays import FloatArray
 
 AXES = ("bridge", "trolley", "hoist")
 Three = tuple[float, float, float]

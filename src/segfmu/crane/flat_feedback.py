@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import lags_of, require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import ROWS, scheduled_lengths
@@ -22,7 +23,6 @@ from segfmu.crane.parameters import Crane
 from segfmu.kernels import backend
 from segfmu.kernels.control.design import largest_angle, largest_hoist_angle
 from segfmu.kernels.control.records import Gains
-from segfmu.planning.arrays import FloatArray
 
 RATIO = 1.0
 HOIST_RATIO = 3.0

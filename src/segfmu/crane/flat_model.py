@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import LoadTrajectory, require_rope
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import FlatInverse, FlatOrders, PlantState, State
 from segfmu.kernels.records import Record
-from segfmu.planning.arrays import FloatArray
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.contacts import NONE, Contacts
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_model import GANTRY
@@ -14,7 +15,6 @@ from segfmu.crane.rope import LoadTrajectory
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import FlatInverse as Results
 from segfmu.kernels.crane.records import State
-from segfmu.planning.arrays import FloatArray
 
 # columns of `FlatInverse.evaluate` for a gantry crane; ANGLE: both sway angles
 FORCE, STATE = GANTRY.columns.force, GANTRY.columns.state

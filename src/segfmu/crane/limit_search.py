@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray, shown
 from segfmu.crane.contacts import Contacts
 from segfmu.crane.drive_task import Task
 from segfmu.errors import InfeasibleError, InputError
@@ -30,7 +31,6 @@ from segfmu.kernels.limits.records import (
     Values,
 )
 from segfmu.kernels.messages import LIMIT
-from segfmu.planning.arrays import FloatArray, shown
 from segfmu.planning.trajectory import Trajectory
 
 # bounds used beyond this are exceeded: what is planned up to a bound uses it but for rounding

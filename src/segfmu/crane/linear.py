@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import expm
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -16,7 +17,6 @@ from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, State
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
-from segfmu.planning.arrays import FloatArray
 
 Masses = tuple[float, float, float, float]
 

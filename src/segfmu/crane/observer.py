@@ -17,6 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
@@ -29,7 +30,6 @@ from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.crane.records import Axes, Plant
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import Sensors, SetupFault, SetupStatus
-from segfmu.planning.arrays import FloatArray
 
 STEPS = ("position", "length", "angle")
 

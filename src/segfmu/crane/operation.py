@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import Span, Stack
 from segfmu.kernels.crane.records import Vector
@@ -20,7 +21,6 @@ from segfmu.kernels.operation.records import (
 from segfmu.kernels.planner.records import Cell
 from segfmu.kernels.settling.records import LeadWork
 from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import FloatArray
 
 
 class OperatedMotion:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from segfmu.arrays import FloatArray, finite_vector
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.crane.bounds import uses as bound_uses
 from segfmu.crane.contacts import resistance
@@ -20,7 +21,6 @@ from segfmu.kernels.crane.records import Axes, RopeBounds, State
 from segfmu.kernels.operation.records import Known
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import Limits
 from segfmu.planning.trajectory import Trajectory

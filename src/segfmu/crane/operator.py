@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray, as_index, finite_number, shown
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, require_bounds
 from segfmu.crane.contacts import NONE
 from segfmu.crane.equipment import Friction
@@ -39,7 +40,6 @@ from segfmu.kernels.operation.records import (
     Tries,
 )
 from segfmu.kernels.planner.records import PlanOptions
-from segfmu.planning.arrays import FloatArray, as_index, finite_number, shown
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits

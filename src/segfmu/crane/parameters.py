@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray, finite_vector, shown
 from segfmu.crane.checks import require_positive, require_quantity, sized
 from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError
@@ -14,7 +15,6 @@ from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DriveMode, Masses, Plant, RopeBounds
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
-from segfmu.planning.arrays import FloatArray, finite_vector, shown
 
 
 @dataclass(frozen=True)

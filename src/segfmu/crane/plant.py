@@ -13,6 +13,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
@@ -50,7 +51,6 @@ from segfmu.kernels.rig.records import (
     SetupFault,
     SetupStatus,
 )
-from segfmu.planning.arrays import FloatArray
 
 TOLERANCE = 1e-10
 

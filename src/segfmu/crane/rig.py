@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
 from segfmu.crane.variables import Value, build, filled, values
 from segfmu.kernels.crane.records import DriveMode, Plant
-from segfmu.planning.arrays import FloatArray
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import RopeDemand, RopeFault, RopeWork
 from segfmu.kernels.messages import ROPE, ROPE_LIMITS
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.messages import text_apart
 
 

@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_not_negative, require_positive, require_seed, sized
 from segfmu.crane.variables import fed, filled, values
 from segfmu.errors import InputError
@@ -14,7 +15,6 @@ from segfmu.kernels import backend
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import Sensors as Settings
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
-from segfmu.planning.arrays import FloatArray
 
 Five = tuple[float, float, float, float, float]
 NONE: Five = (0.0, 0.0, 0.0, 0.0, 0.0)

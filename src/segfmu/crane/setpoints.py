@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels.rig.records import Setpoints as Record
-from segfmu.planning.arrays import FloatArray
 
 
 @dataclass(frozen=True, eq=False)

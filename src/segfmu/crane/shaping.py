@@ -15,9 +15,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_finite, require_positive
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 
 
 class Motion(Protocol):

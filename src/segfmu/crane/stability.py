@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.linear import lagged, matrices, sampled
 from segfmu.crane.tracking import ESTIMATE, TrackingController
@@ -33,7 +34,6 @@ from segfmu.kernels.control.records import (
 )
 from segfmu.kernels.control.records import Observer as Table
 from segfmu.kernels.crane.records import Axes, Coordinates, State
-from segfmu.planning.arrays import FloatArray
 
 # mass of the hook, which the hoist moves without load, as a share of the nominal payload
 HOOK = 0.05

@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import SIGNS
@@ -32,7 +33,6 @@ from segfmu.kernels.control.records import (
     VelocityCommand,
 )
 from segfmu.kernels.crane.records import Axes, Coordinates, Plant, State
-from segfmu.planning.arrays import FloatArray
 
 # parameters, the observer's table, gains and memory of the kernel
 Arrays = tuple[FloatArray, FloatArray, FloatArray, FloatArray]

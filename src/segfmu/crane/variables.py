@@ -12,8 +12,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels.records import Record
-from segfmu.planning.arrays import FloatArray
 
 T = TypeVar("T")
 Value = Callable[[str], Any]

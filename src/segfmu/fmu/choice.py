@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from segfmu.arrays import shown
 from segfmu.errors import InputError
 from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import sources
 from segfmu.fmu.native.binaries import packaged
 from segfmu.fmu.native.compilers import PLATFORMS, available, host
-from segfmu.planning.arrays import shown
 
 BACKENDS = ("native", "python")
 ENUMERATIONS = ("enumeration", "integer")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.settling.records import LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
-from segfmu.planning.arrays import FloatArray
 
 
 def find_brakes(start: FloatArray, limits: FloatArray, lower: FloatArray) -> FloatArray:

@@ -15,10 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.errors import InfeasibleError, InputError
-from segfmu.kernels import backend
-from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Space
-from segfmu.planning.arrays import (
+from segfmu.arrays import (
     FloatArray,
     Frozen,
     Range,
@@ -28,6 +25,9 @@ from segfmu.planning.arrays import (
     range_bounds,
     shown,
 )
+from segfmu.errors import InfeasibleError, InputError
+from segfmu.kernels import backend
+from segfmu.kernels.clearance.records import Box, Collision, Part, Ranges, Space
 from segfmu.planning.contacts import Path
 from segfmu.planning.messages import told_apart
 from segfmu.planning.passages import outside, within

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import Collision, Ranges, Span, Stack
 from segfmu.kernels.crane.records import RopeWork
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.trajectory import Trajectory
 
 # rows for intervals of contact at first

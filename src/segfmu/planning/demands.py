@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InfeasibleError
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.messages import told_apart
 from segfmu.planning.polynomials import derivative_pieces, piece_turns

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import Excursion as Row
 from segfmu.kernels.clearance.records import PathStatus
 from segfmu.kernels.crane.records import RopeWork
 from segfmu.kernels.messages import PATH
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.trajectory import Trajectory, require_plan
 
 

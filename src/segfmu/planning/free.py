@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.passage.records import Block, Link, Path, Spot, Stretch, Tools, Track
 from segfmu.kernels.planner.records import Cell, WaypointState
 from segfmu.kernels.trajectory.records import MotionWork, Spare, Timing
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.problem import Problem
 from segfmu.planning.repeats import united
 from segfmu.planning.request import Request, with_states

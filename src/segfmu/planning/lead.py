@@ -7,11 +7,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadStage, LeadTask, LeadWork
 from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.problem import SHAPES
 
 # what a lead goes to

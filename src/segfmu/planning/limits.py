@@ -8,8 +8,7 @@ from math import inf
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.errors import InputError
-from segfmu.planning.arrays import (
+from segfmu.arrays import (
     ABSENT,
     FloatArray,
     Frozen,
@@ -18,6 +17,7 @@ from segfmu.planning.arrays import (
     limit_values,
     lower_values,
 )
+from segfmu.errors import InputError
 
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # in the negative direction

@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.kernels.messages import PLAN, Messages
 from segfmu.kernels.planner.records import PlanStatus, Refusal
-from segfmu.planning.arrays import FloatArray
 
 # attributes of `InfeasibleError` for a status: the limit, and which of these are set
 AXIS, INTERVAL, WAYPOINT, VALUE, BOUND = "axis", "interval", "waypoint", "value", "bound"

@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import Axis, Cell, PlanOptions, PlanStatus, PlanWork, Refusal
 from segfmu.kernels.trajectory.records import Judging, MotionWork, Spare, Timing
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.problem import Options, Problem
 from segfmu.planning.verify import TOLERANCE
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.planning.polynomials import hulls
 from segfmu.planning.trajectory import Trajectory
 

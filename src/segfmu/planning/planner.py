@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
+from segfmu.arrays import FloatArray, Range, finite_number, shown
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.planning.arrays import FloatArray, Range, finite_number, shown
 from segfmu.planning.demands import require, require_positions
 from segfmu.planning.free import OVERSHOOT, Progress, at_rest, choose_states
 from segfmu.planning.lead import Pieces

@@ -11,7 +11,7 @@ from math import comb, perm
 
 import numpy as np
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 
 
 @cache

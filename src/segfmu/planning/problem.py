@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import (
     Axis,
@@ -20,7 +21,6 @@ from segfmu.kernels.planner.records import (
     Synchronization,
 )
 from segfmu.kernels.trajectory.records import Expansion, Timing
-from segfmu.planning.arrays import FloatArray
 
 SHAPES = tuple(name.lower() for name in Shape.items())
 SYNCHRONIZATIONS = tuple(name.lower() for name in Synchronization.items())

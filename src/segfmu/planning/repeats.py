@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
-from segfmu.planning.arrays import FloatArray
 
 
 def united(states: FloatArray) -> tuple[NDArray[np.intp], FloatArray]:

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from segfmu.arrays import as_tuple, finite_number, shown
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
-from segfmu.planning.arrays import as_tuple, finite_number, shown
 from segfmu.planning.free import choose_states
 from segfmu.planning.lead import Leads, Pieces
 from segfmu.planning.limits import Limits

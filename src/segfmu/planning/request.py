@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from segfmu.arrays import FloatArray, Range, as_tuple, finite_number, range_bounds, shown
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
-from segfmu.planning.arrays import FloatArray, Range, as_tuple, finite_number, range_bounds, shown
 from segfmu.planning.limits import Limits
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS, Problem, options
 from segfmu.planning.waypoint import DERIVATIVES, FREE, Waypoint

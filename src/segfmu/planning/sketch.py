@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 
 COLOURS = ("#1f6fb2", "#d9662b", "#3a9b5c", "#8a5aa8")
 PANELS = (("position", "m"), ("velocity", "m/s"), ("acceleration", "m/s²"))

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import DelayedState, PlanStatus, Refusal, WaypointState
 from segfmu.kernels.trajectory.records import Check
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.brake import find_brakes
 from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
 from segfmu.planning.limits import NAMES, UNITS

@@ -8,8 +8,8 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
+from segfmu.arrays import as_tuple, shown
 from segfmu.errors import InputError
-from segfmu.planning.arrays import as_tuple, shown
 from segfmu.planning.waypoint import Waypoint
 
 # before an underscore and the name of an axis

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from segfmu.arrays import FloatArray, as_index, finite_number, numbers
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.planning.arrays import FloatArray, as_index, finite_number, numbers
 from segfmu.planning.limits import Limits
 from segfmu.planning.polynomials import extrema, inside_from
 from segfmu.planning.sketch import sketch

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray, finite_vector
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.planner.records import DelayedState
-from segfmu.planning.arrays import FloatArray, finite_vector
 from segfmu.planning.demands import require
 from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
 from segfmu.planning.limits import Limits

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.records import Brake
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.brake import find_brakes
 from segfmu.planning.polynomials import derivative_pieces, extrema, split
 from segfmu.planning.trajectory import Trajectory, require_plan

@@ -9,8 +9,8 @@ from math import isnan
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray, Frozen, as_index, finite_number, finite_vector, shown
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray, Frozen, as_index, finite_number, finite_vector, shown
 
 DERIVATIVES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # how many of them may be free

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import as_index, shown
 from segfmu.errors import InputError
 from segfmu.kernels.trajectory.records import Timing
-from segfmu.planning.arrays import as_index, shown
 from segfmu.planning.limits import NAMES, Limits
 from segfmu.planning.problem import SYNCHRONIZATIONS
 from segfmu.planning.trajectory import Trajectory

@@ -10,6 +10,7 @@ from functools import partial
 from html import escape
 from pathlib import Path
 
+from segfmu.arrays import as_index, shown
 from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe
 from segfmu.fmu.choice import Choice, chosen, require_native
@@ -19,7 +20,6 @@ from segfmu.fmu.placing import placing
 from segfmu.fmu.standard.spec import Spec
 from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import as_index, shown
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.crane_parameters import with_keys

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 
 # s; times that differ by less are equal
 INSTANT = 1e-9

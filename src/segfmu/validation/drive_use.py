@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.bounds import DRIVES, ActuatorBounds, BoundUse, sides, uses
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.units import shown
 
 RATES = ("bridge.velocity", "trolley.velocity", "rope.velocity")

@@ -16,8 +16,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.keys import DRIVES

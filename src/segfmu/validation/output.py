@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import shown
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.errors import InputError, SegfmuError
 from segfmu.folders import make_folder, remove_folder
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import shown
 
 if TYPE_CHECKING:
     from segfmu.validation.files.mission import Mission

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray, finite_number, shown
 from segfmu.cosim import write_csv
 from segfmu.crane import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray, finite_number, shown
 from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.crane_models import require_gantry

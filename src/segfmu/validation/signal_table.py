@@ -10,8 +10,8 @@ from typing import TextIO
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 
 # behind a name, as in "load.position.x [m]"; indices of arrays follow theirs without a space
 UNIT = re.compile(r"\s+\[[^\]]*\]$")

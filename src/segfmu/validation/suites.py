@@ -9,8 +9,8 @@ from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from segfmu.arrays import as_tuple, shown
 from segfmu.errors import InputError
-from segfmu.planning.arrays import as_tuple, shown
 from segfmu.validation.files.scenario_file import Scenario, find, load_scenario
 from segfmu.validation.frames import frame
 from segfmu.validation.monitor import Finding

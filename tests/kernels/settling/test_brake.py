@@ -7,11 +7,11 @@ from math import sqrt
 import numpy as np
 import pytest
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.polynomials import derivative_pieces, extrema
 
 LIMITS = np.array([1.0, 1.0, 4.0, 20.0, 400.0, 1e4, 3e5])

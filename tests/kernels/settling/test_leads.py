@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
+from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import DelayedState
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadStage, LeadTask, LeadWork
-from segfmu.planning.arrays import FloatArray
 
 LIMITS = np.array([1.0, 1.0, 4.0, 20.0, 0.0])
 NONE = np.zeros((1, 2)), np.zeros((1, 8)), np.zeros(4, dtype=np.int64)

@@ -17,6 +17,7 @@ from dataclasses import astuple, dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import lags_of, require_positive, require_weights
 from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.linear import scheduled_lengths
@@ -24,7 +25,6 @@ from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Axes, Plant
 from segfmu.kernels.hook.records import HookAxis, HookDesign, HookLimits, HookTable
-from segfmu.planning.arrays import FloatArray
 
 # rope lengths of a table
 ROWS = 9

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.flat_model import FlatModel
 from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.rope import LoadTrajectory, joined_pieces, require_met, rope_bounds, rope_work
@@ -17,7 +18,6 @@ from segfmu.kernels.crane.records import (
     State,
 )
 from segfmu.kernels.hook.records import HookInverse, HookModel, HookPath, HookState, SlingSeries
-from segfmu.planning.arrays import FloatArray
 
 
 def _invert(hook: HookCrane, flat: FloatArray, found: FloatArray) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.checks import require_positive, require_quantity, sized
 from segfmu.crane.parameters import CRANE, Crane
 from segfmu.crane.variables import Value, build, fed, values
@@ -21,7 +22,6 @@ from segfmu.kernels.hook.records import (
     HookState,
     HookTension,
 )
-from segfmu.planning.arrays import FloatArray
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import Crane
 from segfmu.crane.feedback import SwayFeedback, Weights, design
 from segfmu.crane.flat_feedback import DAMPING, HOIST_RATIO, RATIO, design_flat
@@ -21,7 +22,6 @@ from segfmu.kernels.control.records import Uncertainty as Expectations
 from segfmu.kernels.crane.records import DRIVES, Axes, DriveMode, Plant
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import Sensors, SetupFault, SetupStatus
-from segfmu.planning.arrays import FloatArray
 
 DESIGNS = Enumeration(
     "FeedbackDesign", ("lqr", "flatness"), "how the gains of the feedback come about"

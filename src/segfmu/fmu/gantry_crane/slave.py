@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from pythonfmu.enums import Fmi2Status
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import Crane, Rig
 from segfmu.crane.controller import Controller
 from segfmu.crane.feedback import SwayFeedback
@@ -34,7 +35,6 @@ from segfmu.kernels.crane.records import Axes, DriveMode, State
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.records import Loop, Outputs, Target
 from segfmu.kernels.rig.records import Setpoints as SetpointRecord
-from segfmu.planning.arrays import FloatArray
 
 # places of the reference among setpoints
 REFERENCE = slice(SetpointRecord.REFERENCE, SetpointRecord.REFERENCE + State.SIZE)

@@ -6,13 +6,13 @@ from math import pi, sqrt
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Axes, PlantStatus, State
 from segfmu.kernels.messages import START
 from segfmu.kernels.rig.records import StartFault, StartStatus
-from segfmu.planning.arrays import FloatArray
 
 ROPE = State.POSITION + Axes.ROPE
 

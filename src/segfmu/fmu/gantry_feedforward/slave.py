@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import Crane, FlatInverse, Friction
 from segfmu.crane.demand import peaks
 from segfmu.crane.drive_task import Task
@@ -59,7 +60,6 @@ from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions,
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.request import with_states
 
 AXES = ("x", "y", "z")

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import Crane, SwayFeedback
 from segfmu.crane.controller import Controller
 from segfmu.crane.hook import HookController, HookCrane, HookWeights, design_hook
@@ -20,7 +21,6 @@ from segfmu.kernels.control.records import Tracking
 from segfmu.kernels.crane.records import Axes, DriveMode, PlantState, State
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.hook.records import HookOutputs, HookWeighing, Sling, SlingReference
-from segfmu.planning.arrays import FloatArray
 
 # of rope and sling at the start [rad]
 MOST_ANGLE = 1.57

@@ -12,6 +12,7 @@ import numpy as np
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.variables import filled
 from segfmu.errors import InputError, SegfmuError, SimulationError
 from segfmu.fmu.python.release import release_at_exit
@@ -20,7 +21,6 @@ from segfmu.kernels import backend
 from segfmu.kernels.messages import ACCESS, RANGE
 from segfmu.kernels.numerics.records import AccessStatus, RangeFault, RangeStatus
 from segfmu.kernels.records import Record
-from segfmu.planning.arrays import FloatArray
 
 KINDS = {
     "real": ("Real",),

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.cosim import Change
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.linear import moved_masses
 from segfmu.fmu.gantry_crane.interface import STATE
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.keys import AXES, DRIVES
 
 

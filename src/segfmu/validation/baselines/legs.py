@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.shaping import Shaper, Trapezoid
-from segfmu.planning.arrays import FloatArray
 
 # of a trapezoid without a shaper
 PLAIN = Shaper(np.zeros(1), np.ones(1))

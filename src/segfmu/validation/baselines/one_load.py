@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import FlatInverse
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.baselines.course import Course
 from segfmu.validation.files.crane_models import model_of
 from segfmu.validation.files.keys import DRIVES

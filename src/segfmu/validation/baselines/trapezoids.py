@@ -14,9 +14,9 @@ from math import inf
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.shaping import Shaper, Trapezoid, zv, zvd
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.baselines.course import Course, carriages, hanging
 from segfmu.validation.baselines.legs import PLAIN, Legs
 from segfmu.validation.baselines.swings import Swing, swings

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from segfmu.planning.arrays import as_index
+from segfmu.arrays import as_index
 from segfmu.validation.campaigns.campaign import Campaign, load_campaign
 from segfmu.validation.campaigns.replay import find_run, write_run
 from segfmu.validation.campaigns.result import CampaignResult

@@ -19,8 +19,8 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.campaigns.probability import Probability, percent
 from segfmu.validation.campaigns.sampling import Sample, at
 from segfmu.validation.campaigns.search import Case

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable, SamplingTable
 
 # name of a factor -> its value; without a name it keeps the value of the files

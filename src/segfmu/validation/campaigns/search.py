@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.validation.campaigns.sampling import Sample, at, levels, places
 from segfmu.validation.files.campaign_tables import FactorTable, SamplingTable
 

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.stats import f as f_distribution
 from scipy.stats import rankdata
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 
 # variances of ranks below this are rounding
 ROUNDING = 1e-9

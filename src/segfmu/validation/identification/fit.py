@@ -13,8 +13,8 @@ import numpy as np
 from scipy.optimize import least_squares
 from scipy.stats import t as student
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.identification.found import Direction, Fit
 from segfmu.validation.identification.log import Log
 from segfmu.validation.identification.model import Model

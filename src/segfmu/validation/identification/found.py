@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray, finite_number
 from segfmu.errors import InputError
-from segfmu.planning.arrays import FloatArray, finite_number
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_models import model_of
 from segfmu.validation.files.crane_parameters import check

@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray, numbers
 from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
-from segfmu.planning.arrays import FloatArray, numbers
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.signal_table import read_table
 

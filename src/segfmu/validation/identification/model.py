@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import Crane, Plant, Rig, Setpoints, SwayFeedback
 from segfmu.errors import InputError, SimulationError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -16,7 +17,6 @@ from segfmu.kernels import backend
 from segfmu.kernels.control.records import GainInputs
 from segfmu.kernels.crane.records import Axes, Coordinates, State
 from segfmu.kernels.rig.records import Setpoints as Record
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import parameters
 from segfmu.validation.identification.log import Log

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.validation.identification.log import ANGLES, OUTPUTS, ROPE, Log
 
 # of a signal's range: noise that is smaller is rounding

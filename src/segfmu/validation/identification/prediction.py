@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.validation.comparison import Excess, compare
 from segfmu.validation.identification.log import OUTPUTS, Log
 from segfmu.validation.identification.model import Model, load_path

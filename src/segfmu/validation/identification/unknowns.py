@@ -6,9 +6,9 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.kernels.crane.records import Coordinates, State
 from segfmu.kernels.rig.records import SIGNALS
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.identification.log import Log
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.quantities import SMALL, Quantity, Sizes

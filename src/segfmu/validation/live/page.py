@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.crane_parameters import with_keys
 from segfmu.validation.files.mission import Mission, Source, load_mission

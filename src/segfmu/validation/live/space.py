@@ -7,9 +7,9 @@ from math import isfinite
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import ActuatorBounds, plan_actuated
 from segfmu.planning import Limits, Trajectory, Waypoint
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import LOWER
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission

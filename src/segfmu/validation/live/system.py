@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.variables import filled
 from segfmu.errors import InputError
 from segfmu.fmu.gantry_crane.rig_parameters import FAR
@@ -25,7 +26,6 @@ from segfmu.kernels.crane.records import Compensation, Resistance
 from segfmu.kernels.messages import READY
 from segfmu.kernels.operation.records import ReadyFault, ReadyStatus
 from segfmu.planning import Limits, Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.scenario import feedforward_values, limit_values, specs

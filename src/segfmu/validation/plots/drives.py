@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import ActuatorBounds, Friction
 from segfmu.crane.bounds import DRIVES, UNITS
 from segfmu.crane.contacts import NONE
@@ -15,7 +16,6 @@ from segfmu.crane.demand import demands
 from segfmu.crane.kinds import AnyCrane
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.plots.style import COLOURS, SAMPLES, finish, legend, stack
 from segfmu.validation.units import scale
 

@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from segfmu.arrays import FloatArray
 from segfmu.planning import Clearance, Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, panels_of
 
 # share of a motion across it, below which it is along an axis, or waypoints share a label

@@ -9,10 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane import ActuatorBounds
 from segfmu.crane.bounds import DRIVES
 from segfmu.crane.kinds import AnyCrane
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.criteria import angles
 from segfmu.validation.drive_use import SWAYS, run_demands
 from segfmu.validation.plots.drives import PANELS, draw_demands

@@ -15,6 +15,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
+from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
 from segfmu.fmu.standard.ls_ref import (
     FOLDER,
@@ -27,7 +28,6 @@ from segfmu.fmu.standard.ls_ref import (
     read_experiments,
     read_manifest,
 )
-from segfmu.planning.arrays import FloatArray
 from segfmu.validation.signal_table import UNIT
 
 Read = TypeVar("Read")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.validation.campaigns.result import CampaignResult, Summary
 from segfmu.validation.campaigns.tables import CHANCE, FAILS, case
 from segfmu.validation.report.curves import digits

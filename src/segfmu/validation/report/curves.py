@@ -8,7 +8,7 @@ from math import ceil, log10
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 
 # over the width of a chart, each with its least and its greatest value
 BUCKETS = 400

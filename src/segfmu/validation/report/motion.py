@@ -8,11 +8,11 @@ import numpy as np
 from numpy.lib.recfunctions import rename_fields
 from numpy.typing import NDArray
 
+from segfmu.arrays import FloatArray
 from segfmu.crane.bounds import DRIVES, UNITS, ActuatorBounds
 from segfmu.fmu.pairs import PAIRS
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
-from segfmu.planning.arrays import FloatArray
 from segfmu.planning.limits import NAMES
 from segfmu.validation.criteria import angles
 from segfmu.validation.drive_use import run_demands

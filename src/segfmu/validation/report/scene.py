@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.planning.arrays import FloatArray
+from segfmu.arrays import FloatArray
 from segfmu.validation.files.crane_models import model_of
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
