@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.report import Part, Record, Section, Settings
+from segfmu.kernels.planner.records import LoopArc
 
 ROOT = Path(__file__).parents[1]
 KERNELS = Path("segfmu") / "kernels"
@@ -37,6 +38,13 @@ WAYS: dict[str, dict[str, str]] = {
     "levels next to one ramp": {
         "loop_form": "return count;", "timed_loop": "return;", "loop_ends": "return count;",
     },
+    "folds of these levels": {
+        "loop_form": f"if (last > {LoopArc.SINGLE:d}) last = {LoopArc.SINGLE:d};",
+    },
+    "profiles shorter than a detour": {"shorter_than_detour": "return count;"},
+    "first members among rising ones": {"rising_member": "return -1.0;"},
+    "durations before the end of a gap": {"earlier_feasible": "return end;"},
+    "gaps that end with these levels": {"loop_ends": "return count;"},
     "steeper rises": {"smoothness_share": "return 0.0;"},
     "shorter by braking first": {"shorter_braked": "return count;"},
     "slower passing profiles": {"slower_passing": "return -1.0;"},

@@ -38,13 +38,13 @@ Call = Callable[[], Trajectory]
 BOUNDARY = ("rest", "moving", "short", "braked")
 
 
-def boundary_problems(kind: str, n: int, count: int) -> Iterator[Call]:
+def boundary_problems(kind: str, shape: str, n: int, count: int) -> Iterator[Call]:
     """One axis between two states."""
     random = np.random.default_rng((SEED, n, len(kind)))
     for _ in range(count):
         limits, (v, a, w, b, y) = random_problem(random, n, kind)
         points = [Waypoint(0.0, v, a), Waypoint(y, w, b)]
-        yield partial(plan, points, Limits(*limits[:n]), smoothness=n)
+        yield partial(plan, points, Limits(*limits[:n]), smoothness=n, shape=shape)
 
 
 def paths(n: int, count: int) -> Iterator[Call]:
@@ -60,7 +60,7 @@ def paths(n: int, count: int) -> Iterator[Call]:
         yield partial(plan, points, Limits(*limits), smoothness=n)
 
 
-def motions(n: int, count: int) -> Iterator[Call]:
+def motions(shape: str, n: int, count: int) -> Iterator[Call]:
     """Between the states of a motion by ramps, which keeps the limits."""
     random = np.random.default_rng((SEED, n, 1))
     for _ in range(count):
@@ -68,7 +68,7 @@ def motions(n: int, count: int) -> Iterator[Call]:
         if motion is not None:
             v, a, w, b, y = motion.state
             points = [Waypoint(0.0, v, a), Waypoint(y, w, b)]
-            yield partial(plan, points, Limits(*motion.limits[:n]), smoothness=n)
+            yield partial(plan, points, Limits(*motion.limits[:n]), smoothness=n, shape=shape)
 
 
 def recordings(n: int, count: int) -> Iterator[Call]:
@@ -135,8 +135,10 @@ def within_drives(problem: DriveProblem) -> Trajectory:
 
 
 WORK: dict[str, Callable[[int, int], Iterator[Call]]] = {
-    **{kind: partial(boundary_problems, kind) for kind in BOUNDARY},
-    "paths": paths, "motions by ramps": motions, "recorded states": recordings,
+    **{kind: partial(boundary_problems, kind, "plateau") for kind in BOUNDARY},
+    **{f"{kind}, smoothstep": partial(boundary_problems, kind, "smoothstep") for kind in BOUNDARY},
+    "paths": paths, "motions by ramps": partial(motions, "plateau"),
+    "motions by ramps, smoothstep": partial(motions, "smoothstep"), "recorded states": recordings,
     "durations asked": durations_asked, "replans": replans, "stops": stops,
     "free states": free_states, "drives": drives,
 }

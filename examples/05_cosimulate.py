@@ -7,10 +7,14 @@ from pathlib import Path
 import numpy as np
 
 from segfmu.cosim import simulate
+from segfmu.fmu.gantry_crane import interface as gantry_crane
+from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.python.archive import build_all
 
+SPECS = gantry_feedforward.spec(), gantry_crane.spec()
+
 with tempfile.TemporaryDirectory() as folder:
-    feedforward, crane = build_all(Path(folder))
+    feedforward, crane = build_all(Path(folder), specs=SPECS)
     for enabled in (False, True):
         rows = simulate(
             feedforward,
