@@ -16,6 +16,7 @@ def table(error: float) -> np.ndarray:
     names = [f"{kind}.{drive}" for kind in ("velocity",) for drive in DRIVES]
     names += [f"drive.{drive}.force" for drive in DRIVES]
     names += ["bridge.velocity", "trolley.velocity", "rope.velocity"]
+    names += ["bridge.position", "trolley.position", "rope.length"]
     names += [f"{of}sway.{axis}.angle" for of in ("", "reference.") for axis in "xy"]
     names += [f"error.load.{axis}" for axis in "xyz"]
     rows = np.zeros(50, dtype=[(n, float) for n in ("time", *names)])
