@@ -91,6 +91,16 @@ def test_nothing_is_followed_until_the_drive_is_reset() -> None:
     np.testing.assert_allclose(operator.load[1:4], 0.0, atol=1e-8)
 
 
+def stepped(operator: Operator, step: float, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Times from now on [s], shape (count,), and positions of the load [m], (count, 3)."""
+    begin, times, loads = operator.time, [], []
+    for _ in range(count):
+        operator.step(step)
+        times.append(operator.time - begin)
+        loads.append(operator.load[0])
+    return np.array(times), np.array(loads)
+
+
 @pytest.mark.parametrize("name", SITES)
 def test_a_drive_trips_during_an_emergency_stop(name: str) -> None:
     site, share = SITES[name], 0.4
@@ -99,12 +109,8 @@ def test_a_drive_trips_during_an_emergency_stop(name: str) -> None:
     operator.step(site.step)
     middle = operator.setpoints[3:13].copy()
     operator.trip("trolley")
-    begin, times, loads = operator.time, [], []
-    for _ in range(100):
-        operator.step(site.step)
-        times.append(operator.time - begin)
-        loads.append(operator.load[0])
-    expected = swung(stopping(site, ("trolley",), share), middle, np.array(times))
+    times, loads = stepped(operator, site.step, 100)
+    expected = swung(stopping(site, ("trolley",), share), middle, times)
     np.testing.assert_allclose(loads, expected, atol=1e-6 * -site.start[2])
 
 
@@ -119,12 +125,8 @@ def test_a_drive_trips_while_a_swing_is_calmed() -> None:
     assert operator.rests_at < np.inf
     start = operator.setpoints[3:13].copy()
     operator.trip("bridge")
-    begin, times, loads = operator.time, [], []
-    for _ in range(60):
-        operator.step(LAB.step)
-        times.append(operator.time - begin)
-        loads.append(operator.load[0])
-    expected = swung(stopping(LAB, ("bridge",), 0.6), start, np.array(times))
+    times, loads = stepped(operator, LAB.step, 60)
+    expected = swung(stopping(LAB, ("bridge",), 0.6), start, times)
     np.testing.assert_allclose(loads, expected, atol=1e-6)
 
 
