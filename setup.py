@@ -45,7 +45,7 @@ setup(
         ),
         Extension(
             "segfmu.cosim._loop",
-            sources=[f"{LOOP}/{name}.c" for name in ("module", "loop", "copy")],
+            sources=[f"{LOOP}/{name}.c" for name in ("module", "loop", "copy", "tape")],
             depends=[f"{LOOP}/loop.h"],
             define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE else [],
             py_limited_api=STABLE,

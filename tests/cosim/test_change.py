@@ -50,7 +50,7 @@ def test_a_profile_holds_its_samples(one) -> None:
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_equal_texts_stay_until_their_times(probes, fmi: int) -> None:
     with load(probes[fmi]) as unit:
-        first, again, other = (unit.assignment("text", t) for t in ("same", "same", "other"))
+        first, again, other = (unit.assignments({"text": t})[0] for t in ("same", "same", "other"))
         places = [int(values[0]) for _, values in (first, again, other)]
         assert [string_at(p) for p in places] == [b"same", b"same", b"other"]
         # a second buffer would free the first one, which may look unchanged for a while

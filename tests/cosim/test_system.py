@@ -326,3 +326,15 @@ def test_a_lost_archive_is_named_and_the_system_recovers(probes, tmp_path: Path)
             system.run(stop_time=0.2)
         (tmp_path / "away.fmu").rename(own)
         assert system.run(stop_time=0.2).size == 3
+
+
+def test_the_first_row_of_a_planner_without_connections(native_fmus) -> None:
+    """It is read before the first step, which ends at its events too."""
+    source, sink = native_fmus[2]
+    fmus = {"crane": sink, "plan": source}
+    with System(fmus, step=2e-3, connections=[]) as system:
+        first, again = (system.run(stop_time=0.1) for _ in range(2))
+    with System({"plan": source}, step=2e-3) as system:
+        alone = system.run(stop_time=0.1)
+    for name in alone.dtype.names:
+        assert first[name].tobytes() == again[name].tobytes() == alone[name].tobytes(), name

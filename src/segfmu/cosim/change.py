@@ -69,6 +69,7 @@ def due(
     """
     names = list(units)
     found = []
+    right: set[tuple[str, tuple[str, ...]]] = set()
     for change in changes:
         if change.fmu not in units:
             raise InputError(f"no FMU {change.fmu} in the system; it has {', '.join(names)}")
@@ -80,15 +81,18 @@ def due(
             )
         require_mapping(f"{change.fmu}: values of a change", change.values)
         unit = units[change.fmu]
-        assignments = [
-            unit.assignment(_changeable(unit, change.fmu, name, connected), value)
-            for name, value in change.values.items()
-        ]
-        found.append(Due(time, names.index(change.fmu), assignments))
+        own = change.fmu, tuple(change.values)
+        if own not in right:
+            for name in change.values:
+                _require_changeable(unit, change.fmu, name, connected)
+            right.add(own)
+        found.append(Due(time, names.index(change.fmu), unit.assignments(change.values)))
     return sorted(found, key=lambda d: d.time)
 
 
-def _changeable(unit: Unit, owner: str, name: str, connected: Set[tuple[str, str]]) -> str:
+def _require_changeable(
+    unit: Unit, owner: str, name: str, connected: Set[tuple[str, str]]
+) -> None:
     variable = unit.variables.get(name)
     if variable is None:
         raise InputError(f"{owner} has no variable {name}")
@@ -100,5 +104,4 @@ def _changeable(unit: Unit, owner: str, name: str, connected: Set[tuple[str, str
         )
     if (owner, name) in connected:
         raise InputError(f"{owner}: {name} is connected, so a change of it would not last")
-    return name
 

@@ -32,6 +32,8 @@ class Call:
         The function itself; a call through fmpy takes as long as the FMU.
     arguments : tuple of ctypes values
         Instance, value references, their number, and what follows in the standard.
+    values : ndarray
+        The buffer among them.
     """
 
     unit: Unit
@@ -39,6 +41,7 @@ class Call:
     function: str
     entry: Any
     arguments: tuple[Any, ...]
+    values: NDArray[Any]
 
     def __call__(self) -> None:
         """Call it; SimulationError if the FMU refuses."""

@@ -19,7 +19,9 @@ TYPES = {
 FORMS = ("access2", "access3", "slopes")
 KINDS = ("call", "copy", "step", "meet", "gate")
 OUTCOMES = ("done", "call", "step", "enter", "update", "leave", "step ended", "event ended",
-            "stalled", "event stalled")
+            "stalled", "event stalled", "off tape")
+# enum tape_use
+UNUSED, RECORDS, REPEATS = range(3)
 
 Fields = list[tuple[str, Any]]
 
@@ -33,7 +35,8 @@ class CCall(Structure):
 
     _fields_: ClassVar[Fields] = [
         ("form", c_int64), *_fields(c_void_p, "function", "instance", "references"),
-        ("count", c_size_t), *_fields(c_void_p, "orders", "values"), ("size", c_size_t),
+        ("count", c_size_t), *_fields(c_void_p, "orders", "values"),
+        *_fields(c_size_t, "size", "taped"),
     ]
 
 
@@ -64,7 +67,7 @@ class CUnit(Structure):
     _fields_: ClassVar[Fields] = [
         ("version", c_int64),
         *_fields(c_void_p, "instance", "do_step", "enter_event", "update", "enter_step"),
-        *_fields(c_int64, "has_events", "at_event"),
+        *_fields(c_int64, "has_events", "at_event", "taped"),
     ]
 
 
@@ -80,6 +83,14 @@ class CChange(Structure):
     _fields_: ClassVar[Fields] = [("time", c_double), *_fields(c_int64, "unit", "first", "count")]
 
 
+class CTape(Structure):
+    """tape"""
+
+    _fields_: ClassVar[Fields] = [
+        ("use", c_int64), ("data", c_void_p), *_fields(c_size_t, "size", "place"),
+    ]
+
+
 class CSimulation(Structure):
     """simulation"""
 
@@ -92,4 +103,5 @@ class CSimulation(Structure):
         ("instant", c_double), ("most_stalls", c_int64),
         *_fields(c_double, "time", "reached"),
         *_fields(c_int64, "stalls", "outcome", "item", "status", "row"), ("lasts", c_void_p),
+        ("tape", CTape),
     ]

@@ -31,6 +31,7 @@ from segfmu.cosim.layout import (
 from segfmu.cosim.loop import Progress, stalled
 from segfmu.cosim.schedule import Gate, Meet, Operation, Operations, Schedule, Step
 from segfmu.cosim.table import Column, row_type
+from segfmu.cosim.tape import STEP, OffTape, Tape
 from segfmu.cosim.unit import INSTANT, MOST_STALLS, Unit
 from segfmu.errors import SimulationError
 
@@ -59,10 +60,12 @@ class NativeLoop:
         Operations of the coupling.
     recorded : sequence of Column
         What a row holds.
+    tape : Tape
+        Of the units that can be left out.
     """
 
     def __init__(
-        self, units: Sequence[Unit], schedule: Schedule, recorded: Sequence[Column]
+        self, units: Sequence[Unit], schedule: Schedule, recorded: Sequence[Column], tape: Tape
     ) -> None:
         self._run = import_module("segfmu.cosim._loop").run
         self._units, self._type = units, row_type(recorded)
@@ -80,6 +83,9 @@ class NativeLoop:
         self._fixed = len(self._calls)
         self._states = _packed(CUnit, [_unit(u) for u in units])
         self._lasts = np.zeros(len(units))
+        self._tape = tape
+        for state, unit in zip(self._states, units, strict=True):
+            state.taped = tape.has(unit)
         program.lasts = self._lasts.ctypes.data
         program.units = ctypes.addressof(self._states)
         program.copies = self._array(CCopy, [_copy(c) for c in self._copies])
@@ -99,14 +105,21 @@ class NativeLoop:
         for state in self._states:
             state.at_event = 0
         kept = self._changes(changes)
+        program.tape = self._tape.lay_out(times.size + len(changes), self._a_step())
         for i in range(0, times.size, REPORT):
             last = min(i + REPORT, times.size) - 1
             if self._run(ctypes.addressof(program), i, last):
                 raise self._failure()
             if last < times.size - 1:
                 progress(last / (times.size - 1))
+        self._tape.take(program.tape)
         del kept
         return rows
+
+    def _a_step(self) -> int:
+        """Bytes that a step puts on the tape."""
+        own = sum(c.values.nbytes for c in self._calls[:self._fixed] if self._tape.has(c.unit))
+        return own + len(self._units) * STEP
 
     def _sequence(self, operations: Operations) -> CSequence:
         items: list[COperation] = []
@@ -143,8 +156,9 @@ class NativeLoop:
                 place = places.setdefault(id(channel.write), len(self._calls))
                 if place == len(self._calls):
                     self._calls.append(channel.write)
-                sets.append(CAssignment(place, values.ctypes.data, values.nbytes))
-        kept = [_packed(CCall, [_call(c) for c in self._calls]),
+                start, _ = values.__array_interface__["data"]
+                sets.append(CAssignment(place, start, values.nbytes))
+        kept = [_packed(CCall, [_call(c, self._tape) for c in self._calls]),
                 _packed(CAssignment, sets), _packed(CChange, entries)]
         program = self._program
         program.calls, program.assignments, program.changes = map(ctypes.addressof, kept)
@@ -159,6 +173,8 @@ class NativeLoop:
         """The error that loop.py raises at the same place."""
         program = self._program
         outcome = OUTCOMES[program.outcome]
+        if outcome == "off tape":
+            return OffTape("a run is not the one on the tape")
         if outcome == "call":
             call: Call = self._calls[program.item]
             return call.unit.refusal(call.doing, call.function, program.status)
@@ -188,7 +204,7 @@ def _entry(function: Any) -> int:
     return int(ctypes.cast(function, ctypes.c_void_p).value or 0)
 
 
-def _call(call: Call) -> CCall:
+def _call(call: Call, tape: Tape) -> CCall:
     instance, references, count, *rest = map(_word, call.arguments)
     form = "slopes" if "Derivatives" in call.function else f"access{call.function[3]}"
     found = CCall(
@@ -198,6 +214,7 @@ def _call(call: Call) -> CCall:
         found.orders, found.values = rest
     else:
         found.values, found.size = (*rest, 0)[:2]
+    found.taped = call.values.nbytes if tape.has(call.unit) else 0
     return found
 
 
@@ -232,4 +249,4 @@ def _columns(recorded: Sequence[Column], rows: np.dtype[np.void]) -> list[CCopy]
 
 
 def _unit(unit: Unit) -> CUnit:
-    return CUnit(unit.version, unit.instance, *map(_entry, unit.entries), unit.has_events, 0)
+    return CUnit(unit.version, unit.instance, *map(_entry, unit.entries), unit.has_events, 0, 0)

@@ -112,8 +112,13 @@ def scheduled(
     )
 
 
-def initialise(units: Sequence[Unit], links: Sequence[Link], leading: Sequence[Unit]) -> None:
+def initialise(
+    units: Sequence[Unit], links: Sequence[Link], leading: Sequence[Unit],
+    silent: Sequence[Unit] = (),
+) -> None:
     """Leave initialisation mode one after the other, each with the outputs of those before it.
+
+    Units that are silent are in no mode: they only tell what they have told.
 
     Outputs of units behind are those of initialisation mode. A unit with a lead is ahead of time
     from the end of its initialisation on, so its outputs are handed on before.
@@ -122,16 +127,20 @@ def initialise(units: Sequence[Unit], links: Sequence[Link], leading: Sequence[U
         for link in links:
             if link.sink is unit and link.source in units[i:]:
                 link.pass_on()
-        if unit not in leading:
+        if unit not in leading and unit not in silent:
             unit.exit_initialization()
         for link in links:
             if link.source is unit and link.sink in units[i:]:
                 link.pass_on()
-        if unit in leading:
+        if unit in leading and unit not in silent:
             unit.exit_initialization()
     for link in links:
         if units.index(link.source) > units.index(link.sink):
             link.pass_on()
+    for unit in units:
+        # the first row, and the first step, take what was read last
+        if not any(link.source is unit for link in links):
+            unit.read_outputs()
 
 
 def _gated(every: int | None, own: Sequence[Call | Copy | Step]) -> Operations:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from threading import Lock
@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import require_mapping
 from segfmu.cosim import native
-from segfmu.cosim.change import Change, due
+from segfmu.cosim.change import Change, Due, due
 from segfmu.cosim.connection import Link, by_name, checked
 from segfmu.cosim.loop import Loop
 from segfmu.cosim.points import communication_points, require_step
 from segfmu.cosim.schedule import Coupling, initialise, scheduled
 from segfmu.cosim.table import chosen, columns
+from segfmu.cosim.tape import OffTape, Tape
 from segfmu.cosim.unit import NEXT_EVENT, Unit
 from segfmu.errors import InputError, SimulationError
 
@@ -60,6 +61,10 @@ class System:
         be equal, so they end at no events.
     record : mapping of str to sequence of str or None, optional
         Names of FMUs and of their variables, or None; by default, and for None, all scalar outputs.
+    repeatable : collection of str
+        Names of FMUs whose outputs follow from their values and the time alone, as a planner's do.
+        With the engine "c", and without connected inputs, runs that give them the same values as
+        the ones before hear them from a tape: the same rows, sooner.
     engine : str
         "c": the step loop in C, for which the package must have been installed with a compiler;
         "python"; or "auto": C where there is one. Both give the same numbers.
@@ -91,6 +96,7 @@ class System:
         coupling: Coupling | None = None,
         events: bool = True,
         record: Mapping[str, Sequence[str] | None] | None = None,
+        repeatable: Collection[str] = (),
         engine: Engine = "auto",
     ) -> None:
         if coupling is not None and coupling not in get_args(Coupling):
@@ -117,6 +123,9 @@ class System:
                 derivatives = all(link.has_slopes for link in self._links) and not steps
                 coupling = "derivatives" if derivatives else "sequential"
             self._coupling: Coupling = coupling
+            self._require_units({owner: {} for owner in repeatable})
+            sinks = {c.sink for c in self.connections}
+            self._tape = Tape(set(repeatable) - sinks if self.engine == "c" else ())
             self._loop = self._prepared()
         except BaseException:
             self.close()
@@ -164,10 +173,14 @@ class System:
         """
         values = {} if values is None else values
         self._require_units(values)
+        changes = list(changes)
         times = communication_points(start_time, stop_time, self._step)
         if not self._running.acquire(blocking=False):
             raise InputError("the system is running; make one for each thread")
         try:
+            return self._run(values, times, changes, progress)
+        except OffTape:
+            self._tape.forget()
             return self._run(values, times, changes, progress)
         finally:
             self._running.release()
@@ -278,8 +291,10 @@ class System:
             units, self._links, self._coupling, events=self._events, ahead=self._ahead,
             every=self._every,
         )
-        kind = native.NativeLoop if self.engine == "c" else Loop
-        return kind(units, schedule, columns(self._units, self._recorded))
+        recorded = columns(self._units, self._recorded)
+        if self.engine == "c":
+            return native.NativeLoop(units, schedule, recorded, self._tape)
+        return Loop(units, schedule, recorded)
 
     def _renew(self, ahead: bool) -> None:
         """Reset all units; those that cannot be, and one that may lead no more, are made again."""
@@ -295,6 +310,7 @@ class System:
                 self._units[owner] = load(self._paths[owner], leads=leads, name=owner)
         if self._stale:
             self._observe()
+            self._tape.forget()
             self._loop = self._prepared()
             self._stale = False
 
@@ -309,12 +325,17 @@ class System:
         connected = {(c.sink, c.input) for c in self.connections}
         pending = due(self._units, changes, connected, (start, stop))
         units = list(self._units.values())
+        self._tape.begin(self._key(values, pending, (start, stop, len(times))))
+        silent = [unit for unit in units if self._tape.silent(unit)]
         try:
             for owner, unit in self._units.items():
-                unit.set(values.get(owner, {}))
+                if unit not in silent:
+                    unit.set(values.get(owner, {}))
             for unit in units:
-                unit.enter_initialization(start, stop)
-            initialise(units, self._links, [self._units[n] for n in leading])
+                if unit not in silent:
+                    unit.enter_initialization(start, stop)
+            with self._tape.beginning(units):
+                initialise(units, self._links, [self._units[n] for n in leading], silent)
             rows = self._loop.run(times, pending, progress)
         except BaseException:
             with suppress(SimulationError):
@@ -323,6 +344,16 @@ class System:
         _all(unit.finish for unit in reversed(units))
         progress(1.0)
         return rows
+
+    def _key(
+        self, values: Mapping[str, Mapping[str, Any]], pending: Sequence[Due], span: Any
+    ) -> Any:
+        """All that the FMUs on the tape hear in a run; None if they hear of changes."""
+        units = list(self._units.values())
+        if any(self._tape.has(units[change.unit]) for change in pending):
+            return None
+        own = {n: dict(values.get(n, {})) for n, u in self._units.items() if self._tape.has(u)}
+        return own, [change.time for change in pending], span, self._ahead
 
 
 def _all(calls: Iterable[Callable[[], None]]) -> None:

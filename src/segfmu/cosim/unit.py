@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
 from typing import Any, ClassVar
@@ -47,6 +47,10 @@ class Unit(ABC):
     ----------
     observed : list of (list of str, Channel)
         Names and values of the variables of `observe`, by type.
+    heard : list or None
+        If it is one, what `read_outputs` reads is kept in it.
+    told : iterator or None
+        If there is one, `read_outputs` takes what was kept from it, without the FMU.
     """
 
     # types of the standard -> types in Python
@@ -74,6 +78,8 @@ class Unit(ABC):
         self._worst = OK
         self.observed: list[tuple[list[str], Channel]] = []
         self._setter = Setter(self)
+        self.heard: list[list[NDArray[Any]]] | None = None
+        self.told: Iterator[list[NDArray[Any]]] | None = None
         self._load()
         self._instantiated = True
 
@@ -205,9 +211,11 @@ class Unit(ABC):
         """The error of an FMU whose event does not end."""
         return SimulationError(f"{self.name} asked for more than {MOST_STALLS} rounds of an event")
 
-    def prepared(self, doing: str, name: str, *arguments: Any) -> Call:
-        """A call of the FMU's function `name` with fixed ctypes arguments."""
-        return Call(self, doing, name, self.fmu.dll[name], arguments)
+    def prepared(
+        self, doing: str, name: str, values: NDArray[Any], *arguments: Any
+    ) -> Call:
+        """A call of the FMU's function `name` with fixed ctypes arguments, one of them `values`."""
+        return Call(self, doing, name, self.fmu.dll[name], arguments, values)
 
     def set(self, values: Mapping[str, Any]) -> None:
         """Set variables by name; enumerations also by the name of an item.
@@ -226,10 +234,9 @@ class Unit(ABC):
             channel = self._setter.fill(name, value)
             self._write(self.variables[name], channel)
 
-    def assignment(self, name: str, value: Any) -> tuple[Channel, NDArray[Any]]:
-        """The channel that sets a variable, and what its buffer has to hold."""
-        channel = self._setter.fill(name, value)
-        return channel, channel.values.copy()
+    def assignments(self, values: Mapping[str, Any]) -> list[tuple[Channel, NDArray[Any]]]:
+        """The channels that set variables, and what their buffers have to hold."""
+        return self._setter.assignments(values)
 
     def _write(self, variable: Any, channel: Channel) -> None:
         channel.write()
@@ -252,9 +259,15 @@ class Unit(ABC):
         self.observed = [(group, self.channel(group)) for group in alike(names, self)]
 
     def read_outputs(self) -> None:
-        """Read the variables of `observe` into its channels."""
+        """Read the variables of `observe` into its channels, or take them from `told`."""
+        if self.told is not None:
+            for (_, channel), values in zip(self.observed, next(self.told), strict=True):
+                channel.values[:] = values
+            return
         for _, channel in self.observed:
             channel.read()
+        if self.heard is not None:
+            self.heard.append([channel.values.copy() for _, channel in self.observed])
 
     def place(self, name: str) -> tuple[NDArray[Any], int]:
         """Buffer of a variable of `observe`, and its index there."""

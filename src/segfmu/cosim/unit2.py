@@ -71,8 +71,8 @@ class Unit2(Unit):
         )
         return Channel(
             values,
-            self.prepared(f"give {named(names)}", f"fmi2Get{group}", *arguments),
-            self.prepared(f"set {named(names)}", f"fmi2Set{group}", *arguments),
+            self.prepared(f"give {named(names)}", f"fmi2Get{group}", values, *arguments),
+            self.prepared(f"set {named(names)}", f"fmi2Set{group}", values, *arguments),
         )
 
     @property
@@ -117,11 +117,11 @@ class Unit2(Unit):
             values,
             self.prepared(
                 f"give output derivatives up to order {order}", "fmi2GetRealOutputDerivatives",
-                *arguments,
+                values, *arguments,
             ),
             self.prepared(
                 f"take input derivatives up to order {order}", "fmi2SetRealInputDerivatives",
-                *arguments,
+                values, *arguments,
             ),
         )
 

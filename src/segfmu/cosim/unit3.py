@@ -78,8 +78,8 @@ class Unit3(Unit):
         )
         return Channel(
             values,
-            self.prepared(f"give {named(names)}", f"fmi3Get{function}", *arguments),
-            self.prepared(f"set {named(names)}", f"fmi3Set{function}", *arguments),
+            self.prepared(f"give {named(names)}", f"fmi3Get{function}", values, *arguments),
+            self.prepared(f"set {named(names)}", f"fmi3Set{function}", values, *arguments),
         )
 
     def _elements(self, variable: Any) -> int:

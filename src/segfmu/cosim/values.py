@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Mapping, Sequence
 from math import isfinite, prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from segfmu.cosim.channel import Channel
 from segfmu.errors import InputError
 
 if TYPE_CHECKING:
     from segfmu.cosim.unit import Unit
+
+# lists of variables whose channels are kept
+MOST_GROUPS = 256
 
 
 class Setter:
@@ -28,6 +33,7 @@ class Setter:
         self._unit = unit
         self._channels: dict[str, Channel] = {}
         self._texts: dict[str, Any] = {}
+        self._groups: dict[tuple[str, ...], list[tuple[tuple[str, ...], Channel]]] = {}
 
     def fill(self, name: str, value: Any) -> Channel:
         """The channel of a variable, its buffer filled with a value."""
@@ -39,9 +45,7 @@ class Setter:
             raise InputError(f"{unit.name}: {name} is of type {variable.type}, not supported")
         channel = self._channels.get(name) or self._made(name, variable)
         if not variable.dimensions:
-            if not isinstance(value, (float, int, str)):
-                value = self._single(name, value)
-            self._store(channel, name, [self._number(variable, value)])
+            self._store(channel, name, [self._real(name, value)])
             return channel
         numbers = [self._number(variable, v) for v in _flat(value)]
         size = channel.values.size
@@ -55,6 +59,47 @@ class Setter:
             channel.read()
         self._store(channel, name, numbers)
         return channel
+
+    def assignments(
+        self, values: Mapping[str, Any]
+    ) -> list[tuple[Channel, NDArray[Any]]]:
+        """Channels that set variables, and what their buffers have to hold.
+
+        Numbers that are real are set at once, all others one by one.
+        """
+        names = tuple(values)
+        if names not in self._groups:
+            if len(self._groups) >= MOST_GROUPS:
+                self._groups.clear()
+            self._groups[names] = self._grouped(names)
+        groups = self._groups[names]
+        found = []
+        for group, channel in groups:
+            own = [values[name] for name in group]
+            if any(type(value) is not float for value in own):
+                own = [self._real(name, values[name]) for name in group]
+            found.append((channel, np.array(own, channel.values.dtype)))
+        grouped = {name for group, _ in groups for name in group}
+        for name in names:
+            if name not in grouped:
+                channel = self.fill(name, values[name])
+                found.append((channel, channel.values.copy()))
+        return found
+
+    def _grouped(self, names: Sequence[str]) -> list[tuple[tuple[str, ...], Channel]]:
+        """Scalar real variables, those of a type together."""
+        unit = self._unit
+        types: dict[str, list[str]] = {}
+        for name in names:
+            variable = unit.variables[name]
+            if unit.TYPES.get(variable.type) is float and not variable.dimensions:
+                types.setdefault(variable.type, []).append(name)
+        return [(tuple(own), unit.channel(own)) for own in types.values()]
+
+    def _real(self, name: str, value: Any) -> float | int:
+        if not isinstance(value, (float, int, str)):
+            value = self._single(name, value)
+        return self._number(self._unit.variables[name], value)
 
     def forget(self) -> None:
         """Free the texts of a run."""

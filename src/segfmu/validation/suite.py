@@ -36,13 +36,15 @@ LEAD, ENABLED = "setpoint.lead", "command.enabled"
 NO_REJECTION = {
     "feedback.design": "lqr", "feedback.rejection.carriage": 0.0, "feedback.rejection.load": 0.0,
 }
-# loaded FMUs take some 10 MB, plans next to nothing
-MOST_SYSTEMS, MOST_PLANS = 4, 256
+# loaded FMUs take some 10 MB, inputs at all communication steps some MB, plans next to nothing
+MOST_SYSTEMS, MOST_TOLD, MOST_PLANS = 4, 8, 256
 # keys of a mission that its plan does not depend on
 UNPLANNED: dict[str, Any] = {
     "name": True, "true_crane": True, "simulation": True,
     "crane": {"name", "drive", "travel", "sensors", "load", "controller", "wind"},
 }
+# keys that the planner does not know
+DISTURBED = {"name", "true_crane", "simulation"}
 Rows = NDArray[np.void]
 
 
@@ -99,6 +101,8 @@ class Runner:
         self._systems: Kept[System] = Kept(MOST_SYSTEMS, System.close)
         self._plans: Kept[Trajectory] = Kept(MOST_PLANS)
         self._courses: Kept[Course] = Kept(MOST_PLANS)
+        self._sources: Kept[dict[str, Any]] = Kept(MOST_PLANS)
+        self._told: Kept[list[Change]] = Kept(MOST_TOLD)
 
     def __enter__(self) -> Runner:
         return self
@@ -111,6 +115,8 @@ class Runner:
         self._systems.clear()
         self._plans.clear()
         self._courses.clear()
+        self._sources.clear()
+        self._told.clear()
         self._pairs.close()
 
     def run(self, scenario: Scenario) -> Result:
@@ -180,15 +186,19 @@ class Runner:
         method, mission = scenario.file.method, scenario.mission
         if method == "feedforward":
             return None
-        key = method, mission.model_dump_json(exclude={"name", "true_crane"})
-        return self._courses.get(key, lambda: course(mission, method))
+        return self._courses.get(_course_key(scenario), lambda: course(mission, method))
+
+    def _inputs(self, scenario: Scenario, own: Course, end: float) -> list[Change]:
+        """What a course tells the crane at every communication step."""
+        times = communication_points(0.0, end, scenario.mission.simulation.step)
+        crane = models(scenario.mission.crane).crane
+        return self._told.get((*_course_key(scenario), end), lambda: inputs(own, crane, times))
 
     def _changes(self, scenario: Scenario, known: Mapping[str, float]) -> list[Change]:
         file, own = scenario.file, self._course(scenario)
         found: list[Change] = []
         if own is not None:
-            times = communication_points(0.0, known["end"], scenario.mission.simulation.step)
-            found += inputs(own, models(scenario.mission.crane).crane, times)
+            found += self._inputs(scenario, own, known["end"])
         found += [Change(moment(e.time, known), e.fmu, e.values) for e in file.events]
         for p, recording in zip(file.profiles, scenario.recordings, strict=True):
             if recording is not None:
@@ -236,7 +246,10 @@ class Runner:
         file, mission = scenario.file, scenario.mission
         lead = {LEAD: mission.simulation.step} if file.lead else {}
         source, sink, gains = self._pairs.values(mission, trajectory, file.fmi)
-        source = source | feedforward_values(mission, trajectory)
+        planned = mission.model_dump_json(exclude=DISTURBED)
+        source = source | self._sources.get(
+            planned, lambda: feedforward_values(mission, trajectory)
+        )
         # weights are those of the build
         sink = sink | {
             n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
@@ -287,10 +300,17 @@ class Runner:
             return System(
                 {**first, **others, both.crane: archives[1]}, record=None if planned else alone,
                 step=step, steps=steps, coupling=file.coupling, connections=[*own, *links],
+                repeatable=first,
             )
 
         key = (planned, *archives, step, *steps.items(), file.coupling, *others.items(), *links)
         return self._systems.get(key, make)
+
+
+def _course_key(scenario: Scenario) -> tuple[str, str]:
+    """The method, and the mission as far as it is known to it."""
+    mission = scenario.mission
+    return scenario.file.method, mission.model_dump_json(exclude={"name", "true_crane"})
 
 
 def _without_feedback(scenario: Scenario) -> Scenario:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 import shutil
@@ -343,6 +344,8 @@ def test_a_worker_gives_up_at_the_run_that_hangs(monkeypatch: pytest.MonkeyPatch
         return worker.Outcome(order.number, passed=True)
 
     monkeypatch.setattr(worker, "_made", make)
+    # workers are silent for good; this process is none
+    monkeypatch.setattr(worker, "LOGGER", logging.getLogger("worker"))
     orders = [worker.Order(number, 0, {}) for number in range(3)]
     outcomes, _ = worker.perform([Source(Path("s.toml"), {})], orders, 0.2)
     assert [(o.number, o.passed, o.hung) for o in outcomes] == [(0, True, False), (1, False, True)]
@@ -362,6 +365,8 @@ def test_two_campaigns_in_one_folder(whole: CampaignResult, tmp_path: Path) -> N
         while not rows(out):
             assert process.poll() is None and time.monotonic() < deadline
             time.sleep(0.05)
+        # it must not come to its end before the other one begins
+        process.send_signal(signal.SIGSTOP)
         second = run(path, "-o", out, code=2)
         process.kill()
     assert second.stderr.count("\n") == 1

@@ -23,6 +23,9 @@ static bool do_call(simulation *s, int64_t item)
 {
     const call *c = &s->calls[item];
     int status;
+    if (c->taped && s->tape.use == REPEATS) {
+        return tell_again(&s->tape, c->values, c->taped) || stop(s, OFF_TAPE, item, 0);
+    }
     switch (c->form) {
     case ACCESS2:
         status = ((access2)c->function)(c->instance, c->references, c->count, c->values);
@@ -33,7 +36,35 @@ static bool do_call(simulation *s, int64_t item)
     default:
         status = ((slopes)c->function)(c->instance, c->references, c->count, c->orders, c->values);
     }
-    return status <= WARNING || stop(s, CALL_FAILED, item, status);
+    if (status > WARNING) {
+        return stop(s, CALL_FAILED, item, status);
+    }
+    if (c->taped) {
+        keep_told(&s->tape, c->values, c->taped);
+    }
+    return true;
+}
+
+/* A step as it is on the tape. */
+typedef struct {
+    double start, end, reached;
+    int64_t at_event;
+} told_step;
+
+static bool repeats(const simulation *s, int64_t item)
+{
+    return s->units[item].taped && s->tape.use == REPEATS;
+}
+
+static bool repeat_step(simulation *s, int64_t item)
+{
+    told_step t;
+    if (!tell_again(&s->tape, &t, sizeof t) || t.start != s->lasts[item] || t.end != s->reached) {
+        return stop(s, OFF_TAPE, item, 0);
+    }
+    s->units[item].at_event = t.at_event;
+    s->lasts[item] = s->reached = t.reached;
+    return true;
 }
 
 /* A step to s->reached, from where the unit is; the first one may end it earlier. */
@@ -43,6 +74,9 @@ static bool do_step(simulation *s, int64_t item)
     double start = s->lasts[item], end = s->reached, told = end;
     bool event = false, terminate = false, early = false;
     int status;
+    if (repeats(s, item)) {
+        return repeat_step(s, item);
+    }
     if (u->version == 2) {
         status = ((step2)u->do_step)(u->instance, start, end - start, 1);
     } else {
@@ -61,6 +95,10 @@ static bool do_step(simulation *s, int64_t item)
         s->reached = told;
     }
     s->lasts[item] = s->reached;
+    if (u->taped) {
+        const told_step t = {start, end, s->reached, u->at_event};
+        keep_told(&s->tape, &t, sizeof t);
+    }
     return true;
 }
 
@@ -118,7 +156,8 @@ static bool perform(simulation *s, sequence q)
         default:
             if (s->units[o->item].at_event) {
                 s->units[o->item].at_event = 0;
-                good = enter_event(s, o->item) && leave_event(s, o->item);
+                good = repeats(s, o->item)
+                    || (enter_event(s, o->item) && leave_event(s, o->item));
             } else {
                 i += o->extra;
             }

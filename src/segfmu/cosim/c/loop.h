@@ -3,6 +3,7 @@
 #ifndef SEGFMU_LOOP_H
 #define SEGFMU_LOOP_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -21,7 +22,17 @@ enum kind { CALL, COPY, STEP, MEET, GATE };
 
 /* How a run ended. */
 enum outcome { DONE, CALL_FAILED, STEP_FAILED, ENTER_FAILED, UPDATE_FAILED, LEAVE_FAILED,
-               STEP_TERMINATED, EVENT_TERMINATED, STALLED, EVENT_STALLED };
+               STEP_TERMINATED, EVENT_TERMINATED, STALLED, EVENT_STALLED, OFF_TAPE };
+
+/* What a run does with its tape: calls and steps that are `taped` are put on it, or heard from it
+ * without their FMU. */
+enum tape_use { UNUSED, RECORDS, REPEATS };
+
+typedef struct {
+    int64_t use;
+    char *data;
+    size_t size, place;
+} tape;
 
 typedef struct {
     int64_t form;
@@ -30,7 +41,7 @@ typedef struct {
     size_t count;
     const int *orders;
     void *values;
-    size_t size;
+    size_t size, taped;  /* bytes on the tape, or 0 */
 } call;
 
 /* `count` values; from the places `index`, or from the beginning if it is NULL. A column's target is
@@ -55,7 +66,7 @@ typedef struct {
 typedef struct {
     int64_t version;
     void *instance, *do_step, *enter_event, *update, *enter_step;
-    int64_t has_events, at_event;
+    int64_t has_events, at_event, taped;
 } unit;
 
 /* One variable of a change: `bytes` of data for the buffer of a call. */
@@ -92,7 +103,14 @@ typedef struct {
     /* the communication point that is next, and the time that each unit has reached */
     int64_t row;
     double *lasts;
+    tape tape;
 } simulation;
+
+/* Put bytes on a tape that records; one that is full is of no use. */
+void keep_told(tape *t, const void *from, size_t bytes);
+
+/* The next bytes of a tape; false at its end. */
+bool tell_again(tape *t, void *to, size_t bytes);
 
 /* Copy values of one buffer to another place, each converted to its type. */
 void copy_values(const copy *c, char *to);

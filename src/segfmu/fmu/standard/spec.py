@@ -149,23 +149,39 @@ def started(spec: Spec, values: Mapping[str, Value | str], **changes: Any) -> Sp
     KeyError
         For a name that the specification does not have.
     """
+    numbers = _numbers(spec, values)
+    variables = tuple(
+        replace(v, start=numbers[v.name], computed=False) if v.name in numbers else v
+        for v in spec.variables
+    )
+    return replace(spec, variables=variables, **changes)
+
+
+def start_values(spec: Spec, values: Mapping[str, Value | str]) -> dict[str, Value | None]:
+    """Start values of all variables, by name, where those given take the place of its own.
+
+    Raises
+    ------
+    KeyError
+        For a name that the specification does not have.
+    """
+    return {v.name: v.start for v in spec.variables} | _numbers(spec, values)
+
+
+def _numbers(spec: Spec, values: Mapping[str, Value | str]) -> dict[str, Value]:
+    """Values of variables as numbers of their kind."""
     unknown = values.keys() - spec.references.keys()
     if unknown:
         raise KeyError(f"{spec.name} has no {', '.join(sorted(unknown))}")
 
-    def number(v: Variable) -> Value:
-        value = values[v.name]
+    def number(v: Variable, value: Value | str) -> Value:
         if isinstance(value, str):
             if v.enumeration is None:
                 raise TypeError(f"{v.name} takes a number, got {value!r}")
             return v.enumeration.items.index(value) + 1
         return value if v.kind == "Real" else bool(value) if v.kind == "Boolean" else int(value)
 
-    variables = tuple(
-        replace(v, start=number(v), computed=False) if v.name in values else v
-        for v in spec.variables
-    )
-    return replace(spec, variables=variables, **changes)
+    return {name: number(spec.variable(name), value) for name, value in values.items()}
 
 
 def numbered(spec: Spec) -> Spec:

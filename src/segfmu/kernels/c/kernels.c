@@ -186,7 +186,8 @@ static double offset_estimate(array_double_1d parameters, array_double_1d measur
 static double weak_drive(void);
 static double drive_strength(array_double_1d plant, int64_t axis);
 static void set_noise(array_double_1d uncertainty, double gravity, double longest, array_double_1d tracking);
-static double spectral_radius(int64_t n, array_double_2d a, array_double_2d square);
+static double spectral_radius(int64_t n, double enough, array_double_2d a, array_double_2d square);
+static void sampled_transition(double sample_time, array_double_2d model, array_double_2d transition, array_double_2d work);
 static bool is_state(int64_t axis, bool lagging, int64_t place);
 static void axis_gains(int64_t axis, array_double_1d plant, double length, array_double_3d table, array_double_1d gains);
 static int64_t close_loop(int64_t axis, bool lagging, double delay, array_double_1d gains, array_double_2d work);
@@ -6921,7 +6922,7 @@ void segfmu_set_fading(array_double_1d tracking)
         (*cspan_at(&tracking, INT64_C(11))) = exp((-(*cspan_at(&tracking, INT64_C(1)))) / fade);
     }
 }
-static double spectral_radius(int64_t n, array_double_2d a, array_double_2d square)
+static double spectral_radius(int64_t n, double enough, array_double_2d a, array_double_2d square)
 {
     double total;
     double weight;
@@ -6946,6 +6947,10 @@ static double spectral_radius(int64_t n, array_double_2d a, array_double_2d squa
             return 0.0;
         }
         total = total + weight * log(size);
+        if (total + weight * log((double)(n)) <= log(enough))
+        {
+            return enough;
+        }
         weight = 0.5 * weight;
         for (i = INT64_C(0); i < n; i += INT64_C(1))
         {
@@ -6958,6 +6963,22 @@ static double spectral_radius(int64_t n, array_double_2d a, array_double_2d squa
         matrix_copy(n, square, a);
     }
     return exp(total);
+}
+static void sampled_transition(double sample_time, array_double_2d model, array_double_2d transition, array_double_2d work)
+{
+    int64_t doublings;
+    array_double_2d term;
+    array_double_2d product;
+    int64_t Dummy_0000;
+    doublings = halvings_below(INT64_C(8), sample_time, model);
+    term = span_rows(&work, INT64_C(0), INT64_C(8));
+    product = span_rows(&work, INT64_C(8), INT64_C(2) * INT64_C(8));
+    matrix_exponential(INT64_C(8), sample_time / pow(2.0, (double)(doublings)), model, transition, term, product);
+    for (Dummy_0000 = INT64_C(0); Dummy_0000 < doublings; Dummy_0000 += INT64_C(1))
+    {
+        matrix_product(INT64_C(8), transition, transition, term);
+        matrix_copy(INT64_C(8), term, transition);
+    }
 }
 static bool is_state(int64_t axis, bool lagging, int64_t place)
 {
@@ -7019,7 +7040,7 @@ static int64_t close_loop(int64_t axis, bool lagging, double delay, array_double
     double effect;
     int64_t order;
     transition = span_rows(&work, INT64_C(8), INT64_C(16));
-    loop = span_rows(&work, INT64_C(48), INT64_C(96));
+    loop = span_rows(&work, INT64_C(32), INT64_C(80));
     own = INT64_C(7);
     whole = span_min_int((int64_t)(delay + 1e-09), INT64_C(48) - own - INT64_C(2));
     share = span_min(span_max(delay - whole, 0.0), 1.0);
@@ -7093,8 +7114,8 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
     int64_t order;
     double growth;
     int64_t status;
-    lengths = span_row(&work, INT64_C(144));
-    gains = span_row(&work, INT64_C(145));
+    lengths = span_row(&work, INT64_C(128));
+    gains = span_row(&work, INT64_C(129));
     count = segfmu_table_lengths((*cspan_at(&ends, INT64_C(0))), (*cspan_at(&ends, INT64_C(1))), INT64_C(33), lengths);
     status = INT64_C(0);
     (*cspan_at(&fault, INT64_C(3))) = 1.0 + 1e-06;
@@ -7110,10 +7131,10 @@ int64_t segfmu_check_gains(array_double_1d plant, double period, int64_t predict
         for (row = INT64_C(0); row < count; row += INT64_C(1))
         {
             kalman_model(axis, plant, (*cspan_at(&lengths, row)), span_rows(&work, INT64_C(0), INT64_C(8)));
-            kalman_sampled(period, 0.0, 0.0, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(16), INT64_C(24)), span_rows(&work, INT64_C(24), INT64_C(48)));
+            sampled_transition(period, span_rows(&work, INT64_C(0), INT64_C(8)), span_rows(&work, INT64_C(8), INT64_C(16)), span_rows(&work, INT64_C(16), INT64_C(32)));
             axis_gains(axis, plant, (*cspan_at(&lengths, row)), table, gains);
             order = close_loop(axis, lagging, delay, gains, work);
-            growth = spectral_radius(order, span_rows(&work, INT64_C(48), INT64_C(96)), span_rows(&work, INT64_C(96), INT64_C(144)));
+            growth = spectral_radius(order, (*cspan_at(&fault, INT64_C(3))), span_rows(&work, INT64_C(32), INT64_C(80)), span_rows(&work, INT64_C(80), INT64_C(128)));
             if (growth > (*cspan_at(&fault, INT64_C(3))))
             {
                 (*cspan_at(&fault, INT64_C(3))) = growth;

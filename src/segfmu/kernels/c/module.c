@@ -1483,7 +1483,7 @@ static PyObject *call_check_gains(
         && has_at_least(&call, "ends", 0, in_ends->shape[0], 2)
         && has_at_least(&call, "table", 1, in_table->shape[1], 4)
         && has_at_least(&call, "table", 2, in_table->shape[2], 11)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 146)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 130)
         && has_at_least(&call, "work", 1, in_work->shape[1], 48)
         && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
         answer = PyLong_FromLongLong(segfmu_check_gains(

@@ -169,8 +169,8 @@ class LoopWork(Record):
 
     MODEL = field("derivatives of states and inputs", size=AxisModel.SIZE, of=LoopStates)
     TRANSITION = field("transition over a sample", size=AxisModel.SIZE)
-    COVARIANCE = field("not used", size=AxisModel.SIZE)
-    SERIES = field("work space of the sampled model", size=ModelWork.SIZE)
+    TERM = field("term of a series, then a square", size=AxisModel.SIZE)
+    PRODUCT = field("product with the model", size=AxisModel.SIZE)
     LOOP = field("transition of the closed loop", size=Loops.MOST)
     SQUARE = field("its square", size=Loops.MOST)
     LENGTHS = field("rope lengths", "m")

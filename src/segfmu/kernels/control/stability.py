@@ -9,15 +9,25 @@ from math import exp, log
 
 from segfmu.kernels.control.bounds import scheduled_gain
 from segfmu.kernels.control.design import table_lengths
-from segfmu.kernels.control.kalman import kalman_model, kalman_sampled
+from segfmu.kernels.control.kalman import kalman_model
 from segfmu.kernels.control.records import AxisModel, GainInputs, Loops, LoopWork
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant, State
-from segfmu.kernels.numerics.matrices import matrix_copy, matrix_product
+from segfmu.kernels.numerics.matrices import (
+    halvings_below,
+    matrix_copy,
+    matrix_exponential,
+    matrix_product,
+)
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 
 
-def spectral_radius(n: int, a: 'float[:,:]', square: 'float[:,:]') -> float:
-    """Largest eigenvalue magnitude, by squaring; overwrites both matrices."""
+def spectral_radius(
+    n: int, enough: float, a: 'float[:,:]', square: 'float[:,:]'
+) -> float:
+    """Largest eigenvalue magnitude, by squaring; overwrites both matrices.
+
+    One that is at most `enough` is only bounded: |r|^k <= n max |A^k|, by the row sums of A^k.
+    """
     total = 0.0
     weight = 1.0
     for _ in range(30):
@@ -28,6 +38,8 @@ def spectral_radius(n: int, a: 'float[:,:]', square: 'float[:,:]') -> float:
         if not size > 0.0:
             return 0.0
         total = total + weight * log(size)
+        if total + weight * log(float(n)) <= log(enough):
+            return enough
         weight = 0.5 * weight
         for i in range(n):
             for j in range(n):
@@ -35,6 +47,21 @@ def spectral_radius(n: int, a: 'float[:,:]', square: 'float[:,:]') -> float:
         matrix_product(n, a, a, square)
         matrix_copy(n, square, a)
     return exp(total)
+
+
+def sampled_transition(
+    sample_time: float, model: 'float[:,:]', transition: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """Transition (8, 8) of a model over a sample, by series and doublings; work (16, .)."""
+    doublings = halvings_below(AxisModel.SIZE, sample_time, model)
+    term = work[0:AxisModel.SIZE, :]
+    product = work[AxisModel.SIZE:2 * AxisModel.SIZE, :]
+    matrix_exponential(
+        AxisModel.SIZE, sample_time / 2**doublings, model, transition, term, product
+    )
+    for _ in range(doublings):
+        matrix_product(AxisModel.SIZE, transition, transition, term)
+        matrix_copy(AxisModel.SIZE, term, transition)
 
 
 def is_state(axis: int, lagging: bool, place: int) -> bool:
@@ -80,7 +107,7 @@ def close_loop(
     work: a `LoopWork` with the sampled model. The states are an `AxisModel` without its correction,
     then the corrections of past ticks that have not acted yet.
     """
-    transition = work[LoopWork.TRANSITION:LoopWork.COVARIANCE, :]
+    transition = work[LoopWork.TRANSITION:LoopWork.TERM, :]
     loop = work[LoopWork.LOOP:LoopWork.SQUARE, :]
     own = AxisModel.CORRECTION
     whole = min(int(delay + 1e-9), Loops.MOST - own - 2)
@@ -140,16 +167,14 @@ def check_gains(
             delay = 0.0
         for row in range(count):
             kalman_model(axis, plant, lengths[row], work[LoopWork.MODEL:LoopWork.TRANSITION, :])
-            kalman_sampled(
-                period, 0.0, 0.0, work[LoopWork.MODEL:LoopWork.TRANSITION, :],
-                work[LoopWork.TRANSITION:LoopWork.COVARIANCE, :],
-                work[LoopWork.COVARIANCE:LoopWork.SERIES, :],
-                work[LoopWork.SERIES:LoopWork.LOOP, :],
+            sampled_transition(
+                period, work[LoopWork.MODEL:LoopWork.TRANSITION, :],
+                work[LoopWork.TRANSITION:LoopWork.TERM, :], work[LoopWork.TERM:LoopWork.LOOP, :],
             )
             axis_gains(axis, plant, lengths[row], table, gains)
             order = close_loop(axis, lagging, delay, gains, work)
             growth = spectral_radius(
-                order, work[LoopWork.LOOP:LoopWork.SQUARE, :],
+                order, fault[SetupFault.BOUND], work[LoopWork.LOOP:LoopWork.SQUARE, :],
                 work[LoopWork.SQUARE:LoopWork.LENGTHS, :],
             )
             if growth > fault[SetupFault.BOUND]:

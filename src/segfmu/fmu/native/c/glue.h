@@ -27,6 +27,17 @@ typedef void (*reporter)(instance *c, int status, const char *category, const ch
 /* any function; cast back to its own type before it is called */
 typedef void (*callback)(void);
 
+/* What a list of variables is for; the last one for each that was found right is kept, as importers ask
+   for the same ones in every step. */
+enum { READ_LIST, SET_LIST, UNKNOWN_LIST, KNOWN_LIST, LISTS };
+
+typedef struct {
+    size_t count, size;
+    int64_t rows;
+    int kinds, all;
+    uint32_t references[MODEL_VARIABLES];
+} known_list;
+
 struct instance {
     model *model;
     size_t capacity;  /* bytes of the model's block */
@@ -38,6 +49,7 @@ struct instance {
     bool logging;
     unsigned categories;  /* a bit each of those that were chosen; 0: all */
     bool event_mode, early_return;
+    known_list known[LISTS];
 };
 
 /* A new instance in mode INSTANTIATED, or NULL with a message. */

@@ -36,13 +36,43 @@ static const char *kind_name(uint8_t kind)
    these. */
 enum { ALL_CALCULATED = 1 << 8, ALL_EARLY = 1 << 9 };
 
+/* Lists up to this length are checked as fast as they are compared. */
+enum { SHORT_LIST = 8 };
+
+static bool is_last(const instance *c, const known_list *last, const uint32_t references[],
+                    size_t count, size_t size, int kinds)
+{
+    return last->count == count && last->size == size && last->kinds == kinds
+        && last->rows == c->start.rows && count > SHORT_LIST
+        && memcmp(last->references, references, count * sizeof *references) == 0;
+}
+
+static void keep_last(const instance *c, known_list *last, const uint32_t references[],
+                      size_t count, size_t size, int kinds, int all)
+{
+    if (count > SHORT_LIST && count <= MODEL_VARIABLES) {
+        last->count = count;
+        last->size = size;
+        last->kinds = kinds;
+        last->rows = c->start.rows;
+        last->all = all;
+        memcpy(last->references, references, count * sizeof *references);
+    }
+}
+
 /* Checks for both reading and setting; `all` tells what is among the variables. */
-static bool usable(instance *c, const char *function, const uint32_t references[], size_t count,
-                   const void *values, size_t size, int kinds, int *all)
+static bool usable(instance *c, int list, const char *function,
+                   const uint32_t references[], size_t count, const void *values, size_t size,
+                   int kinds, int *all)
 {
     if (count > 0
         && (!glue_given(c, references, function) || !glue_given(c, values, function))) {
         return false;
+    }
+    known_list *last = &c->known[list];
+    if (is_last(c, last, references, count, size, kinds)) {
+        *all = last->all;
+        return true;
     }
     size_t elements = 0;
     int found = 0;
@@ -73,6 +103,7 @@ static bool usable(instance *c, const char *function, const uint32_t references[
                  (unsigned long)elements, (unsigned long)size);
         return false;
     }
+    keep_last(c, last, references, count, size, kinds, found);
     return true;
 }
 
@@ -80,7 +111,7 @@ bool glue_readable(instance *c, const char *function, const uint32_t references[
                    const void *values, size_t size, int kinds)
 {
     int all;
-    if (!usable(c, function, references, count, values, size, kinds, &all)) {
+    if (!usable(c, READ_LIST, function, references, count, values, size, kinds, &all)) {
         return false;
     }
     const int early = (all & ALL_EARLY) != 0 ? MODE_INSTANTIATED : 0;
@@ -92,7 +123,7 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
                    const void *values, size_t size, int kinds)
 {
     int all;
-    if (!usable(c, function, references, count, values, size, kinds, &all)) {
+    if (!usable(c, SET_LIST, function, references, count, values, size, kinds, &all)) {
         return false;
     }
     const int64_t mode = c->model->mode;
@@ -259,8 +290,8 @@ bool glue_directional(instance *c, const char *function, const uint32_t unknowns
     if (rows == 0) {
         return true;
     }
-    if (!usable(c, function, unknowns, m, found, m, real, &all)
-        || !usable(c, function, knowns, n, found, n, real, &all) || !glue_given(c, found, function)
+    if (!usable(c, UNKNOWN_LIST, function, unknowns, m, found, m, real, &all)
+        || !usable(c, KNOWN_LIST, function, knowns, n, found, n, real, &all) || !glue_given(c, found, function)
         || (columns > 0 && !glue_given(c, seed, function)) || !glue_evaluate(c)) {
         return false;
     }
@@ -286,7 +317,7 @@ bool glue_output_derivatives(instance *c, const char *function, const uint32_t r
                              size_t count, const int32_t orders[], double values[])
 {
     int all;
-    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL, &all)
+    if (!usable(c, UNKNOWN_LIST, function, references, count, values, count, 1 << KIND_REAL, &all)
         || (count > 0 && !glue_given(c, orders, function)) || !glue_evaluate(c)) {
         return false;
     }
@@ -306,7 +337,7 @@ bool glue_input_derivatives(instance *c, const char *function, const uint32_t re
                             size_t count, const int32_t orders[], const double values[])
 {
     int all;
-    if (!usable(c, function, references, count, values, count, 1 << KIND_REAL, &all)
+    if (!usable(c, KNOWN_LIST, function, references, count, values, count, 1 << KIND_REAL, &all)
         || (count > 0 && !glue_given(c, orders, function))) {
         return false;
     }
