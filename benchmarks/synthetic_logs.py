@@ -1,7 +1,8 @@
 """Logs of random cranes whose parameters are known, in the lab and on the quay.
 
-GantryCrane's sensors add the noise. Drives are told sums of two sines each, from rest, at
-frequencies around that of the pendulum.
+Drives are told velocities that are sums of two sines each, from rest, at frequencies around that of
+the pendulum; or forces of controllers that follow such velocities, as force drives have: forces
+that nothing corrects let a load run away, or leave it where its friction holds it.
 """
 
 from __future__ import annotations
@@ -67,9 +68,12 @@ def synthetic(
     times = np.arange(rows) * 2.0 * np.pi * time / ROWS_OF_PERIOD
     crane: dict[str, Any] = merged(nominal, tables(truth))
     model = Model(CraneFile.model_validate(crane))
-    setpoints = _setpoints(crane, times, length, motion)
+    velocities, places = _motion(times, length, motion)
     start = np.zeros(10)
     start[2], start[3:5] = length, motion.uniform(-0.05, 0.05, 2)
+    setpoints = velocities
+    if drive == "force":
+        setpoints = _forces(model, SIZES[size], times, start, velocities, places)
     empty = np.full((rows, len(OUTPUTS)), np.nan)
     shown = model.run(Log("log", times, setpoints, empty), {}, start)
     deviation = [LENGTH * length] * 3 + [ANGLE] * 2
@@ -112,22 +116,35 @@ def _truth(size: str, drive: str, draw: np.random.Generator) -> dict[str, float]
     return found
 
 
-def _setpoints(
-    crane: Mapping[str, Any], times: FloatArray, length: float, motion: np.random.Generator
-) -> FloatArray:
-    """Velocities [m/s], or forces [N] for about as fast a motion, shape (rows, 3)."""
+def _motion(
+    times: FloatArray, length: float, motion: np.random.Generator
+) -> tuple[FloatArray, FloatArray]:
+    """Velocities [m/s] and ways from the start [m] of the drives, shape (rows, 3)."""
     frequency = sqrt(GRAVITY / length)
     rates = frequency * motion.uniform(0.2, 0.7, (2, 3))
     amplitude = 0.15 * length * frequency * np.array([1.0, 1.0, 0.3])
     phases = rates[:, None, :] * times[:, None]
     shape = np.array([1.0, 0.5])[:, None, None]
-    if crane["drive"] == "velocity":
-        velocities: FloatArray = np.add(*(shape * amplitude * np.sin(phases)))
-        return velocities
-    acceleration: FloatArray = np.add(*(shape * amplitude * rates[:, None, :] * np.cos(phases)))
-    bridge, trolley, load = (crane[n] for n in ("bridge_mass", "trolley_mass", "payload_mass"))
-    carriages = 1.5 * np.array([bridge + trolley, trolley])
-    forces = np.empty_like(acceleration)
-    forces[:, :2] = carriages * acceleration[:, :2]
-    forces[:, 2] = load * (acceleration[:, 2] - GRAVITY)
+    velocities: FloatArray = np.add(*(shape * amplitude * np.sin(phases)))
+    ways: FloatArray = np.add(*(shape * amplitude * (1.0 - np.cos(phases)) / rates[:, None, :]))
+    return velocities, ways
+
+
+def _forces(
+    model: Model, size: tuple[float, ...], times: FloatArray, start: FloatArray,
+    velocities: FloatArray, ways: FloatArray,
+) -> FloatArray:
+    """Forces [N] of controllers of places and velocities, which know nominal masses, (rows, 3)."""
+    bridge, trolley, load, length = size
+    rate = sqrt(GRAVITY / length)
+    masses = np.array([bridge + trolley, trolley, load])
+    weight = np.array([0.0, 0.0, load * GRAVITY])
+    forces = np.empty_like(velocities)
+    forces[0] = -weight
+    plant = model.plant(times, forces[0], {}, start)
+    for i, step in enumerate(np.diff(times), 1):
+        late = start[:3] + ways[i - 1] - plant.state[:3]
+        slow = velocities[i - 1] - plant.state[5:8]
+        forces[i] = masses * rate * (rate * late + 2.0 * slow) - weight
+        plant.follow(np.array([step]), model.records(forces[i : i + 1]))
     return forces

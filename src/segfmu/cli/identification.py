@@ -87,3 +87,5 @@ def _show(found: Identification) -> None:
             console.print(predictions_table(f"{title}: {part.log}", part))
             for excess in part.outside:
                 tell(str(excess))
+    for signal in found.beyond:
+        warn(str(signal))

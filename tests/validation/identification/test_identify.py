@@ -256,3 +256,19 @@ def test_a_few_rows_between_gaps_are_refused_by_their_times() -> None:
     told = f"log 1: 10 rows from {begin:.6g} to {end:.6g} s, with gaps of more than the pendulum's"
     with pytest.raises(InputError, match=told):
         segfmu.identify(columns, log.crane)
+
+
+def test_a_log_beyond_what_was_fitted_is_told() -> None:
+    """The hoist of the fitted log stands still: it tells nothing of other lengths of the rope."""
+    log, other = (synthetic("lab", "velocity", 3, unseen=u, rows=200) for u in (False, True))
+    still = log.columns["measured.rope.length"]
+    moved = int(np.argmax(np.abs(still / still[0] - 1.0) > 0.02))
+    first = {name: values[:moved] for name, values in log.columns.items()}
+    near = segfmu.identify(log.columns, log.crane_without(), fit=["trolley.lag"], held_out=0.0,
+                    validation=other.columns)
+    far = segfmu.identify(first, log.crane_without(), fit=["trolley.lag"], held_out=0.0,
+                   validation=other.columns)
+    assert not [b for b in near.beyond if b.signal == "measured.rope.length"]
+    (rope,) = [b for b in far.beyond if b.signal == "measured.rope.length"]
+    assert rope.log == "validation" and rope.range[1] > 1.05 * rope.fitted[1]
+    assert str(rope).startswith("validation: measured.rope.length is 0.")

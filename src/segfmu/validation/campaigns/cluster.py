@@ -30,7 +30,14 @@ AHEAD = 2
 REPEATED = ("lost", "pending")
 # s; for a scheduler to answer, and for a worker of a scheduler elsewhere to come
 ANSWER, PATIENCE = 5.0, 30.0
-FOREVER = "365 days"
+CONFIGURATION = {
+    # a worker that dies is begun anew, which takes long on a busy machine
+    "distributed.deploy.lost-worker-timeout": "365 days",
+    # what the dashboard would show of threads and loops takes a tenth of the processor
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "500ms",
+    "distributed.admin.system-monitor.interval": "5s",
+}
 # of one that restarts a worker of this machine, however long that takes: it will not
 GIVEN_UP = ("closing", "closed", "failed")
 
@@ -48,8 +55,7 @@ def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
     from distributed import Client, LocalCluster
 
     with ExitStack() as stack:
-        # a worker that dies is begun anew, which takes long on a busy machine
-        stack.enter_context(config.set({"distributed.deploy.lost-worker-timeout": FOREVER}))
+        stack.enter_context(config.set(CONFIGURATION))
         if scheduler is None:
             # of Dask's locks and of archives, also those of a worker that is killed
             folder = stack.enter_context(work_folder())

@@ -67,16 +67,24 @@ class Model:
         SimulationError, InputError
             For a crane that cannot do this.
         """
-        value = (self._values | dict(changes)).__getitem__
         if start[State.POSITION + Axes.ROPE] <= 0.0:
             raise InputError("the rope has no length at the start")
-        setpoints = self._setpoints(log.setpoints)
-        plant = Plant(
-            Crane.of(value), start, Setpoints.of(setpoints[0]), _nothing(log), driven=self._driven,
-            enabled=False, rig=Rig.of(value), start_time=float(log.times[0]),
-        )
+        plant = self.plant(log.times, log.setpoints[0], changes, start)
         first = plant.measured[None]
-        return np.concatenate([first, plant.follow(np.diff(log.times), setpoints[1:])])
+        rest = plant.follow(np.diff(log.times), self.records(log.setpoints[1:]))
+        return np.concatenate([first, rest])
+
+    def plant(
+        self, times: FloatArray, setpoints: FloatArray, changes: Mapping[str, float],
+        start: FloatArray,
+    ) -> Plant:
+        """The crane at the first of some times, with setpoints (3,) of its drives."""
+        value = (self._values | dict(changes)).__getitem__
+        (first,) = self.records(setpoints[None])
+        return Plant(
+            Crane.of(value), start, Setpoints.of(first), _nothing(times), driven=self._driven,
+            enabled=False, rig=Rig.of(value), start_time=float(times[0]),
+        )
 
     def attempt(
         self, log: Log, changes: Mapping[str, float], start: FloatArray
@@ -87,7 +95,7 @@ class Model:
         except (SimulationError, InputError):
             return None
 
-    def _setpoints(self, values: FloatArray) -> FloatArray:
+    def records(self, values: FloatArray) -> FloatArray:
         """A kernel's `Setpoints` a row, from those of the drives, shape (rows, 3)."""
         found = np.zeros((len(values), Record.SIZE))
         first = Record.VELOCITY if self._driven else Record.FORCE
@@ -106,8 +114,8 @@ def load_path(coordinates: FloatArray) -> FloatArray:
     return path
 
 
-def _nothing(log: Log) -> SwayFeedback:
+def _nothing(times: FloatArray) -> SwayFeedback:
     """No feedback, which is asked once."""
     gains = np.zeros((1, Axes.SIZE, GainInputs.SIZE))
-    lasting = float(log.times[-1] - log.times[0])
+    lasting = float(times[-1] - times[0])
     return SwayFeedback(max(lasting, 1.0), np.ones(1), gains, 1.0)

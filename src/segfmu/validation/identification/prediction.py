@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,8 +12,11 @@ from segfmu.validation.comparison import Excess, compare
 from segfmu.validation.identification.log import OUTPUTS, Log
 from segfmu.validation.identification.model import Model, load_path
 from segfmu.validation.identification.noise import dependence
+from segfmu.validation.units import pretty
 
 LOAD = tuple(f"load.position.{axis}" for axis in "xyz")
+# share of a range that was fitted, by which others may leave it
+BEYOND = 0.5
 OFFSETS = [f"sensor.{name.removeprefix('measured.')}.offset" for name in OUTPUTS]
 
 
@@ -88,6 +92,47 @@ def prediction(
         {"time": log.times, **model}, measured, tube_time=0.0, tube_value=tube, relative=True
     )
     return Prediction(log.name, columns, signals, index, tuple(outside))
+
+
+@dataclass(frozen=True)
+class Beyond:
+    """A signal that leaves what was fitted: what it shows there, no fit could tell.
+
+    Attributes
+    ----------
+    log, signal : str
+    range, fitted : tuple of 2 float
+        What the log has and what was fitted, [m] or [rad].
+    """
+
+    log: str
+    signal: str
+    range: tuple[float, float]
+    fitted: tuple[float, float]
+
+    def __str__(self) -> str:
+        own, known = (f"{pretty(low)} to {pretty(high)}" for low, high in (self.range, self.fitted))
+        return (
+            f"{self.log}: {self.signal} is {own}, in what was fitted only {known}; the rest is "
+            "not told by the fit"
+        )
+
+
+def beyond(fitted: Sequence[Prediction], predicted: Sequence[Prediction]) -> Iterator[Beyond]:
+    """Where rope and sway leave the ranges that were fitted by more than half of these."""
+    for signal in (name for name in OUTPUTS if name.endswith((".length", ".angle"))):
+        known = [part.columns[signal] for part in fitted if signal in part.columns]
+        if not known:
+            continue
+        low, high = min(float(v.min()) for v in known), max(float(v.max()) for v in known)
+        margin = BEYOND * (high - low)
+        for part in predicted:
+            values = part.columns.get(signal)
+            if values is None:
+                continue
+            least, most = float(values.min()), float(values.max())
+            if least < low - margin or most > high + margin:
+                yield Beyond(part.log, signal, (least, most), (low, high))
 
 
 def fit_index(measured: FloatArray, simulated: FloatArray) -> float:

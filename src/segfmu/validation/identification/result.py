@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.identification.prediction import Prediction
+from segfmu.validation.identification.prediction import Beyond, Prediction, beyond
 from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
@@ -117,6 +117,11 @@ class Identification:
                 table = table.setdefault(part, {})
             table[name] = estimate.value
         return found
+
+    @property
+    def beyond(self) -> tuple[Beyond, ...]:
+        """Where rope and sway of what was only predicted are far from all that was fitted."""
+        return tuple(beyond(self.fitted, self.predicted))
 
     def write(self, path: str | Path) -> Path:
         """Write the crane file with the estimates and where they are from; returns the file.
