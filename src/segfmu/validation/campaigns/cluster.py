@@ -37,6 +37,8 @@ CONFIGURATION = {
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "500ms",
     "distributed.admin.system-monitor.interval": "5s",
+    # messages that are remembered: with orders and outcomes, some kB for each run
+    "distributed.admin.low-level-log-length": 10,
 }
 # of one that restarts a worker of this machine, however long that takes: it will not
 GIVEN_UP = ("closing", "closed", "failed")
