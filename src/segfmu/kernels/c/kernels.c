@@ -810,10 +810,12 @@ static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_do
 static double outside_by(double value, int64_t order, array_double_2d lead);
 static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients);
+static int64_t part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients);
+static bool is_hull_inside(int64_t count, double low, double high, array_double_2d lead);
 static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients);
 static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2_0001, int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -821,6 +823,7 @@ static void append_pieces(double until, int64_t last, array_double_2d lead, arra
 static void split_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double level_limit(int64_t order, double side, array_double_2d lead);
+static double deepest_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -857,11 +860,12 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
 static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
 static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool permits_levels(int64_t order, array_double_2d lead);
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
@@ -16147,7 +16151,7 @@ static bool keeps_limits(array_double_2d operation, array_double_2d limits, arra
             (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
         }
     }
-    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(305), INT64_C(353))) == INT64_C(0);
+    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(306), INT64_C(354))) == INT64_C(0);
     return result;
 }
 static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
@@ -17482,10 +17486,10 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     array_double_1d state;
     int64_t i;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    axis = span_row(&lead, INT64_C(52));
-    state = span_row(&lead, INT64_C(8));
+    axis = span_row(&lead, INT64_C(53));
+    state = span_row(&lead, INT64_C(9));
     segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
-    set_lower(span_row(&lead, INT64_C(53)), axis);
+    set_lower(span_row(&lead, INT64_C(54)), axis);
     for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
@@ -17493,7 +17497,7 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
             (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
         }
     }
-    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(54), INT64_C(61))))
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(55), INT64_C(62))))
     {
         return 0;
     }
@@ -17503,31 +17507,31 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     }
     for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(13), i)) = rounding_error(i, limits);
         if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
         {
             (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
         }
     }
-    chain_limits(steep, axis, state, span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
+    chain_limits(steep, axis, state, span_row(&lead, INT64_C(12)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(12)), span_rows(&lead, INT64_C(55), INT64_C(62)));
     for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&lead, INT64_C(11), i));
+        (*cspan_at(&lead, INT64_C(5), i)) = -(*cspan_at(&lead, INT64_C(12), i));
         if (i <= INT64_C(2))
         {
-            (*cspan_at(&lead, INT64_C(4), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
+            (*cspan_at(&lead, INT64_C(5), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
         }
-        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(11), i));
+        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(12), i));
     }
     return 1;
 }
 static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
 {
     double result;
-    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(53), order - INT64_C(1))) > 0.0))
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(54), order - INT64_C(1))) > 0.0))
     {
-        result = (*cspan_at(&lead, INT64_C(53), order - INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(54), order - INT64_C(1)));
         return result;
     }
     result = (*cspan_at(&limits, order - INT64_C(1)));
@@ -25332,12 +25336,12 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d chain;
     array_double_1d problem;
     int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
+    state = span_row(&lead, INT64_C(9));
+    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(54) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(55) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -25346,15 +25350,15 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(54) + order);
+    chain = span_row(&lead, INT64_C(55) + order);
     if (free)
     {
         result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(18));
+    problem = span_row(&lead, INT64_C(19));
     set_stage_problem(order, end, state, problem);
-    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25369,15 +25373,15 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     array_double_2d phases;
     int64_t i;
     int64_t last;
-    state = span_row(&lead, INT64_C(8));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
+    state = span_row(&lead, INT64_C(9));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(54) + seen);
+    chain = span_row(&lead, INT64_C(55) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(301), INT64_C(305));
+    expansion = span_rows(&lead, INT64_C(302), INT64_C(306));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -25385,7 +25389,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     third = seen + INT64_C(3);
     (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -25406,7 +25410,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     double end;
     int64_t count;
     int64_t result;
-    end = (*cspan_at(&lead, INT64_C(13), order));
+    end = (*cspan_at(&lead, INT64_C(14), order));
     count = stage_phases(order, end, end > 1e+299, lead);
     result = append_phases(order, end, count, row, lead, timing, coefficients);
     return result;
@@ -25416,15 +25420,15 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     array_double_1d state;
     int64_t i;
     double aim;
-    state = span_row(&lead, INT64_C(8));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    state = span_row(&lead, INT64_C(9));
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(13), i)) < 1e+299))
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(14), i)) < 1e+299))
         {
-            aim = (*cspan_at(&lead, INT64_C(13), i));
+            aim = (*cspan_at(&lead, INT64_C(14), i));
         }
-        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(12), i)))
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(13), i)))
         {
             (*cspan_at(&state, i)) = aim;
         }
@@ -25435,10 +25439,10 @@ static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, ar
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
+        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(8), i));
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
@@ -25458,7 +25462,7 @@ static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, ar
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     row = settle_above(order, row, lead, timing, coefficients);
-    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(54), INT64_C(0))))))
+    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))))))
     {
         row = run_stage(order, row, lead, timing, coefficients);
     }
@@ -25468,8 +25472,8 @@ static double outside_by(double value, int64_t order, array_double_2d lead)
 {
     double low;
     double high;
-    low = (*cspan_at(&lead, INT64_C(4), order));
-    high = (*cspan_at(&lead, INT64_C(5), order));
+    low = (*cspan_at(&lead, INT64_C(5), order));
+    high = (*cspan_at(&lead, INT64_C(6), order));
     return span_max(value - high, low - value) - 1e-13 * (high - low);
 }
 static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25478,8 +25482,8 @@ static int64_t hold_highest(double value, double length, int64_t row, array_doub
     int64_t smoothness;
     double factorial;
     int64_t i;
-    state = span_row(&lead, INT64_C(8));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    state = span_row(&lead, INT64_C(9));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
@@ -25515,17 +25519,17 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     double length;
     int64_t i;
     int64_t result;
-    state = span_row(&lead, INT64_C(8));
+    state = span_row(&lead, INT64_C(9));
     if (row < INT64_C(0))
     {
         return -INT64_C(1);
     }
-    if (order == (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
+    if (order == (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))))
     {
-        top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+        top = (*cspan_at(&lead, INT64_C(6), order + INT64_C(1)));
         if (end < (*cspan_at(&state, order)))
         {
-            top = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
+            top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
         }
         length = (end - (*cspan_at(&state, order))) / top;
         row = hold_highest(top, length, row, lead, timing, coefficients);
@@ -25534,22 +25538,24 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&state, i));
-        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&state, i));
+        (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(13), order)) = end;
+    (*cspan_at(&lead, INT64_C(14), order)) = end;
     result = settle(order, row, lead, timing, coefficients);
     return result;
 }
-static double part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients)
+static int64_t part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients)
 {
     array_double_2d check;
     int64_t width;
     array_double_1d values;
-    int64_t i;
-    double largest;
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
+    check = span_rows(&lead, INT64_C(306), INT64_C(354));
     width = coefficients.shape[INT64_C(1)];
+    while((width > order + INT64_C(1)) && ((*cspan_at(&coefficients, row, width - INT64_C(1))) == 0.0))
+    {
+        width = width - INT64_C(1);
+    }
     values = span_row(&check, INT64_C(43));
     polynomial_differentiate(span_row(&coefficients, row), width, order, values);
     if (start > 0.0)
@@ -25557,32 +25563,39 @@ static double part_hull(int64_t order, int64_t row, double start, double length,
         polynomial_shift(values, start, width - order);
     }
     bernstein_coefficients(check, INT64_C(43), width - order, length, check);
-    largest = -1e+300;
-    for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+    return width - order;
+}
+static bool is_hull_inside(int64_t count, double low, double high, array_double_2d lead)
+{
+    array_double_2d check;
+    int64_t i;
+    check = span_rows(&lead, INT64_C(306), INT64_C(354));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        largest = span_max(largest, outside_by((*cspan_at(&check, INT64_C(0), i)), order, lead));
+        if (!((low <= (*cspan_at(&check, INT64_C(0), i))) && ((*cspan_at(&check, INT64_C(0), i)) <= high)))
+        {
+            return 0;
+        }
     }
-    return largest;
+    return 1;
 }
 static bool stays_inside(int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_2d check;
     double low;
     double high;
-    int64_t count;
-    int64_t row;
-    double length;
     double slack;
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    low = (*cspan_at(&lead, INT64_C(4), order));
-    high = (*cspan_at(&lead, INT64_C(5), order));
-    count = coefficients.shape[INT64_C(1)] - order;
+    int64_t row;
+    int64_t count;
+    check = span_rows(&lead, INT64_C(306), INT64_C(354));
+    low = (*cspan_at(&lead, INT64_C(5), order));
+    high = (*cspan_at(&lead, INT64_C(6), order));
+    slack = 1e-10 * (high - low);
     for (row = first; row < last; row += INT64_C(1))
     {
-        length = (*cspan_at(&timing, row, INT64_C(1)));
-        if (part_hull(order, row, 0.0, length, lead, coefficients) > 0.0)
+        count = part_hull(order, row, 0.0, (*cspan_at(&timing, row, INT64_C(1))), lead, coefficients);
+        if (!is_hull_inside(count, low, high, lead))
         {
-            slack = 1e-10 * (high - low);
             if (!within(check, count, low - slack, high + slack))
             {
                 return 0;
@@ -25614,14 +25627,21 @@ static double time_crossed(int64_t order, int64_t row, double lower, double uppe
 static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t width;
+    double low;
+    double high;
+    double slack;
     int64_t i;
     int64_t row;
     double length;
     double upper;
     double step;
     double lower;
+    int64_t count;
     double value;
     width = coefficients.shape[INT64_C(1)];
+    low = (*cspan_at(&lead, INT64_C(5), order));
+    high = (*cspan_at(&lead, INT64_C(6), order));
+    slack = 1e-13 * (high - low);
     for (i = INT64_C(0); i < last - first; i += INT64_C(1))
     {
         row = last - INT64_C(1) - i;
@@ -25631,23 +25651,25 @@ static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_
         while(upper > 0.0)
         {
             lower = span_max(upper - step, 0.0);
-            value = evaluate_piece(coefficients, row, width, lower, order);
-            if (part_hull(order, row, lower, upper - lower, lead, coefficients) <= 0.0)
+            count = part_hull(order, row, lower, upper - lower, lead, coefficients);
+            if (is_hull_inside(count, low - slack, high + slack, lead))
             {
                 upper = lower;
                 step = 2.0 * step;
+                continue;
             }
-            else if (step > 0.001 * length)
+            value = evaluate_piece(coefficients, row, width, lower, order);
+            if (outside_by(value, order, lead) > 0.0)
             {
-                step = 0.25 * step;
+                count = part_hull(order + INT64_C(1), row, lower, upper - lower, lead, coefficients);
+                if (is_hull_inside(count, 0.0, 1e+300, lead) || is_hull_inside(count, -1e+300, 0.0, lead) || (step <= 0.001 * length))
+                {
+                    (*result_0_0001) = row;
+                    (*result_1_0001) = time_crossed(order, row, lower, upper, lead, coefficients);
+                    return 0;
+                }
             }
-            else if (outside_by(value, order, lead) > 0.0)
-            {
-                (*result_0_0001) = row;
-                (*result_1_0001) = time_crossed(order, row, lower, upper, lead, coefficients);
-                return 0;
-            }
-            else if (step > 1e-09 * length)
+            if (step > 1e-09 * length)
             {
                 step = 0.25 * step;
             }
@@ -25661,38 +25683,22 @@ static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_
     (*result_1_0001) = 0.0;
     return 0;
 }
-static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2_0001, int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
     array_double_1d turn;
-    int64_t smoothness;
-    double near;
-    double far;
-    int64_t first;
     int64_t row;
     int64_t i;
     int64_t last;
-    double room;
-    double hold;
-    double local;
-    double result;
-    state = span_row(&lead, INT64_C(8));
+    double far;
+    state = span_row(&lead, INT64_C(9));
     turn = span_row(&lead, INT64_C(3));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
-    near = (*cspan_at(&lead, INT64_C(5), order));
-    far = (*cspan_at(&lead, INT64_C(4), order));
-    if (side < 0.0)
-    {
-        near = (*cspan_at(&lead, INT64_C(4), order));
-        far = (*cspan_at(&lead, INT64_C(5), order));
-    }
-    first = INT64_C(400);
-    row = first;
+    row = INT64_C(400);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(2), i));
     }
-    if (settled && (order + INT64_C(2) <= smoothness))
+    if (settled && (order + INT64_C(2) <= (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))))))
     {
         row = lead_to(order + INT64_C(2), 0.0, row, lead, timing, coefficients);
     }
@@ -25702,17 +25708,50 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
         (*cspan_at(&turn, i)) = (*cspan_at(&state, i));
     }
     last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
+    far = (*cspan_at(&lead, INT64_C(5), order));
+    if (side < 0.0)
+    {
+        far = (*cspan_at(&lead, INT64_C(6), order));
+    }
+    (*result_0) = row;
+    (*result_1) = last;
+    (*result_2_0001) = side * ((*cspan_at(&state, order)) - far);
+    return 0;
+}
+static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d state;
+    array_double_1d turn;
+    int64_t smoothness;
+    int64_t first;
+    int64_t row;
+    int64_t last;
+    double room;
+    double near;
+    double hold;
+    int64_t i;
+    double local;
+    double result;
+    state = span_row(&lead, INT64_C(9));
+    turn = span_row(&lead, INT64_C(3));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
+    first = INT64_C(400);
+    turn_round(&row, &last, &room, order, side, level, settled, lead, timing, coefficients);
     if (last < INT64_C(0))
     {
         return 1e+300;
     }
-    room = side * ((*cspan_at(&state, order)) - far);
     if (room < 0.0)
     {
         return -1.0;
     }
     if (level != 0.0)
     {
+        near = (*cspan_at(&lead, INT64_C(6), order));
+        if (side < 0.0)
+        {
+            near = (*cspan_at(&lead, INT64_C(5), order));
+        }
         hold = span_min(side * ((*cspan_at(&turn, order)) - near), room) / fabs(level);
         for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
         {
@@ -25737,7 +25776,7 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     {
         return 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(6), INT64_C(2))) = last;
+    (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = last;
     if (last == first)
     {
         result = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
@@ -25755,10 +25794,11 @@ static void note_extremes(int64_t row, array_double_2d lead, array_double_2d tim
     double step;
     int64_t order;
     int64_t part;
+    int64_t count;
     int64_t i;
     double value;
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    report = span_row(&lead, INT64_C(6));
+    check = span_rows(&lead, INT64_C(306), INT64_C(354));
+    report = span_row(&lead, INT64_C(7));
     width = coefficients.shape[INT64_C(1)];
     parts = INT64_C(8);
     step = (*cspan_at(&timing, row, INT64_C(1))) / parts;
@@ -25766,8 +25806,8 @@ static void note_extremes(int64_t row, array_double_2d lead, array_double_2d tim
     {
         for (part = INT64_C(0); part < parts; part += INT64_C(1))
         {
-            part_hull(order, row, part * step, step, lead, coefficients);
-            for (i = INT64_C(0); i < width - order; i += INT64_C(1))
+            count = part_hull(order, row, part * step, step, lead, coefficients);
+            for (i = INT64_C(0); i < count; i += INT64_C(1))
             {
                 value = (*cspan_at(&check, INT64_C(0), i));
                 (*cspan_at(&report, INT64_C(11) + order)) = span_min((*cspan_at(&report, INT64_C(11) + order)), value);
@@ -25786,7 +25826,7 @@ static void end_brake(double until, array_double_2d lead, array_double_2d timing
     int64_t row;
     double length;
     int64_t i;
-    report = span_row(&lead, INT64_C(6));
+    report = span_row(&lead, INT64_C(7));
     reached = span_row(&lead, INT64_C(2));
     width = coefficients.shape[INT64_C(1)];
     first = INT64_C(2) * INT64_C(400);
@@ -25813,7 +25853,7 @@ static void append_pieces(double until, int64_t last, array_double_2d lead, arra
     array_double_1d report;
     int64_t row;
     int64_t target;
-    report = span_row(&lead, INT64_C(6));
+    report = span_row(&lead, INT64_C(7));
     for (row = INT64_C(400); row < last; row += INT64_C(1))
     {
         target = INT64_C(2) * INT64_C(400) + (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -25837,7 +25877,7 @@ static void split_brake(double until, array_double_2d lead, array_double_2d timi
     int64_t i;
     double factorial;
     double value;
-    report = span_row(&lead, INT64_C(6));
+    report = span_row(&lead, INT64_C(7));
     width = coefficients.shape[INT64_C(1)];
     first = INT64_C(2) * INT64_C(400);
     last = first + (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -25877,14 +25917,14 @@ static double time_inside(array_double_1d limits, array_double_2d lead, array_do
     double local;
     double until;
     first = INT64_C(2) * INT64_C(400);
-    last = first + (int64_t)((*cspan_at(&lead, INT64_C(6), INT64_C(1))));
+    last = first + (int64_t)((*cspan_at(&lead, INT64_C(7), INT64_C(1))));
     until = 0.0;
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
         if (((*cspan_at(&limits, i - INT64_C(1))) > 0.0) && (last > first))
         {
-            (*cspan_at(&lead, INT64_C(4), i)) = -lower_limit(i, limits, lead);
-            (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&limits, i - INT64_C(1)));
+            (*cspan_at(&lead, INT64_C(5), i)) = -lower_limit(i, limits, lead);
+            (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&limits, i - INT64_C(1)));
             inside_from(&row, &local, i, first, last, lead, timing, coefficients);
             until = span_max(until, (*cspan_at(&timing, row, INT64_C(0))) + local);
         }
@@ -25896,69 +25936,94 @@ static double level_limit(int64_t order, double side, array_double_2d lead)
     double result;
     if (side < 0.0)
     {
-        result = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(6), order + INT64_C(1)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(4), order + INT64_C(1)));
+    result = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
     return result;
+}
+static double deepest_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double edge;
+    double near;
+    int64_t row;
+    int64_t last;
+    double e_other;
+    double e_newest;
+    double newest;
+    double other;
+    double before;
+    double e_before;
+    int64_t i;
+    double share;
+    double level;
+    double room;
+    bool crossed;
+    edge = level_limit(order, side, lead);
+    near = 0.001 * ((*cspan_at(&lead, INT64_C(6), order)) - (*cspan_at(&lead, INT64_C(5), order)));
+    turn_round(&row, &last, &e_other, order, side, 0.0, settled, lead, timing, coefficients);
+    if ((last < INT64_C(0)) || (e_other < 0.0))
+    {
+        return 0.0;
+    }
+    turn_round(&row, &last, &e_newest, order, side, edge, settled, lead, timing, coefficients);
+    newest = 1.0;
+    other = 0.0;
+    before = 0.0;
+    e_before = e_other;
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
+    {
+        share = root_share(newest, other, before, e_newest, e_other, e_before);
+        level = newest + share * (other - newest);
+        turn_round(&row, &last, &room, order, side, level * edge, settled, lead, timing, coefficients);
+        if ((last < INT64_C(0)) || ((0.0 <= room) && (room <= near)) || (fabs(newest - other) < 0.001))
+        {
+            break;
+        }
+        crossed = room * e_newest < 0.0;
+        next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
+        newest = level;
+        e_newest = room;
+    }
+    if (room < 0.0)
+    {
+        level = other;
+    }
+    return level * edge;
 }
 static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    double edge;
-    double least;
-    double best;
-    double share;
-    double low;
-    double high;
-    int64_t i;
+    double level;
     double time;
-    edge = level_limit(order, side, lead);
-    least = try_brake(order, side, edge, settled, lead, timing, coefficients);
-    best = edge;
-    share = 1.0;
-    if (least < 0.0)
+    int64_t i;
+    level = level_limit(order, side, lead);
+    time = try_brake(order, side, level, settled, lead, timing, coefficients);
+    if (time < 0.0)
     {
-        least = 1e+300;
-        low = 0.0;
-        high = 1.0;
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
-        {
-            share = 0.5 * (low + high);
-            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
-            if (time < 0.0)
-            {
-                high = share;
-            }
-            else
-            {
-                low = share;
-                if (time < least)
-                {
-                    least = time;
-                    best = share * edge;
-                }
-            }
-        }
+        level = deepest_level(order, side, settled, lead, timing, coefficients);
+        time = try_brake(order, side, level, settled, lead, timing, coefficients);
     }
     for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
     {
-        share = 0.5 * share;
+        if ((0.0 <= time) && (time <= 1e+299))
+        {
+            (*result_0) = time;
+            (*result_1) = level;
+            return 0;
+        }
+        level = 0.5 * level;
         if (i == INT64_C(5))
         {
-            share = 0.0;
+            level = 0.0;
         }
-        if (least > (*cspan_at(&lead, INT64_C(2), INT64_C(8))))
-        {
-            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients);
-            if ((time >= 0.0) && (time < least))
-            {
-                least = time;
-                best = share * edge;
-            }
-        }
+        time = try_brake(order, side, level, settled, lead, timing, coefficients);
     }
-    (*result_0) = least;
-    (*result_1) = best;
+    if (time < 0.0)
+    {
+        time = 1e+300;
+    }
+    (*result_0) = time;
+    (*result_1) = level;
     return 0;
 }
 static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25988,9 +26053,9 @@ static double side_beyond(int64_t order, array_double_2d lead, array_double_2d t
     int64_t i;
     int64_t last;
     double value;
-    state = span_row(&lead, INT64_C(8));
+    state = span_row(&lead, INT64_C(9));
     reached = span_row(&lead, INT64_C(2));
-    low = (*cspan_at(&lead, INT64_C(4), order));
+    low = (*cspan_at(&lead, INT64_C(5), order));
     first = INT64_C(400);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
@@ -26031,19 +26096,19 @@ static void bring_highest(array_double_2d lead, array_double_2d timing, array_do
     int64_t i;
     int64_t last;
     double until;
-    order = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    order = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     value = (*cspan_at(&lead, INT64_C(2), order));
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(5), order))), (*cspan_at(&lead, INT64_C(6), order)));
     if (outside_by(value, order, lead) > 0.0)
     {
         for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
         {
-            (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(2), i));
+            (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(2), i));
         }
         last = lead_to(order, end, INT64_C(400), lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+        until = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
         append_pieces(until, last, lead, timing, coefficients);
-        (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
+        (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = until;
     }
     (*cspan_at(&lead, INT64_C(2), order)) = end;
 }
@@ -26059,13 +26124,13 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     double until;
     first = INT64_C(400);
     reached = span_row(&lead, INT64_C(2));
-    state = span_row(&lead, INT64_C(8));
+    state = span_row(&lead, INT64_C(9));
     value = (*cspan_at(&reached, order));
     if (!(outside_by(value, order, lead) > 0.0))
     {
         return 0;
     }
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(4), order))), (*cspan_at(&lead, INT64_C(5), order)));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(5), order))), (*cspan_at(&lead, INT64_C(6), order)));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
@@ -26075,7 +26140,7 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     {
         return 0;
     }
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
     {
         if (!stays_inside(i, first, last, lead, timing, coefficients))
         {
@@ -26084,12 +26149,13 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     }
     until = (*cspan_at(&state, INT64_C(8)));
     append_pieces(until, last, lead, timing, coefficients);
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         (*cspan_at(&reached, i)) = 0.0;
     }
     (*cspan_at(&reached, order)) = end;
-    (*cspan_at(&lead, INT64_C(6), INT64_C(0))) = until;
+    (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = until;
+    (*cspan_at(&lead, INT64_C(4), order)) = until;
     return 1;
 }
 static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26104,9 +26170,10 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     int64_t i;
     double start;
     double low;
-    report = span_row(&lead, INT64_C(6));
+    report = span_row(&lead, INT64_C(7));
     reached = span_row(&lead, INT64_C(2));
     gentle = (*cspan_at(&report, INT64_C(3) + order));
+    (*cspan_at(&lead, INT64_C(4), order)) = 0.0;
     if ((gentle == 1.0) && bring_gently(order, lead, timing, coefficients))
     {
         return 1;
@@ -26146,6 +26213,7 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     if (time > start)
     {
         (*cspan_at(&report, INT64_C(0))) = time;
+        (*cspan_at(&lead, INT64_C(4), order)) = time;
     }
     else if (!whole)
     {
@@ -26158,14 +26226,14 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
     for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
     {
-        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))))
+        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))))
         {
             if (whole && (i > order))
             {
                 (*cspan_at(&reached, i)) = 0.0;
             }
-            low = (*cspan_at(&lead, INT64_C(4), i));
-            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(5), i)));
+            low = (*cspan_at(&lead, INT64_C(5), i));
+            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(6), i)));
         }
     }
     return 1;
@@ -26174,10 +26242,10 @@ static void clip_reached(array_double_2d lead)
 {
     int64_t i;
     double value;
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(4), i)));
-        (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(5), i)));
+        value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(5), i)));
+        (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(6), i)));
     }
 }
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26187,18 +26255,11 @@ static int64_t brake_within(double steep, int64_t loose, bool whole, array_doubl
     int64_t i;
     bool let_go;
     int64_t order;
-    int64_t first;
-    int64_t row;
     int64_t result;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    report = span_row(&lead, INT64_C(6));
+    report = span_row(&lead, INT64_C(7));
     (*cspan_at(&report, INT64_C(0))) = 0.0;
     (*cspan_at(&report, INT64_C(1))) = 0.0;
-    for (i = INT64_C(0); i < smoothness + INT64_C(2); i += INT64_C(1))
-    {
-        (*cspan_at(&report, INT64_C(11) + i)) = 0.0;
-        (*cspan_at(&report, INT64_C(19) + i)) = 0.0;
-    }
     if (!set_box(steep, loose, limits, lead))
     {
         return -INT64_C(1);
@@ -26230,14 +26291,6 @@ static int64_t brake_within(double steep, int64_t loose, bool whole, array_doubl
             clip_reached(lead);
         }
     }
-    first = INT64_C(2) * INT64_C(400);
-    for (row = first; row < first + (int64_t)((*cspan_at(&report, INT64_C(1)))); row += INT64_C(1))
-    {
-        if ((*cspan_at(&timing, row, INT64_C(0))) < (*cspan_at(&report, INT64_C(0))))
-        {
-            note_extremes(row, lead, timing, coefficients);
-        }
-    }
     result = (int64_t)((*cspan_at(&report, INT64_C(1))));
     return result;
 }
@@ -26264,7 +26317,7 @@ static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t l
     for (i = INT64_C(0); i < highest; i += INT64_C(1))
     {
         count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(6), INT64_C(0)));
+        until = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
         if ((count >= INT64_C(0)) && (until == 0.0))
         {
             (*result_0_0001) = steep;
@@ -26297,15 +26350,17 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     int64_t order;
     double steep;
     double until;
+    double inside;
     double gentle;
+    int64_t first;
+    int64_t row;
     int64_t count;
-    int64_t result;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
         return -INT64_C(1);
     }
-    report = span_row(&lead, INT64_C(6));
+    report = span_row(&lead, INT64_C(7));
     for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
     {
         (*cspan_at(&report, i)) = 0.0;
@@ -26314,8 +26369,8 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
     if (best == 0.0)
     {
-        result = (int64_t)((*cspan_at(&report, INT64_C(1))));
-        return result;
+        count = (int64_t)((*cspan_at(&report, INT64_C(1))));
+        return count;
     }
     for (i = INT64_C(0); i < smoothness - INT64_C(2); i += INT64_C(1))
     {
@@ -26340,23 +26395,36 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     {
         return -INT64_C(1);
     }
+    count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
     for (order = INT64_C(2); order < smoothness; order += INT64_C(1))
     {
+        inside = (*cspan_at(&lead, INT64_C(4), order));
         gentle = (*cspan_at(&report, INT64_C(3) + order));
-        for (i = INT64_C(1); i < INT64_C(5); i += INT64_C(1))
+        if ((0.0 < inside) && (inside < (*cspan_at(&report, INT64_C(0)))))
         {
-            (*cspan_at(&report, INT64_C(3) + order)) = 0.25 * i;
-            count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
-            if ((count > INT64_C(0)) && ((*cspan_at(&report, INT64_C(0))) < 0.999 * best))
+            for (i = INT64_C(1); i < INT64_C(5); i += INT64_C(1))
             {
-                best = (*cspan_at(&report, INT64_C(0)));
-                gentle = (*cspan_at(&report, INT64_C(3) + order));
+                (*cspan_at(&report, INT64_C(3) + order)) = 0.25 * i;
+                count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+                if ((count > INT64_C(0)) && ((*cspan_at(&report, INT64_C(0))) < 0.999 * best))
+                {
+                    best = (*cspan_at(&report, INT64_C(0)));
+                    gentle = (*cspan_at(&report, INT64_C(3) + order));
+                }
             }
+            (*cspan_at(&report, INT64_C(3) + order)) = gentle;
+            count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
         }
-        (*cspan_at(&report, INT64_C(3) + order)) = gentle;
     }
-    result = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
-    return result;
+    first = INT64_C(2) * INT64_C(400);
+    for (row = first; row < first + count; row += INT64_C(1))
+    {
+        if ((*cspan_at(&timing, row, INT64_C(0))) < (*cspan_at(&report, INT64_C(0))))
+        {
+            note_extremes(row, lead, timing, coefficients);
+        }
+    }
+    return count;
 }
 static double end_rounding(void)
 {
@@ -26414,7 +26482,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(54) + seen, INT64_C(38))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(55) + seen, INT64_C(38))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);
@@ -26426,10 +26494,10 @@ static double lead_end(int64_t order, array_double_2d lead)
     double result;
     if (order == INT64_C(1))
     {
-        result = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+        result = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(17), INT64_C(4)));
+    result = (*cspan_at(&lead, INT64_C(18), INT64_C(4)));
     return result;
 }
 static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26448,17 +26516,17 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     int64_t count;
     int64_t third;
     int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    level = span_row(&lead, INT64_C(9));
+    state = span_row(&lead, INT64_C(9));
+    level = span_row(&lead, INT64_C(10));
     seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(54) + seen);
-    problem = span_row(&lead, INT64_C(18));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    plan = span_rows(&lead, INT64_C(61), INT64_C(301));
+    chain = span_row(&lead, INT64_C(55) + seen);
+    problem = span_row(&lead, INT64_C(19));
+    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
+    plan = span_rows(&lead, INT64_C(62), INT64_C(302));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
     passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
-    (*cspan_at(&lead, INT64_C(13), seen + INT64_C(2))) = 1e+300;
+    (*cspan_at(&lead, INT64_C(14), seen + INT64_C(2))) = 1e+300;
     if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
     {
         return INT64_C(0);
@@ -26489,14 +26557,14 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
     int64_t count;
     int64_t seen;
     int64_t result;
-    state = span_row(&lead, INT64_C(8));
-    level = span_row(&lead, INT64_C(9));
+    state = span_row(&lead, INT64_C(9));
+    level = span_row(&lead, INT64_C(10));
     stage = level_order(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(13), stage)) = end;
+    (*cspan_at(&lead, INT64_C(14), stage)) = end;
     row = settle(stage, row, lead, timing, coefficients);
     if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
     {
@@ -26523,16 +26591,16 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
 static void set_limits(double steep, array_double_2d lead)
 {
     array_double_1d axis;
-    axis = span_row(&lead, INT64_C(52));
-    chain_limits(steep, axis, span_row(&lead, INT64_C(7)), span_row(&lead, INT64_C(11)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(11)), span_rows(&lead, INT64_C(54), INT64_C(61)));
+    axis = span_row(&lead, INT64_C(53));
+    chain_limits(steep, axis, span_row(&lead, INT64_C(8)), span_row(&lead, INT64_C(12)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(12)), span_rows(&lead, INT64_C(55), INT64_C(62)));
 }
 static bool is_settled(array_double_2d lead)
 {
     int64_t i;
-    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&lead, INT64_C(7), i)) != 0.0)
+        if ((*cspan_at(&lead, INT64_C(8), i)) != 0.0)
         {
             return 0;
         }
@@ -26544,11 +26612,11 @@ static void soonest_ends(int64_t order, array_double_2d lead)
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
     }
     if (order == INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+        (*cspan_at(&lead, INT64_C(14), order)) = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
     }
 }
 static double profile_time(array_double_2d lead)
@@ -26563,11 +26631,11 @@ static double profile_time(array_double_2d lead)
     int64_t count;
     int64_t i;
     double duration;
-    state = span_row(&lead, INT64_C(8));
-    target = span_row(&lead, INT64_C(17));
-    problem = span_row(&lead, INT64_C(18));
-    axis = span_row(&lead, INT64_C(52));
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
+    state = span_row(&lead, INT64_C(9));
+    target = span_row(&lead, INT64_C(18));
+    problem = span_row(&lead, INT64_C(19));
+    axis = span_row(&lead, INT64_C(53));
+    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
     for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
     {
         value = (*cspan_at(&state, INT64_C(0) + order));
@@ -26581,7 +26649,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -26612,11 +26680,11 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(10), i)) = (*cspan_at(&lead, INT64_C(8), i));
-        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
+        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(9), i));
+        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
     }
-    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = last - first;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = last - first;
 }
 static bool begins_now(array_double_2d lead, array_double_2d coefficients)
 {
@@ -26627,7 +26695,7 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
     {
         value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
-        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(11), i))))
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(12), i))))
         {
             return 0;
         }
@@ -26638,8 +26706,8 @@ static bool is_better(double time, array_double_2d lead)
 {
     double best;
     bool result;
-    best = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(15), INT64_C(3))));
+    best = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(16), INT64_C(3))));
     return result;
 }
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26652,8 +26720,8 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(305), INT64_C(353));
-    lower = span_row(&lead, INT64_C(53));
+    check = span_rows(&lead, INT64_C(306), INT64_C(354));
+    lower = span_row(&lead, INT64_C(54));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -26667,7 +26735,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
     return 1;
 }
 static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26684,14 +26752,14 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
     {
         return 1e+300;
     }
-    end = (*cspan_at(&lead, INT64_C(13), order));
+    end = (*cspan_at(&lead, INT64_C(14), order));
     count = stage_phases(order, end, 0, lead);
     if (count < INT64_C(0))
     {
         return 1e+300;
     }
-    phases = span_rows(&lead, INT64_C(19), INT64_C(52));
-    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8))) + total_duration(phases, count);
+    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
+    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + total_duration(phases, count);
     if (!is_better(time, lead))
     {
         return time;
@@ -26701,7 +26769,7 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -26725,7 +26793,7 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8))) + rest;
+    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + rest;
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -26738,7 +26806,7 @@ static double try_level(int64_t order, double level, double least, array_double_
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(8), INT64_C(8)));
+    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -26747,12 +26815,12 @@ static double try_end(int64_t order, int64_t stage, double end, array_double_1d 
     double bound;
     int64_t i;
     double result;
-    bound = (*cspan_at(&lead, INT64_C(11), stage));
+    bound = (*cspan_at(&lead, INT64_C(12), stage));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), i)) = (*cspan_at(&lead, INT64_C(14), i));
+        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(15), i));
     }
-    (*cspan_at(&lead, INT64_C(13), stage)) = span_min(span_max(end, -bound), bound);
+    (*cspan_at(&lead, INT64_C(14), stage)) = span_min(span_max(end, -bound), bound);
     result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     return result;
 }
@@ -26766,15 +26834,18 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     int64_t side;
     double end;
     double time;
-    bound = (*cspan_at(&lead, INT64_C(11), stage));
-    for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+    bound = (*cspan_at(&lead, INT64_C(12), stage));
+    if (((*cspan_at(&lead, INT64_C(15), stage)) > 1e+299) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
     {
-        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
+        for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+        {
+            try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
+        }
     }
     step = 0.125 * bound;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        around = (*cspan_at(&lead, INT64_C(14), stage));
+        around = (*cspan_at(&lead, INT64_C(15), stage));
         if (around > 1e+299)
         {
             break;
@@ -26786,11 +26857,11 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
             time = try_end(order, stage, end, limits, lead, timing, coefficients);
             worst = span_max(worst, time);
         }
-        if (worst <= 1.0001 * (*cspan_at(&lead, INT64_C(15), INT64_C(0))))
+        if (worst <= 1.0001 * (*cspan_at(&lead, INT64_C(16), INT64_C(0))))
         {
             break;
         }
-        if ((*cspan_at(&lead, INT64_C(14), stage)) == around)
+        if ((*cspan_at(&lead, INT64_C(15), stage)) == around)
         {
             step = 0.5 * step;
         }
@@ -26802,7 +26873,7 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
     int64_t i;
     double level;
     double before;
-    first = span_row(&lead, INT64_C(19));
+    first = span_row(&lead, INT64_C(20));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         if ((*cspan_at(&first, INT64_C(4))) > 0.5)
@@ -26810,9 +26881,9 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
             break;
         }
         level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
-        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
         try_end(order, stage, level, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) == before)
+        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == before)
         {
             break;
         }
@@ -26821,7 +26892,7 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
 static bool leads_in(double time, array_double_2d lead)
 {
     bool result;
-    result = (0.0 <= (*cspan_at(&lead, INT64_C(15), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) <= time);
+    result = (0.0 <= (*cspan_at(&lead, INT64_C(16), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) <= time);
     return result;
 }
 static int64_t first_free_stage(int64_t order)
@@ -26839,7 +26910,7 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
     int64_t sweep;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     first_free = first_free_stage(order);
     for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
     {
@@ -26871,7 +26942,7 @@ static void search_ends(int64_t order, double within_0001, array_double_1d limit
     soonest_ends(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(13), i));
+        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
     }
     try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     if (!is_settled(lead))
@@ -26902,7 +26973,7 @@ static void search_pairs(int64_t order, array_double_1d limits, array_double_2d 
     int64_t j;
     bool free;
     double end;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(52), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     stage = first_free_stage(order);
     earlier = stage + INT64_C(2);
     for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
@@ -26915,15 +26986,83 @@ static void search_pairs(int64_t order, array_double_1d limits, array_double_2d 
                 continue;
             }
             soonest_ends(order, lead);
-            (*cspan_at(&lead, INT64_C(13), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(11), stage));
+            (*cspan_at(&lead, INT64_C(14), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(12), stage));
             if (!free)
             {
-                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(11), earlier));
-                (*cspan_at(&lead, INT64_C(13), earlier)) = end;
+                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(12), earlier));
+                (*cspan_at(&lead, INT64_C(14), earlier)) = end;
             }
             try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
         }
     }
+}
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double steep;
+    int64_t i;
+    double before;
+    int64_t j;
+    steep = 1.0;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        set_limits(steep, lead);
+        (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        if (before >= 0.0)
+        {
+            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
+            {
+                (*cspan_at(&lead, INT64_C(14), j)) = (*cspan_at(&lead, INT64_C(15), j));
+            }
+            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+            if ((i > INT64_C(1)) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == before))
+            {
+                break;
+            }
+        }
+        search_ends(order, within_0001, limits, lead, timing, coefficients);
+        if (leads_in(within_0001, lead))
+        {
+            break;
+        }
+        steep = 10.0 * steep;
+    }
+    if (((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0) && (!is_settled(lead)))
+    {
+        search_pairs(order, limits, lead, timing, coefficients);
+        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) >= 0.0)
+        {
+            improve_ends(order, within_0001, limits, lead, timing, coefficients);
+        }
+    }
+}
+static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    array_double_1d first;
+    int64_t i;
+    double time;
+    double after;
+    double found;
+    first = span_row(&lead, INT64_C(20));
+    found = 1e+300;
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        time = try_level(order, level, least, limits, lead, timing, coefficients);
+        if (!(time < (1.0 - 1e-10) * least))
+        {
+            break;
+        }
+        least = time;
+        found = time;
+        (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = level;
+        after = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
+        if (level_order(order, lead) != (*cspan_at(&first, INT64_C(4))) + INT64_C(4) - order)
+        {
+            break;
+        }
+        level = after;
+    }
+    return found;
 }
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -26936,31 +27075,30 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
     double time;
     double found;
     stage = level_order(order, lead);
-    kept = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+    kept = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
     least = 1e+300;
-    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
+    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) >= 0.0)
     {
-        least = 1.2 * (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        least = 1.2 * (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
     }
     found = 1e+300;
-    count = INT64_C(6);
-    if ((*cspan_at(&lead, INT64_C(52), INT64_C(0))) > 4.5)
+    count = INT64_C(3);
+    if ((*cspan_at(&lead, INT64_C(53), INT64_C(0))) > 4.5)
     {
-        count = INT64_C(24);
+        count = INT64_C(12);
     }
     for (i = (-count) - INT64_C(1); i < count + INT64_C(1); i += INT64_C(1))
     {
         level = kept;
         if (i >= -count)
         {
-            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(11), stage));
+            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(12), stage));
         }
-        time = try_level(order, level, least, limits, lead, timing, coefficients);
+        time = follow_level(order, level, least, limits, lead, timing, coefficients);
         if (time < least)
         {
             least = time;
             found = time;
-            (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
         }
     }
     return found;
@@ -26969,36 +27107,43 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
 {
     double bound;
     double step;
+    int64_t useless;
     int64_t i;
     double around;
     double worst;
     int64_t side;
     double level;
     double time;
-    bound = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
-    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(15), INT64_C(2)))) + 0.005 * bound;
+    bound = (*cspan_at(&lead, INT64_C(12), level_order(order, lead)));
+    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(16), INT64_C(2)))) + 0.005 * bound;
+    useless = INT64_C(0);
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        around = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
+        around = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
         worst = 0.0;
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
             time = try_level(order, level, least, limits, lead, timing, coefficients);
             worst = span_max(worst, time);
-            if (time < least)
+            if (time < (1.0 - 1e-10) * least)
             {
                 least = time;
-                (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = level;
+                (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = level;
             }
         }
-        if (worst <= 1.0001 * least)
+        if ((*cspan_at(&lead, INT64_C(16), INT64_C(2))) == around)
+        {
+            step = 0.25 * step;
+            useless = useless + INT64_C(1);
+        }
+        else
+        {
+            useless = INT64_C(0);
+        }
+        if ((useless == INT64_C(4)) || (worst <= 1.0001 * least))
         {
             break;
-        }
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(2))) == around)
-        {
-            step = 0.5 * step;
         }
     }
 }
@@ -27012,31 +27157,31 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
     double level;
     steep = 1.0;
     found = 1e+300;
-    highest = (*cspan_at(&lead, INT64_C(52), INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(15), INT64_C(2))) = (*cspan_at(&lead, INT64_C(7), level_order(order, lead)));
-    (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+    highest = (*cspan_at(&lead, INT64_C(53), INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = (*cspan_at(&lead, INT64_C(8), level_order(order, lead)));
+    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
-        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
         if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
         {
             found = search_grid(order, limits, lead, timing, coefficients);
+            if (found < 1e+299)
+            {
+                improve_level(order, found, limits, lead, timing, coefficients);
+            }
         }
         else
         {
-            level = (*cspan_at(&lead, INT64_C(15), INT64_C(2)));
-            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
+            level = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+            found = follow_level(order, level, 1e+300, limits, lead, timing, coefficients);
         }
-        if (found < 1e+299)
-        {
-            improve_level(order, found, limits, lead, timing, coefficients);
-        }
-        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) == before))
+        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == before))
         {
             break;
         }
-        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
+        (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 0.99;
         steep = 10.0 * steep;
     }
 }
@@ -27044,8 +27189,8 @@ static bool permits_levels(int64_t order, array_double_2d lead)
 {
     array_double_1d target;
     bool resting;
-    target = span_row(&lead, INT64_C(17));
-    if (((*cspan_at(&lead, INT64_C(52), INT64_C(0))) < 3.5) || is_settled(lead))
+    target = span_row(&lead, INT64_C(18));
+    if (((*cspan_at(&lead, INT64_C(53), INT64_C(0))) < 3.5) || is_settled(lead))
     {
         return 0;
     }
@@ -27056,46 +27201,6 @@ static bool permits_levels(int64_t order, array_double_2d lead)
     resting = ((*cspan_at(&target, INT64_C(2))) == 0.0) && ((*cspan_at(&target, INT64_C(3))) == 0.0);
     return (order == INT64_C(1)) || resting;
 }
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    double steep;
-    int64_t i;
-    double before;
-    int64_t j;
-    steep = 1.0;
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
-        if (before >= 0.0)
-        {
-            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(13), j)) = (*cspan_at(&lead, INT64_C(14), j));
-            }
-            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-            if ((i > INT64_C(1)) && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) == before))
-            {
-                break;
-            }
-        }
-        search_ends(order, within_0001, limits, lead, timing, coefficients);
-        if (leads_in(within_0001, lead))
-        {
-            break;
-        }
-        steep = 10.0 * steep;
-    }
-    if (((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0) && (!is_settled(lead)))
-    {
-        search_pairs(order, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0)
-        {
-            improve_ends(order, within_0001, limits, lead, timing, coefficients);
-        }
-    }
-}
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d state;
@@ -27103,7 +27208,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
     double length;
     int64_t i;
     bool settled;
-    state = span_row(&lead, INT64_C(7));
+    state = span_row(&lead, INT64_C(8));
     width = coefficients.shape[INT64_C(1)];
     length = (*cspan_at(&timing, row, INT64_C(1)));
     settled = 1;
@@ -27119,7 +27224,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
         }
         if (i > INT64_C(2))
         {
-            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(11), i)))
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(12), i)))
             {
                 settled = 0;
             }
@@ -27160,11 +27265,11 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
             tried = tried + INT64_C(1);
             for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(13), i)) = 1e+300;
+                (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
             }
             if (order == INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(13), order)) = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+                (*cspan_at(&lead, INT64_C(14), order)) = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
             }
             try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
         }
@@ -27173,19 +27278,19 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
 {
     int64_t i;
-    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(52)));
-    set_lower(span_row(&lead, INT64_C(53)), span_row(&lead, INT64_C(52)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(52))), span_row(&lead, INT64_C(52)), span_rows(&lead, INT64_C(54), INT64_C(61))))
+    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(53)));
+    set_lower(span_row(&lead, INT64_C(54)), span_row(&lead, INT64_C(53)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(53))), span_row(&lead, INT64_C(53)), span_rows(&lead, INT64_C(55), INT64_C(62))))
     {
         return 0;
     }
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(12), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(13), i)) = rounding_error(i, limits);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(0), i));
     }
     return 1;
 }
@@ -27195,9 +27300,9 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
     double time;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(0), i));
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(0), i));
     }
-    time = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    time = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
     if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
     {
         search_levels(order, limits, lead, timing, coefficients);
@@ -27208,14 +27313,14 @@ static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d t
     int64_t count;
     int64_t i;
     int64_t row;
-    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
-    if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
+    count = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(1))));
+    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0)
     {
         return;
     }
     if (count + steps > INT64_C(400))
     {
-        (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
+        (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = -1.0;
         return;
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -27227,7 +27332,7 @@ static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d t
     {
         copy_piece(timing, coefficients, INT64_C(2) * INT64_C(400) + row, timing, coefficients, row);
     }
-    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = count + steps;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = count + steps;
 }
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -27240,7 +27345,7 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
     }
     for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
     {
-        if ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0)
+        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0)
         {
             steps = segfmu_find_brake(repeat == INT64_C(1), limits, lead, timing, coefficients);
             if (steps > INT64_C(0))
@@ -27269,30 +27374,30 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     int64_t smoothness;
     int64_t shape;
     bool result;
-    (*cspan_at(&lead, INT64_C(15), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(15), INT64_C(1))) = 0.0;
-    brakes = (*cspan_at(&lead, INT64_C(16), INT64_C(3))) > 0.5;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = 0.0;
+    brakes = (*cspan_at(&lead, INT64_C(17), INT64_C(3))) > 0.5;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
         return 0;
     }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(2))));
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(17), INT64_C(2))));
     if ((!brakes) || (!is_outside(limits, lead)))
     {
         if (start_search(shape, limits, lead))
         {
             search_stages(order, within_0001, limits, lead, timing, coefficients);
-            (*cspan_at(&lead, INT64_C(15), INT64_C(3))) = 1.0 - 1e-12;
+            (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
             follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
             improve_lead(order, within_0001, limits, lead, timing, coefficients);
         }
     }
-    if (brakes && ((*cspan_at(&lead, INT64_C(15), INT64_C(0))) < 0.0))
+    if (brakes && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
     {
         search_braked(order, within_0001, shape, limits, lead, timing, coefficients);
     }
-    result = (*cspan_at(&lead, INT64_C(15), INT64_C(0))) >= 0.0;
+    result = (*cspan_at(&lead, INT64_C(16), INT64_C(0))) >= 0.0;
     return result;
 }
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead)
@@ -27308,14 +27413,14 @@ static void set_start(int64_t axis, array_double_2d start, array_double_2d lower
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(53), i)) = (*cspan_at(&lower, axis, i));
+        (*cspan_at(&lead, INT64_C(54), i)) = (*cspan_at(&lower, axis, i));
     }
 }
 static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead)
 {
-    (*cspan_at(&lead, INT64_C(17), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(17), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
-    (*cspan_at(&lead, INT64_C(17), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
+    (*cspan_at(&lead, INT64_C(18), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(18), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(18), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
 }
 static int64_t latest_axis(array_double_2d ends)
 {
@@ -27342,13 +27447,13 @@ static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lea
     int64_t count;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(10), i));
+        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(11), i));
     }
-    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(10), INT64_C(8)));
-    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(15), INT64_C(0)));
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(11), INT64_C(8)));
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
     (*cspan_at(&end, INT64_C(5))) = 0.0;
     found = timing.shape[INT64_C(0)] - INT64_C(1200);
-    count = (int64_t)((*cspan_at(&lead, INT64_C(15), INT64_C(1))));
+    count = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(1))));
     for (row = INT64_C(0); row < count; row += INT64_C(1))
     {
         copy_piece(timing, coefficients, found + row, timing, coefficients, first + row);
@@ -27370,9 +27475,9 @@ static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d 
     {
         return;
     }
-    reached = span_row(&lead, INT64_C(8));
+    reached = span_row(&lead, INT64_C(9));
     write_end(last - INT64_C(1), plan_timing, plan_coefficients, reached);
-    velocity = (*cspan_at(&lead, INT64_C(17), INT64_C(2)));
+    velocity = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
     if (!((*cspan_at(&reached, INT64_C(3))) < (*cspan_at(&end, INT64_C(4)))))
     {
         return;
@@ -27427,11 +27532,11 @@ int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_
     int64_t axis;
     axes = limits.shape[INT64_C(0)];
     order = INT64_C(2);
-    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == INT64_C(1))
+    if ((*cspan_at(&lead, INT64_C(17), INT64_C(0))) == INT64_C(1))
     {
         order = INT64_C(1);
     }
-    latest = (*cspan_at(&lead, INT64_C(16), INT64_C(1)));
+    latest = (*cspan_at(&lead, INT64_C(17), INT64_C(1)));
     waits = (latest >= 0.0) && (axes > INT64_C(1));
     rows = timing.shape[INT64_C(0)];
     found = rows - INT64_C(1200);
@@ -27501,7 +27606,7 @@ bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_dou
             (*cspan_at(&brakes, axis, i)) = 0.0;
             if (count > INT64_C(0))
             {
-                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(6), i));
+                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(7), i));
             }
         }
         if ((*cspan_at(&brakes, axis, INT64_C(0))) > 0.0)
@@ -27526,10 +27631,10 @@ static void clear_lead(array_double_2d lead)
 static void set_lead(int64_t order, int64_t shape, double meeting, array_double_2d lead)
 {
     clear_lead(lead);
-    (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = order;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = meeting;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = shape;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0;
+    (*cspan_at(&lead, INT64_C(17), INT64_C(0))) = order;
+    (*cspan_at(&lead, INT64_C(17), INT64_C(1))) = meeting;
+    (*cspan_at(&lead, INT64_C(17), INT64_C(2))) = shape;
+    (*cspan_at(&lead, INT64_C(17), INT64_C(3))) = 1.0;
 }
 static bool lead_between(int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
@@ -29988,13 +30093,13 @@ static bool plan_target(array_double_2d limits, array_double_2d lower, array_dou
     int64_t place;
     dwells = span_row(&work, INT64_C(84));
     axes = span_rows(&work, INT64_C(86), INT64_C(89));
-    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, INT64_C(85)), axes, cells, span_rows(&lead, INT64_C(61), INT64_C(301)));
+    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, INT64_C(85)), axes, cells, span_rows(&lead, INT64_C(62), INT64_C(302)));
     if ((status < INT64_C(0)) || (segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(1)]))
     {
         return 0;
     }
     place = INT64_C(3) * INT64_C(4);
-    segfmu_expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, place, place + INT64_C(4)), span_rows(&work, INT64_C(81), INT64_C(84)), span_rows(&lead, INT64_C(301), INT64_C(305)));
+    segfmu_expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, place, place + INT64_C(4)), span_rows(&work, INT64_C(81), INT64_C(84)), span_rows(&lead, INT64_C(302), INT64_C(306)));
     return 1;
 }
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)

@@ -94,22 +94,30 @@ def part_hull(
     length: float,
     lead: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> float:
-    """By how much the hull of a part of a piece, from a local time on, is beyond the limits.
+) -> int:
+    """Bernstein coefficients of a derivative on a part of a piece, from a local time on.
 
-    The Bernstein coefficients of the derivative stay in the row HULLS of the check in `lead`.
+    They are in the row HULLS of the check in `lead`; returns their number.
     """
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
     width = coefficients.shape[1]
+    while width > order + 1 and coefficients[row, width - 1] == 0.0:
+        width = width - 1
     values = check[Check.VALUES, :]
     polynomial_differentiate(coefficients[row, :], width, order, values)
     if start > 0.0:
         polynomial_shift(values, start, width - order)
     bernstein_coefficients(check, Check.VALUES, width - order, length, check)
-    largest = -NEVER
-    for i in range(width - order):
-        largest = max(largest, outside_by(check[Check.HULLS, i], order, lead))
-    return largest
+    return width - order
+
+
+def is_hull_inside(count: int, low: float, high: float, lead: 'float[:,:]') -> bool:
+    """Whether the Bernstein coefficients in the row HULLS of the check are in a range."""
+    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
+    for i in range(count):
+        if not low <= check[Check.HULLS, i] <= high:
+            return False
+    return True
 
 
 def stays_inside(
@@ -124,11 +132,10 @@ def stays_inside(
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    count = coefficients.shape[1] - order
+    slack = 1e-10 * (high - low)
     for row in range(first, last):
-        length = timing[row, Timing.LENGTH]
-        if part_hull(order, row, 0.0, length, lead, coefficients) > 0.0:
-            slack = 1e-10 * (high - low)
+        count = part_hull(order, row, 0.0, timing[row, Timing.LENGTH], lead, coefficients)
+        if not is_hull_inside(count, low, high, lead):
             if not within(check, count, low - slack, high + slack):
                 return False
     return True
@@ -144,6 +151,9 @@ def inside_from(
 ) -> 'tuple[int, float]':
     """The piece and its local time [s] from which on a derivative is inside its limits."""
     width = coefficients.shape[1]
+    low = lead[LeadWork.LOWEST, order]
+    high = lead[LeadWork.HIGHEST, order]
+    slack = 1e-13 * (high - low)
     for i in range(last - first):
         row = last - 1 - i
         length = timing[row, Timing.LENGTH]
@@ -151,15 +161,22 @@ def inside_from(
         step = length
         while upper > 0.0:
             lower = max(upper - step, 0.0)
-            value = evaluate_piece(coefficients, row, width, lower, order)
-            if part_hull(order, row, lower, upper - lower, lead, coefficients) <= 0.0:
+            count = part_hull(order, row, lower, upper - lower, lead, coefficients)
+            if is_hull_inside(count, low - slack, high + slack, lead):
                 upper = lower
                 step = 2.0 * step
-            elif step > 1e-3 * length:
-                step = 0.25 * step
-            elif outside_by(value, order, lead) > 0.0:
-                return row, time_crossed(order, row, lower, upper, lead, coefficients)
-            elif step > 1e-9 * length:
+                continue
+            value = evaluate_piece(coefficients, row, width, lower, order)
+            if outside_by(value, order, lead) > 0.0:
+                # where it is monotonic it comes inside once
+                count = part_hull(order + 1, row, lower, upper - lower, lead, coefficients)
+                if (
+                    is_hull_inside(count, 0.0, NEVER, lead)
+                    or is_hull_inside(count, -NEVER, 0.0, lead)
+                    or step <= 1e-3 * length
+                ):
+                    return row, time_crossed(order, row, lower, upper, lead, coefficients)
+            if step > 1e-9 * length:
                 step = 0.25 * step
             else:
                 upper = lower
@@ -178,6 +195,38 @@ def time_crossed(
         else:
             upper = middle
     return upper
+
+
+def turn_round(
+    order: int,
+    side: float,
+    level: float,
+    settled: bool,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> 'tuple[int, int, float]':
+    """The derivative above one goes to a level, as in `try_brake`, and is let go at once.
+
+    Returns the row after the pieces to the level, the one after all (-1: there are none), and how
+    far the derivative then is from its other limit, below 0: beyond. The row TURN of `lead` becomes
+    the state at the level.
+    """
+    state = lead[LeadWork.STATE, :]
+    turn = lead[LeadWork.TURN, :]
+    row = int(LeadRows.PIECES)
+    for i in range(Chain.SIZE):
+        state[i] = lead[LeadWork.BRAKED, i]
+    if settled and order + 2 <= int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):
+        row = lead_to(order + 2, 0.0, row, lead, timing, coefficients)
+    row = lead_to(order + 1, level, row, lead, timing, coefficients)
+    for i in range(Chain.SIZE):
+        turn[i] = state[i]
+    last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
+    far = lead[LeadWork.LOWEST, order]
+    if side < 0.0:
+        far = lead[LeadWork.HIGHEST, order]
+    return row, last, side * (state[order] - far)
 
 
 def try_brake(
@@ -200,28 +249,17 @@ def try_brake(
     state = lead[LeadWork.STATE, :]
     turn = lead[LeadWork.TURN, :]
     smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
-    near = lead[LeadWork.HIGHEST, order]
-    far = lead[LeadWork.LOWEST, order]
-    if side < 0.0:
-        near = lead[LeadWork.LOWEST, order]
-        far = lead[LeadWork.HIGHEST, order]
     first = int(LeadRows.PIECES)
-    row = first
-    for i in range(Chain.SIZE):
-        state[i] = lead[LeadWork.BRAKED, i]
-    if settled and order + 2 <= smoothness:
-        row = lead_to(order + 2, 0.0, row, lead, timing, coefficients)
-    row = lead_to(order + 1, level, row, lead, timing, coefficients)
-    for i in range(Chain.SIZE):
-        turn[i] = state[i]
-    last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
+    row, last, room = turn_round(order, side, level, settled, lead, timing, coefficients)
     if last < 0:
         return NEVER
-    room = side * (state[order] - far)
     if room < 0.0:
         return -1.0
     if level != 0.0:
         # held until the derivative is inside, unless it has to be let go before
+        near = lead[LeadWork.HIGHEST, order]
+        if side < 0.0:
+            near = lead[LeadWork.LOWEST, order]
         hold = min(side * (turn[order] - near), room) / abs(level)
         for i in range(Chain.SIZE):
             state[i] = turn[i]

@@ -48,9 +48,6 @@ def brake_within(
     report = lead[LeadWork.BRAKE, :]
     report[Brake.UNTIL] = 0.0
     report[Brake.COUNT] = 0.0
-    for i in range(smoothness + 2):
-        report[Brake.LOWEST + i] = 0.0
-        report[Brake.HIGHEST + i] = 0.0
     if not set_box(steep, loose, limits, lead):
         return -1
     for i in range(Chain.SIZE):
@@ -69,10 +66,6 @@ def brake_within(
         if not whole:
             end_brake(report[Brake.UNTIL], lead, timing, coefficients)
             clip_reached(lead)
-    first = 2 * LeadRows.PIECES
-    for row in range(first, first + int(report[Brake.COUNT])):
-        if timing[row, Timing.START] < report[Brake.UNTIL]:
-            note_extremes(row, lead, timing, coefficients)
     return int(report[Brake.COUNT])
 
 
@@ -152,14 +145,22 @@ def find_brake(
         chosen, best = best_steepness(loose, whole, limits, lead, timing, coefficients)
     if chosen == 0.0:
         return -1
+    count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
     # what comes inside at once may have to turn round again for the ones below
     for order in range(2, smoothness):
+        inside = lead[LeadWork.INSIDE, order]
         gentle = report[Brake.GENTLE + order]
-        for i in range(1, 5):
-            report[Brake.GENTLE + order] = 0.25 * i
+        if 0.0 < inside < report[Brake.UNTIL]:
+            for i in range(1, 5):
+                report[Brake.GENTLE + order] = 0.25 * i
+                count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
+                if count > 0 and report[Brake.UNTIL] < 0.999 * best:
+                    best = report[Brake.UNTIL]
+                    gentle = report[Brake.GENTLE + order]
+            report[Brake.GENTLE + order] = gentle
             count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
-            if count > 0 and report[Brake.UNTIL] < 0.999 * best:
-                best = report[Brake.UNTIL]
-                gentle = report[Brake.GENTLE + order]
-        report[Brake.GENTLE + order] = gentle
-    return brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
+    first = 2 * LeadRows.PIECES
+    for row in range(first, first + count):
+        if timing[row, Timing.START] < report[Brake.UNTIL]:
+            note_extremes(row, lead, timing, coefficients)
+    return count

@@ -21,8 +21,8 @@ def note_extremes(row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficien
     step = timing[row, Timing.LENGTH] / parts
     for order in range(1, width // 2 + 2):
         for part in range(parts):
-            part_hull(order, row, part * step, step, lead, coefficients)
-            for i in range(width - order):
+            count = part_hull(order, row, part * step, step, lead, coefficients)
+            for i in range(count):
                 value = check[Check.HULLS, i]
                 report[Brake.LOWEST + order] = min(report[Brake.LOWEST + order], value)
                 report[Brake.HIGHEST + order] = max(report[Brake.HIGHEST + order], value)

@@ -4,12 +4,22 @@ To the next derivative it is what a position is to a velocity: that goes as far 
 there, and would be let go in time (attempt.py).
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import HALVINGS, NEVER
+from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.records import Axis
-from segfmu.kernels.settling.attempt import lead_to, outside_by, stays_inside, try_brake
+from segfmu.kernels.settling.attempt import (
+    lead_to,
+    outside_by,
+    stays_inside,
+    try_brake,
+    turn_round,
+)
 from segfmu.kernels.settling.brake_pieces import append_pieces
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake
+
+# a derivative ends this close to its other limit, as a share of the range
+ROOM = 1e-3
 
 
 def level_limit(order: int, side: float, lead: 'float[:,:]') -> float:
@@ -17,6 +27,43 @@ def level_limit(order: int, side: float, lead: 'float[:,:]') -> float:
     if side < 0.0:
         return lead[LeadWork.HIGHEST, order + 1]
     return lead[LeadWork.LOWEST, order + 1]
+
+
+def deepest_level(
+    order: int,
+    side: float,
+    settled: bool,
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """The level from which the derivative nearly ends at its other limit, but not beyond; 0: none.
+
+    At the limit of the derivative above it ends beyond.
+    """
+    edge = level_limit(order, side, lead)
+    near = ROOM * (lead[LeadWork.HIGHEST, order] - lead[LeadWork.LOWEST, order])
+    row, last, e_other = turn_round(order, side, 0.0, settled, lead, timing, coefficients)
+    if last < 0 or e_other < 0.0:
+        return 0.0
+    row, last, e_newest = turn_round(order, side, edge, settled, lead, timing, coefficients)
+    newest = 1.0
+    other = 0.0
+    before = 0.0
+    e_before = e_other
+    for i in range(HALVINGS):
+        share = root_share(newest, other, before, e_newest, e_other, e_before)
+        level = newest + share * (other - newest)
+        row, last, room = turn_round(order, side, level * edge, settled, lead, timing, coefficients)
+        if last < 0 or 0.0 <= room <= near or abs(newest - other) < ROOM:
+            break
+        crossed = room * e_newest < 0.0
+        other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
+        newest = level
+        e_newest = room
+    if room < 0.0:
+        level = other
+    return level * edge
 
 
 def best_level(
@@ -27,36 +74,23 @@ def best_level(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[float, float]':
-    """The soonest time of `try_brake`, NEVER if there is none, and its level."""
-    edge = level_limit(order, side, lead)
-    least = try_brake(order, side, edge, settled, lead, timing, coefficients)
-    best = edge
-    share = 1.0
-    if least < 0.0:
-        # the deepest level from which the derivative does not end beyond its other limit
-        least = NEVER
-        low = 0.0
-        high = 1.0
-        for i in range(60):
-            share = 0.5 * (low + high)
-            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients)
-            if time < 0.0:
-                high = share
-            else:
-                low = share
-                if time < least:
-                    least = time
-                    best = share * edge
+    """The soonest time of `try_brake`, NEVER if there is none, and its level: the deepest one."""
+    level = level_limit(order, side, lead)
+    time = try_brake(order, side, level, settled, lead, timing, coefficients)
+    if time < 0.0:
+        level = deepest_level(order, side, settled, lead, timing, coefficients)
+        time = try_brake(order, side, level, settled, lead, timing, coefficients)
+    # a lower one where that does not keep the limits
     for i in range(6):
-        share = 0.5 * share
+        if 0.0 <= time <= 1e299:
+            return time, level
+        level = 0.5 * level
         if i == 5:
-            share = 0.0
-        if least > lead[LeadWork.BRAKED, Chain.TIME]:
-            time = try_brake(order, side, share * edge, settled, lead, timing, coefficients)
-            if time >= 0.0 and time < least:
-                least = time
-                best = share * edge
-    return least, best
+            level = 0.0
+        time = try_brake(order, side, level, settled, lead, timing, coefficients)
+    if time < 0.0:
+        time = NEVER
+    return time, level
 
 
 def level_time(
@@ -148,6 +182,7 @@ def bring_gently(
         reached[i] = 0.0
     reached[order] = end
     lead[LeadWork.BRAKE, Brake.UNTIL] = until
+    lead[LeadWork.INSIDE, order] = until
     return True
 
 
@@ -165,6 +200,7 @@ def bring_inside(
     report = lead[LeadWork.BRAKE, :]
     reached = lead[LeadWork.BRAKED, :]
     gentle = report[Brake.GENTLE + order]
+    lead[LeadWork.INSIDE, order] = 0.0
     if gentle == 1.0 and bring_gently(order, lead, timing, coefficients):
         return True
     side = side_beyond(order, lead, timing, coefficients)
@@ -187,6 +223,7 @@ def bring_inside(
         try_brake(order, side, level, settled, lead, timing, coefficients)
     if time > start:
         report[Brake.UNTIL] = time
+        lead[LeadWork.INSIDE, order] = time
     elif not whole:
         return True
     if whole:

@@ -12,8 +12,9 @@ from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.brake_limits import is_outside
+from segfmu.kernels.settling.level_search import permits_levels, search_levels
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
-from segfmu.kernels.settling.search import permits_levels, search_levels, search_stages
+from segfmu.kernels.settling.search import search_stages
 from segfmu.kernels.settling.trial import try_lead
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.cut import copy_piece

@@ -68,6 +68,7 @@ class LeadWork(Record):
     GIVEN = field("state before a brake", of=Chain)
     BRAKED = field("state that a brake has reached", of=Chain)
     TURN = field("state where a brake lets go", of=Chain)
+    INSIDE = field("times at which a brake brings derivatives inside, 0: they are", of=Chain)
     LOWEST = field("lower limits by order", of=Chain)
     HIGHEST = field("upper limits by order", of=Chain)
     BRAKE = field("the brake", of=Brake)

@@ -3,20 +3,12 @@
 The last stage of a lead that ends at a velocity (order 1) leads to it; a lead to where the planner
 takes over (order 2) may end at any acceleration, and the planner's profile belongs to its time. All
 other ends are free. The search starts from the soonest ends, goes to the level that the following
-profile wants first, over a grid, and refines by halved steps. That for a level does the same.
+profile wants first, or over a grid where there is none, and refines by halved steps.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
-from segfmu.kernels.planner.records import Axis, Phase, Problem
-from segfmu.kernels.settling.level import level_order
+from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
-from segfmu.kernels.settling.trial import (
-    is_settled,
-    set_limits,
-    soonest_ends,
-    try_lead,
-    try_level,
-)
+from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, try_lead
 
 # values on both sides of the best one cost at most this share of its time: closer ones gain less
 FLAT = 1.0001
@@ -47,10 +39,11 @@ def search_end(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """Improve the end of one stage: over a grid, then by halved steps."""
+    """Improve the end of one stage by halved steps; where it is any, over a grid first."""
     bound = lead[LeadWork.LIMITS, stage]
-    for i in range(-4, 5):
-        try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients)
+    if lead[LeadWork.BEST_ENDS, stage] > 1e299 or lead[LeadWork.BEST, Lead.TIME] < 0.0:
+        for i in range(-4, 5):
+            try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients)
     step = 0.125 * bound
     for i in range(10):
         around = lead[LeadWork.BEST_ENDS, stage]
@@ -172,109 +165,6 @@ def search_pairs(
                 end = near_zero(float(j)) * lead[LeadWork.LIMITS, earlier]
                 lead[LeadWork.ENDS, earlier] = end
             try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
-
-
-def search_grid(
-    order: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-) -> float:
-    """Search for the shortest lead over a level on a grid, and at the one before; its time [s].
-
-    NEVER: there is none.
-    """
-    stage = level_order(order, lead)
-    kept = lead[LeadWork.BEST, Lead.LEVEL]
-    least = NEVER
-    if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
-        # halved steps do not gain more
-        least = 1.2 * lead[LeadWork.BEST, Lead.TIME]
-    found = NEVER
-    # with limits above the snap the time jumps more often
-    count = 6
-    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] > 4.5:
-        count = 24
-    for i in range(-count - 1, count + 1):
-        level = kept
-        if i >= -count:
-            level = near_zero(12.0 * i / count) * lead[LeadWork.LIMITS, stage]
-        time = try_level(order, level, least, limits, lead, timing, coefficients)
-        if time < least:
-            least = time
-            found = time
-            lead[LeadWork.BEST, Lead.LEVEL] = level
-    return found
-
-
-def improve_level(
-    order: int,
-    least: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-) -> None:
-    """Improve the level of a lead that takes `least` [s] by halved steps."""
-    bound = lead[LeadWork.LIMITS, level_order(order, lead)]
-    step = 0.15 * abs(lead[LeadWork.BEST, Lead.LEVEL]) + 0.005 * bound
-    for i in range(8):
-        around = lead[LeadWork.BEST, Lead.LEVEL]
-        worst = 0.0
-        for side in range(2):
-            level = min(max(around + step * (1 - 2 * side), -bound), bound)
-            time = try_level(order, level, least, limits, lead, timing, coefficients)
-            worst = max(worst, time)
-            if time < least:
-                least = time
-                lead[LeadWork.BEST, Lead.LEVEL] = level
-        if worst <= FLAT * least:
-            break
-        if lead[LeadWork.BEST, Lead.LEVEL] == around:
-            step = 0.5 * step
-
-
-def search_levels(
-    order: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-) -> None:
-    """`search_stages`, but over levels; shorter leads alone are kept."""
-    steep = 1.0
-    found = NEVER
-    highest = lead[LeadWork.AXIS, Axis.SMOOTHNESS]
-    lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
-    for i in range(4):
-        set_limits(steep, lead)
-        before = lead[LeadWork.BEST, Lead.TIME]
-        # with limits above the snap other levels are best where derivatives may be larger
-        if found > 1e299 or (i == 1 and highest > 4.5):
-            found = search_grid(order, limits, lead, timing, coefficients)
-        else:
-            level = lead[LeadWork.BEST, Lead.LEVEL]
-            found = try_level(order, level, NEVER, limits, lead, timing, coefficients)
-        if found < 1e299:
-            improve_level(order, found, limits, lead, timing, coefficients)
-        if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
-            break
-        lead[LeadWork.BEST, Lead.GAIN] = 0.99
-        steep = 10.0 * steep
-
-
-def permits_levels(order: int, lead: 'float[:,:]') -> bool:
-    """Whether leads over a level are searched for."""
-    target = lead[LeadWork.TARGET, :]
-    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] < 3.5 or is_settled(lead):
-        return False
-    if level_order(order, lead) == 0:
-        return False
-    # behind such a lead the planner has nothing left to prolong but rest
-    resting = target[Problem.W] == 0.0 and target[Problem.B] == 0.0
-    return order == LeadStage.VELOCITY or resting
 
 
 def search_stages(

@@ -1,0 +1,150 @@
+"""The shortest lead over a level: see level.py.
+
+Each level is followed to the one at which the profile behind it stays first. The search begins
+with the present value, goes over a grid, and refines by halved steps.
+"""
+
+from segfmu.kernels.numerics.numbers import GAINED, NEVER
+from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.settling.level import level_order
+from segfmu.kernels.settling.records import Lead, LeadStage, LeadWork
+from segfmu.kernels.settling.search import FLAT, near_zero
+from segfmu.kernels.settling.trial import is_settled, set_limits, try_level
+
+# halved steps without a gain, after which a level is no more improved
+USELESS = 4
+
+
+def follow_level(
+    order: int,
+    level: float,
+    least: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """Time [s] of a lead over a level, or over the first one of the profile behind it, and so on.
+
+    The soonest of them, NEVER if none takes less than `least` [s]; its level is noted.
+    """
+    first = lead[LeadWork.PHASES, :]
+    found = NEVER
+    for i in range(4):
+        time = try_level(order, level, least, limits, lead, timing, coefficients)
+        if not time < (1.0 - GAINED) * least:
+            break
+        least = time
+        found = time
+        lead[LeadWork.BEST, Lead.LEVEL] = level
+        after = first[Phase.ACCELERATION] + first[Phase.CHANGE]
+        if level_order(order, lead) != first[Phase.ABOVE] + 4 - order:
+            break
+        level = after
+    return found
+
+
+def search_grid(
+    order: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> float:
+    """Search for the shortest lead over a level on a grid, and at the one before; its time [s].
+
+    NEVER: there is none.
+    """
+    stage = level_order(order, lead)
+    kept = lead[LeadWork.BEST, Lead.LEVEL]
+    least = NEVER
+    if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
+        # halved steps do not gain more
+        least = 1.2 * lead[LeadWork.BEST, Lead.TIME]
+    found = NEVER
+    # with limits above the snap the time jumps more often
+    count = 3
+    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] > 4.5:
+        count = 12
+    for i in range(-count - 1, count + 1):
+        level = kept
+        if i >= -count:
+            level = near_zero(12.0 * i / count) * lead[LeadWork.LIMITS, stage]
+        time = follow_level(order, level, least, limits, lead, timing, coefficients)
+        if time < least:
+            least = time
+            found = time
+    return found
+
+
+def improve_level(
+    order: int,
+    least: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Improve the level of a lead that takes `least` [s] by halved steps."""
+    bound = lead[LeadWork.LIMITS, level_order(order, lead)]
+    step = 0.15 * abs(lead[LeadWork.BEST, Lead.LEVEL]) + 0.005 * bound
+    useless = 0
+    for i in range(8):
+        around = lead[LeadWork.BEST, Lead.LEVEL]
+        worst = 0.0
+        for side in range(2):
+            level = min(max(around + step * (1 - 2 * side), -bound), bound)
+            time = try_level(order, level, least, limits, lead, timing, coefficients)
+            worst = max(worst, time)
+            if time < (1.0 - GAINED) * least:
+                least = time
+                lead[LeadWork.BEST, Lead.LEVEL] = level
+        if lead[LeadWork.BEST, Lead.LEVEL] == around:
+            step = 0.25 * step
+            useless = useless + 1
+        else:
+            useless = 0
+        if useless == USELESS or worst <= FLAT * least:
+            break
+
+
+def search_levels(
+    order: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """`search_stages`, but over levels; shorter leads alone are kept."""
+    steep = 1.0
+    found = NEVER
+    highest = lead[LeadWork.AXIS, Axis.SMOOTHNESS]
+    lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+    for i in range(4):
+        set_limits(steep, lead)
+        before = lead[LeadWork.BEST, Lead.TIME]
+        # with limits above the snap other levels are best where derivatives may be larger
+        if found > 1e299 or (i == 1 and highest > 4.5):
+            found = search_grid(order, limits, lead, timing, coefficients)
+            if found < 1e299:
+                improve_level(order, found, limits, lead, timing, coefficients)
+        else:
+            level = lead[LeadWork.BEST, Lead.LEVEL]
+            found = follow_level(order, level, NEVER, limits, lead, timing, coefficients)
+        if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
+            break
+        lead[LeadWork.BEST, Lead.GAIN] = 0.99
+        steep = 10.0 * steep
+
+
+def permits_levels(order: int, lead: 'float[:,:]') -> bool:
+    """Whether leads over a level are searched for."""
+    target = lead[LeadWork.TARGET, :]
+    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] < 3.5 or is_settled(lead):
+        return False
+    if level_order(order, lead) == 0:
+        return False
+    # behind such a lead the planner has nothing left to prolong but rest
+    resting = target[Problem.W] == 0.0 and target[Problem.B] == 0.0
+    return order == LeadStage.VELOCITY or resting
