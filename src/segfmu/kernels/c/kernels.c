@@ -503,6 +503,13 @@ static double covered_time(array_double_2d operation);
 static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static double way_left(int64_t axis, double velocity, double rest, array_double_2d known);
+static double room_left(int64_t axis, array_double_2d operation, array_double_2d known);
+static void hold_shares(array_double_2d operation, array_double_2d known);
+static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients);
+static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool holds_long_enough(double elapsed, array_double_2d operation);
+static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_calming(array_double_2d operation);
 static bool aims_elsewhere(array_double_2d operation);
 static void note_calming(array_double_2d operation);
@@ -883,17 +890,12 @@ static void clear_lead(array_double_2d lead);
 static void set_lead(int64_t order, int64_t shape, double meeting, array_double_2d lead);
 static bool lead_between(int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static void set_motion(array_double_2d operation, array_double_3d states);
+static bool lead_of(int64_t axis, int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static bool reach_velocity(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
-static bool reach_and_stop(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
-static double way_left(int64_t axis, double velocity, double rest, array_double_2d known);
-static double room_left(int64_t axis, array_double_2d operation, array_double_2d known);
-static bool shrink_shares(bool last, array_double_2d operation, array_double_2d known);
-static void hold_shares(array_double_2d operation, array_double_2d known);
-static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients);
-static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool shrink_share(int64_t axis, bool last, array_double_2d operation, array_double_2d known);
 static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
-static bool holds_long_enough(double elapsed, array_double_2d operation);
-static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -16717,6 +16719,190 @@ bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, 
     result = plan_emergency(operation, known, work);
     return result;
 }
+static double way_left(int64_t axis, double velocity, double rest, array_double_2d known)
+{
+    double result;
+    if (velocity > 0.0)
+    {
+        result = high_end(axis, known) - rest;
+        return result;
+    }
+    if (velocity < 0.0)
+    {
+        result = rest - low_end(axis, known);
+        return result;
+    }
+    return 1e+300;
+}
+static double room_left(int64_t axis, array_double_2d operation, array_double_2d known)
+{
+    double result;
+    result = way_left(axis, (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))), known);
+    return result;
+}
+static void hold_shares(array_double_2d operation, array_double_2d known)
+{
+    array_double_1d command;
+    double until;
+    int64_t axis;
+    array_double_1d held;
+    double velocity;
+    double delay;
+    double longest;
+    double hold;
+    command = span_row(&operation, INT64_C(0));
+    until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(9) + axis);
+        velocity = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+        delay = (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(3)));
+        (*cspan_at(&held, INT64_C(0))) = velocity;
+        (*cspan_at(&held, INT64_C(1))) = delay;
+        (*cspan_at(&held, INT64_C(2))) = 0.0;
+        if (fabs(velocity) > 0.0)
+        {
+            longest = span_max(room_left(axis, operation, known), 0.0) / fabs(velocity);
+            hold = span_max(until - delay, 0.0);
+            if (hold < longest)
+            {
+                (*cspan_at(&held, INT64_C(2))) = 1.0;
+            }
+            (*cspan_at(&held, INT64_C(1))) = delay + span_min(hold, longest);
+        }
+    }
+}
+static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients)
+{
+    (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) + later;
+    (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) + way;
+}
+static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    int64_t rows;
+    int64_t tried;
+    int64_t target;
+    int64_t axis;
+    array_double_1d reached;
+    array_double_1d held;
+    double hold;
+    int64_t leads;
+    int64_t row;
+    int64_t behind;
+    double way;
+    rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets) + INT64_C(3);
+    if (rows > INT64_C(1200))
+    {
+        return 0;
+    }
+    tried = INT64_C(4) * INT64_C(4);
+    target = INT64_C(0);
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&offsets, tried + axis)) = target;
+        reached = span_row(&operation, INT64_C(20) + axis);
+        held = span_row(&operation, INT64_C(9) + axis);
+        hold = (*cspan_at(&held, INT64_C(1))) - (*cspan_at(&reached, INT64_C(3)));
+        leads = INT64_C(2) * INT64_C(4) + axis;
+        for (row = (*cspan_at(&offsets, leads)); row < (*cspan_at(&offsets, leads + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), row, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), target);
+            target = target + INT64_C(1);
+        }
+        clear_piece(span_matrix(&coefficients, INT64_C(4)), target);
+        (*cspan_at(&coefficients, INT64_C(4), target, INT64_C(0))) = (*cspan_at(&reached, INT64_C(0)));
+        (*cspan_at(&coefficients, INT64_C(4), target, INT64_C(1))) = (*cspan_at(&reached, INT64_C(1)));
+        (*cspan_at(&timing, INT64_C(4), target, INT64_C(0))) = (*cspan_at(&reached, INT64_C(3)));
+        (*cspan_at(&timing, INT64_C(4), target, INT64_C(1))) = hold;
+        target = target + INT64_C(1);
+        behind = INT64_C(3) * INT64_C(4) + axis;
+        (*cspan_at(&held, INT64_C(3))) = (*cspan_at(&offsets, behind + INT64_C(1))) - (*cspan_at(&offsets, behind));
+        way = (*cspan_at(&reached, INT64_C(1))) * hold;
+        for (row = (*cspan_at(&offsets, behind)); row < (*cspan_at(&offsets, behind + INT64_C(1))); row += INT64_C(1))
+        {
+            copy_piece(span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), row, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), target);
+            shift_row(target, (*cspan_at(&held, INT64_C(1))), way, timing, coefficients);
+            target = target + INT64_C(1);
+        }
+    }
+    (*cspan_at(&offsets, tried + INT64_C(3))) = target;
+    return 1;
+}
+static bool holds_long_enough(double elapsed, array_double_2d operation)
+{
+    array_double_1d command;
+    double until;
+    int64_t axis;
+    array_double_1d held;
+    command = span_row(&operation, INT64_C(0));
+    until = elapsed + (*cspan_at(&command, INT64_C(1))) + 0.501 * (*cspan_at(&command, INT64_C(14)));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(6) + axis);
+        if (((*cspan_at(&held, INT64_C(2))) > 0.5) && ((*cspan_at(&held, INT64_C(1))) < until))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    array_double_1d command;
+    double until;
+    int64_t axis;
+    array_double_1d held;
+    int64_t i;
+    double before;
+    double velocity;
+    int64_t last;
+    int64_t first;
+    double rest;
+    double longest;
+    double longer;
+    int64_t row;
+    command = span_row(&operation, INT64_C(0));
+    until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
+    if (!has_room(INT64_C(4), offsets))
+    {
+        return 0;
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        held = span_row(&operation, INT64_C(9) + axis);
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&held, i)) = (*cspan_at(&operation, INT64_C(6) + axis, i));
+        }
+        before = (*cspan_at(&held, INT64_C(1))) - elapsed;
+        (*cspan_at(&held, INT64_C(1))) = before;
+        if ((*cspan_at(&held, INT64_C(2))) > 0.5)
+        {
+            if (before <= 0.0)
+            {
+                return 0;
+            }
+            velocity = (*cspan_at(&held, INT64_C(0)));
+            last = (*cspan_at(&offsets, INT64_C(4) * INT64_C(4) + axis + INT64_C(1)));
+            first = last - (int64_t)((*cspan_at(&held, INT64_C(3))));
+            rest = standstill(INT64_C(4), axis, timing, coefficients, offsets);
+            longest = span_max(way_left(axis, velocity, rest, known), 0.0) / fabs(velocity);
+            longer = span_max(until - before, 0.0);
+            if (longest <= longer)
+            {
+                longer = longest;
+                (*cspan_at(&held, INT64_C(2))) = 0.0;
+            }
+            (*cspan_at(&timing, INT64_C(4), first - INT64_C(1), INT64_C(1))) = (*cspan_at(&timing, INT64_C(4), first - INT64_C(1), INT64_C(1))) + longer;
+            (*cspan_at(&held, INT64_C(1))) = before + longer;
+            for (row = first; row < last; row += INT64_C(1))
+            {
+                shift_row(row, longer, velocity * longer, timing, coefficients);
+            }
+        }
+    }
+    return 1;
+}
 static bool is_calming(array_double_2d operation)
 {
     bool result;
@@ -27659,282 +27845,145 @@ static void set_motion(array_double_2d operation, array_double_3d states)
         }
     }
 }
+static bool lead_of(int64_t axis, int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    int64_t rows;
+    int64_t first;
+    int64_t last;
+    int64_t followed;
+    int64_t place;
+    int64_t used;
+    array_double_2d plan_timing;
+    array_double_2d plan_coefficients;
+    array_double_2d slot_timing;
+    array_double_2d slot_coefficients;
+    int64_t failed;
+    rows = timing.shape[INT64_C(1)];
+    first = (*cspan_at(&offsets, source * INT64_C(4) + axis));
+    last = (*cspan_at(&offsets, source * INT64_C(4) + axis + INT64_C(1)));
+    followed = INT64_C(5) * INT64_C(4);
+    (*cspan_at(&offsets, followed)) = INT64_C(0);
+    (*cspan_at(&offsets, followed + INT64_C(1))) = last - first;
+    place = slot * INT64_C(4) + axis;
+    used = INT64_C(0);
+    if (axis > INT64_C(0))
+    {
+        used = (*cspan_at(&offsets, place));
+    }
+    plan_timing = span_matrix(&timing, source);
+    plan_coefficients = span_matrix(&coefficients, source);
+    slot_timing = span_matrix(&timing, slot);
+    slot_coefficients = span_matrix(&coefficients, slot);
+    failed = segfmu_find_leads(states, limits, lower, span_part(&offsets, followed, followed + INT64_C(2)), span_rows(&plan_timing, first, last), span_rows(&plan_coefficients, first, last), ends, lead, span_rows(&slot_timing, used, rows), span_rows(&slot_coefficients, used, rows), span_part(&offsets, place, place + INT64_C(2)));
+    (*cspan_at(&offsets, place)) = used;
+    (*cspan_at(&offsets, place + INT64_C(1))) = used + (*cspan_at(&offsets, place + INT64_C(1)));
+    return failed < INT64_C(0);
+}
+static bool reach_velocity(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    int64_t i;
+    double wish;
+    int64_t reached;
+    int64_t lower;
+    bool result;
+    for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+    {
+        (*cspan_at(&states, INT64_C(0), INT64_C(0), i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
+        (*cspan_at(&states, INT64_C(1), INT64_C(0), i)) = 0.0;
+    }
+    wish = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+    (*cspan_at(&states, INT64_C(1), INT64_C(0), INT64_C(1))) = wish;
+    reached = INT64_C(20) + axis;
+    lower = INT64_C(17) + axis;
+    result = lead_of(axis, INT64_C(1), INT64_C(2), span_rows(&operation, reached, reached + INT64_C(1)), span_rows(&limits, axis, axis + INT64_C(1)), span_rows(&operation, lower, lower + INT64_C(1)), timing, coefficients, offsets, states, lead);
+    return result;
+}
+static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    array_double_1d reached;
+    int64_t i;
+    int64_t stopped;
+    int64_t lower;
+    bool result;
+    reached = span_row(&operation, INT64_C(20) + axis);
+    for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+    {
+        (*cspan_at(&states, INT64_C(0), INT64_C(0), i)) = 0.0;
+        (*cspan_at(&states, INT64_C(1), INT64_C(0), i)) = 0.0;
+    }
+    (*cspan_at(&states, INT64_C(0), INT64_C(0), INT64_C(0))) = (*cspan_at(&reached, INT64_C(0)));
+    (*cspan_at(&states, INT64_C(0), INT64_C(0), INT64_C(1))) = (*cspan_at(&reached, INT64_C(1)));
+    stopped = INT64_C(23) + axis;
+    lower = INT64_C(17) + axis;
+    clear_plan(INT64_C(5), offsets);
+    result = lead_of(axis, INT64_C(5), INT64_C(3), span_rows(&operation, stopped, stopped + INT64_C(1)), span_rows(&limits, axis, axis + INT64_C(1)), span_rows(&operation, lower, lower + INT64_C(1)), timing, coefficients, offsets, states, lead);
+    return result;
+}
 static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
     int64_t axis;
-    double wish;
-    bool result;
-    set_motion(operation, states);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        wish = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
-        (*cspan_at(&states, INT64_C(1), axis, INT64_C(1))) = wish;
-    }
     set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
-    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(20), INT64_C(23)), limits, span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, lead);
-    return result;
-}
-static bool reach_and_stop(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
-{
-    array_double_2d reached;
-    int64_t axis;
-    int64_t i;
-    array_double_2d stopped;
-    bool result;
-    if (!reach_velocities(operation, limits, timing, coefficients, offsets, states, lead))
-    {
-        return 0;
-    }
-    reached = span_rows(&operation, INT64_C(20), INT64_C(23));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+        if (!reach_velocity(axis, operation, limits, timing, coefficients, offsets, states, lead))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = 0.0;
-            (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
+            return 0;
         }
-        (*cspan_at(&states, INT64_C(0), axis, INT64_C(0))) = (*cspan_at(&reached, axis, INT64_C(0)));
-        (*cspan_at(&states, INT64_C(0), axis, INT64_C(1))) = (*cspan_at(&reached, axis, INT64_C(1)));
     }
-    stopped = span_rows(&operation, INT64_C(23), INT64_C(26));
-    set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
-    clear_plan(INT64_C(5), offsets);
-    result = lead_between(INT64_C(5), INT64_C(3), stopped, limits, span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, lead);
-    return result;
+    return 1;
 }
-static double way_left(int64_t axis, double velocity, double rest, array_double_2d known)
+static bool shrink_share(int64_t axis, bool last, array_double_2d operation, array_double_2d known)
 {
-    double result;
-    if (velocity > 0.0)
-    {
-        result = high_end(axis, known) - rest;
-        return result;
-    }
-    if (velocity < 0.0)
-    {
-        result = rest - low_end(axis, known);
-        return result;
-    }
-    return 1e+300;
-}
-static double room_left(int64_t axis, array_double_2d operation, array_double_2d known)
-{
-    double result;
-    result = way_left(axis, (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))), known);
-    return result;
-}
-static bool shrink_shares(bool last, array_double_2d operation, array_double_2d known)
-{
-    int64_t axis;
     double left;
     double stopping;
     double way;
     double share;
     double ratio;
-    bool found;
-    found = 0;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        left = room_left(axis, operation, known);
-        if (left < 0.0)
-        {
-            found = 1;
-            stopping = (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0)));
-            way = fabs(stopping - (*cspan_at(&operation, INT64_C(13) + axis, INT64_C(0))));
-            share = 0.0;
-            if ((!last) && (way + left > 0.0))
-            {
-                ratio = (way + left) / way;
-                share = 0.95 * pow(ratio, 0.7);
-            }
-            (*cspan_at(&operation, INT64_C(12), axis)) = share * (*cspan_at(&operation, INT64_C(12), axis));
-        }
-    }
-    return found;
-}
-static void hold_shares(array_double_2d operation, array_double_2d known)
-{
-    array_double_1d command;
-    double until;
-    int64_t axis;
-    array_double_1d held;
-    double velocity;
-    double delay;
-    double longest;
-    double hold;
-    command = span_row(&operation, INT64_C(0));
-    until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        held = span_row(&operation, INT64_C(9) + axis);
-        velocity = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
-        delay = (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(3)));
-        (*cspan_at(&held, INT64_C(0))) = velocity;
-        (*cspan_at(&held, INT64_C(1))) = delay;
-        (*cspan_at(&held, INT64_C(2))) = 0.0;
-        if (fabs(velocity) > 0.0)
-        {
-            longest = span_max(room_left(axis, operation, known), 0.0) / fabs(velocity);
-            hold = span_max(until - delay, 0.0);
-            if (hold < longest)
-            {
-                (*cspan_at(&held, INT64_C(2))) = 1.0;
-            }
-            (*cspan_at(&held, INT64_C(1))) = delay + span_min(hold, longest);
-        }
-    }
-}
-static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients)
-{
-    (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&timing, INT64_C(4), row, INT64_C(0))) + later;
-    (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) = (*cspan_at(&coefficients, INT64_C(4), row, INT64_C(0))) + way;
-}
-static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
-{
-    int64_t rows;
-    int64_t tried;
-    int64_t target;
-    int64_t axis;
-    array_double_1d reached;
-    array_double_1d held;
-    double hold;
-    int64_t leads;
-    int64_t row;
-    int64_t behind;
-    double way;
-    rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets) + INT64_C(3);
-    if (rows > INT64_C(1200))
+    left = room_left(axis, operation, known);
+    if (left >= 0.0)
     {
         return 0;
     }
-    tried = INT64_C(4) * INT64_C(4);
-    target = INT64_C(0);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    stopping = (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0)));
+    way = fabs(stopping - (*cspan_at(&operation, INT64_C(13) + axis, INT64_C(0))));
+    share = 0.0;
+    if ((!last) && (way + left > 0.0))
     {
-        (*cspan_at(&offsets, tried + axis)) = target;
-        reached = span_row(&operation, INT64_C(20) + axis);
-        held = span_row(&operation, INT64_C(9) + axis);
-        hold = (*cspan_at(&held, INT64_C(1))) - (*cspan_at(&reached, INT64_C(3)));
-        leads = INT64_C(2) * INT64_C(4) + axis;
-        for (row = (*cspan_at(&offsets, leads)); row < (*cspan_at(&offsets, leads + INT64_C(1))); row += INT64_C(1))
-        {
-            copy_piece(span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), row, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), target);
-            target = target + INT64_C(1);
-        }
-        clear_piece(span_matrix(&coefficients, INT64_C(4)), target);
-        (*cspan_at(&coefficients, INT64_C(4), target, INT64_C(0))) = (*cspan_at(&reached, INT64_C(0)));
-        (*cspan_at(&coefficients, INT64_C(4), target, INT64_C(1))) = (*cspan_at(&reached, INT64_C(1)));
-        (*cspan_at(&timing, INT64_C(4), target, INT64_C(0))) = (*cspan_at(&reached, INT64_C(3)));
-        (*cspan_at(&timing, INT64_C(4), target, INT64_C(1))) = hold;
-        target = target + INT64_C(1);
-        behind = INT64_C(3) * INT64_C(4) + axis;
-        (*cspan_at(&held, INT64_C(3))) = (*cspan_at(&offsets, behind + INT64_C(1))) - (*cspan_at(&offsets, behind));
-        way = (*cspan_at(&reached, INT64_C(1))) * hold;
-        for (row = (*cspan_at(&offsets, behind)); row < (*cspan_at(&offsets, behind + INT64_C(1))); row += INT64_C(1))
-        {
-            copy_piece(span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), row, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), target);
-            shift_row(target, (*cspan_at(&held, INT64_C(1))), way, timing, coefficients);
-            target = target + INT64_C(1);
-        }
+        ratio = (way + left) / way;
+        share = 0.95 * pow(ratio, 0.7);
     }
-    (*cspan_at(&offsets, tried + INT64_C(3))) = target;
+    (*cspan_at(&operation, INT64_C(12), axis)) = share * (*cspan_at(&operation, INT64_C(12), axis));
     return 1;
 }
 static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
     int64_t tries;
+    int64_t axis;
     int64_t i;
     bool result;
+    set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
     tries = INT64_C(5);
-    for (i = INT64_C(0); i < tries; i += INT64_C(1))
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        if (!reach_and_stop(operation, limits, timing, coefficients, offsets, states, lead))
+        for (i = INT64_C(0); i < tries; i += INT64_C(1))
         {
-            return 0;
-        }
-        if (!shrink_shares(i == tries - INT64_C(2), operation, known))
-        {
-            break;
+            if (!reach_velocity(axis, operation, limits, timing, coefficients, offsets, states, lead))
+            {
+                return 0;
+            }
+            if (!stop_behind(axis, operation, limits, timing, coefficients, offsets, states, lead))
+            {
+                return 0;
+            }
+            if (!shrink_share(axis, i == tries - INT64_C(2), operation, known))
+            {
+                break;
+            }
         }
     }
     hold_shares(operation, known);
     result = join_held(operation, timing, coefficients, offsets);
     return result;
-}
-static bool holds_long_enough(double elapsed, array_double_2d operation)
-{
-    array_double_1d command;
-    double until;
-    int64_t axis;
-    array_double_1d held;
-    command = span_row(&operation, INT64_C(0));
-    until = elapsed + (*cspan_at(&command, INT64_C(1))) + 0.501 * (*cspan_at(&command, INT64_C(14)));
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        held = span_row(&operation, INT64_C(6) + axis);
-        if (((*cspan_at(&held, INT64_C(2))) > 0.5) && ((*cspan_at(&held, INT64_C(1))) < until))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
-static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
-{
-    array_double_1d command;
-    double until;
-    int64_t axis;
-    array_double_1d held;
-    int64_t i;
-    double before;
-    double velocity;
-    int64_t last;
-    int64_t first;
-    double rest;
-    double longest;
-    double longer;
-    int64_t row;
-    command = span_row(&operation, INT64_C(0));
-    until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
-    if (!has_room(INT64_C(4), offsets))
-    {
-        return 0;
-    }
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        held = span_row(&operation, INT64_C(9) + axis);
-        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-        {
-            (*cspan_at(&held, i)) = (*cspan_at(&operation, INT64_C(6) + axis, i));
-        }
-        before = (*cspan_at(&held, INT64_C(1))) - elapsed;
-        (*cspan_at(&held, INT64_C(1))) = before;
-        if ((*cspan_at(&held, INT64_C(2))) > 0.5)
-        {
-            if (before <= 0.0)
-            {
-                return 0;
-            }
-            velocity = (*cspan_at(&held, INT64_C(0)));
-            last = (*cspan_at(&offsets, INT64_C(4) * INT64_C(4) + axis + INT64_C(1)));
-            first = last - (int64_t)((*cspan_at(&held, INT64_C(3))));
-            rest = standstill(INT64_C(4), axis, timing, coefficients, offsets);
-            longest = span_max(way_left(axis, velocity, rest, known), 0.0) / fabs(velocity);
-            longer = span_max(until - before, 0.0);
-            if (longest <= longer)
-            {
-                longer = longest;
-                (*cspan_at(&held, INT64_C(2))) = 0.0;
-            }
-            (*cspan_at(&timing, INT64_C(4), first - INT64_C(1), INT64_C(1))) = (*cspan_at(&timing, INT64_C(4), first - INT64_C(1), INT64_C(1))) + longer;
-            (*cspan_at(&held, INT64_C(1))) = before + longer;
-            for (row = first; row < last; row += INT64_C(1))
-            {
-                shift_row(row, longer, velocity * longer, timing, coefficients);
-            }
-        }
-    }
-    return 1;
 }
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends)
 {

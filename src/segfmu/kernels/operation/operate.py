@@ -15,6 +15,7 @@ from segfmu.kernels.operation.attempts import (
     share_of,
 )
 from segfmu.kernels.operation.emergency import begin_emergency, prolong_swing
+from segfmu.kernels.operation.held import holds_long_enough, prolong_holds
 from segfmu.kernels.operation.measured import takes_measured
 from segfmu.kernels.operation.plans import copy_plan, note_present
 from segfmu.kernels.operation.proof import prove_plan
@@ -32,7 +33,7 @@ from segfmu.kernels.operation.records import (
 from segfmu.kernels.operation.takeover import calm_on, is_calming, take_over, wants_calm
 from segfmu.kernels.operation.target import seek_target
 from segfmu.kernels.operation.tripping import brake_anew, trips
-from segfmu.kernels.operation.velocity import holds_long_enough, prolong_holds, seek_velocity
+from segfmu.kernels.operation.velocity import seek_velocity
 
 
 def begin_operation(time: float, operation: 'float[:,:]') -> None:

@@ -6,22 +6,12 @@ velocity held; then it is prolonged. So whatever happens, the load stops by a pl
 checked.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
-from segfmu.kernels.operation.aim import high_end, low_end, standstill
-from segfmu.kernels.operation.plans import clear_plan, has_room, plan_pieces
-from segfmu.kernels.operation.records import (
-    Command,
-    HeldVelocity,
-    Operation,
-    OperationRows,
-    Slot,
-)
+from segfmu.kernels.operation.held import hold_shares, join_held, room_left
+from segfmu.kernels.operation.plans import clear_plan
+from segfmu.kernels.operation.records import Operation, Slot
 from segfmu.kernels.planner.records import Shape, WaypointState
 from segfmu.kernels.settling.leads import find_leads
 from segfmu.kernels.settling.records import LeadEnd, LeadStage, LeadTask, LeadWork
-from segfmu.kernels.trajectory.cut import copy_piece
-from segfmu.kernels.trajectory.pieces import clear_piece
-from segfmu.kernels.trajectory.records import Piece, Timing
 
 
 def clear_lead(lead: 'float[:,:]') -> None:
@@ -67,86 +57,112 @@ def set_motion(operation: 'float[:,:]', states: 'float[:,:,:]') -> None:
             states[1, axis, i] = 0.0
 
 
+def lead_of(
+    axis: int, source: int, slot: int, ends: 'float[:,:]', limits: 'float[:,:]',
+    lower: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]',
+    states: 'float[:,:,:]', lead: 'float[:,:]',
+) -> bool:
+    """Find the lead of one axis into a slot, behind those of the axes before; False: none.
+
+    It goes between the `states` of the first axis, and may follow the plan in the slot `source`.
+    `set_lead` tells what it is. ends, limits and lower have the row of the axis alone.
+    """
+    rows = timing.shape[1]
+    first = offsets[source * Slot.OFFSETS + axis]
+    last = offsets[source * Slot.OFFSETS + axis + 1]
+    followed = Slot.NONE * Slot.OFFSETS
+    offsets[followed] = 0
+    offsets[followed + 1] = last - first
+    place = slot * Slot.OFFSETS + axis
+    used = 0
+    if axis > 0:
+        used = offsets[place]
+    plan_timing = timing[source, :, :]
+    plan_coefficients = coefficients[source, :, :]
+    slot_timing = timing[slot, :, :]
+    slot_coefficients = coefficients[slot, :, :]
+    failed = find_leads(
+        states, limits, lower, offsets[followed:followed + 2], plan_timing[first:last, :],
+        plan_coefficients[first:last, :], ends, lead, slot_timing[used:rows, :],
+        slot_coefficients[used:rows, :], offsets[place:place + 2],
+    )
+    offsets[place] = used
+    offsets[place + 1] = used + offsets[place + 1]
+    return failed < 0
+
+
+def reach_velocity(
+    axis: int, operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+) -> bool:
+    """Find the lead of an axis to the share of its velocity WISH that it gets."""
+    for i in range(states.shape[2]):
+        states[0, 0, i] = operation[Operation.NOW + axis, i]
+        states[1, 0, i] = 0.0
+    wish = operation[Operation.WISH, axis] * operation[Operation.SHARE, axis]
+    states[1, 0, WaypointState.VELOCITY] = wish
+    reached = Operation.LEAD_ENDS + axis
+    lower = Operation.LOWER + axis
+    return lead_of(
+        axis, Slot.REST, Slot.LEADS, operation[reached:reached + 1, :], limits[axis:axis + 1, :],
+        operation[lower:lower + 1, :], timing, coefficients, offsets, states, lead,
+    )
+
+
+def stop_behind(
+    axis: int, operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+) -> bool:
+    """Find the stop of an axis from where its lead ends, in the slot BEHIND."""
+    reached = operation[Operation.LEAD_ENDS + axis, :]
+    for i in range(states.shape[2]):
+        states[0, 0, i] = 0.0
+        states[1, 0, i] = 0.0
+    states[0, 0, WaypointState.POSITION] = reached[LeadEnd.POSITION]
+    states[0, 0, WaypointState.VELOCITY] = reached[LeadEnd.VELOCITY]
+    stopped = Operation.STOP_ENDS + axis
+    lower = Operation.LOWER + axis
+    clear_plan(Slot.NONE, offsets)
+    return lead_of(
+        axis, Slot.NONE, Slot.BEHIND, operation[stopped:stopped + 1, :], limits[axis:axis + 1, :],
+        operation[lower:lower + 1, :], timing, coefficients, offsets, states, lead,
+    )
+
+
 def reach_velocities(
     operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
 ) -> bool:
     """Find leads to the share of its velocity WISH that each axis gets."""
-    set_motion(operation, states)
-    for axis in range(3):
-        wish = operation[Operation.WISH, axis] * operation[Operation.SHARE, axis]
-        states[1, axis, WaypointState.VELOCITY] = wish
     set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
-    return lead_between(
-        Slot.REST, Slot.LEADS, operation[Operation.LEAD_ENDS:Operation.STOP_ENDS, :], limits,
-        operation[Operation.LOWER:Operation.LEAD_ENDS, :], timing, coefficients, offsets, states,
-        lead,
-    )
+    for axis in range(3):
+        if not reach_velocity(
+            axis, operation, limits, timing, coefficients, offsets, states, lead
+        ):
+            return False
+    return True
 
 
-def reach_and_stop(
-    operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+def shrink_share(
+    axis: int, last: bool, operation: 'float[:,:]', known: 'float[:,:]'
 ) -> bool:
-    """The same, and stops from there, in the slot BEHIND."""
-    if not reach_velocities(
-        operation, limits, timing, coefficients, offsets, states, lead
-    ):
-        return False
-    reached = operation[Operation.LEAD_ENDS:Operation.STOP_ENDS, :]
-    for axis in range(3):
-        for i in range(states.shape[2]):
-            states[0, axis, i] = 0.0
-            states[1, axis, i] = 0.0
-        states[0, axis, WaypointState.POSITION] = reached[axis, LeadEnd.POSITION]
-        states[0, axis, WaypointState.VELOCITY] = reached[axis, LeadEnd.VELOCITY]
-    stopped = operation[Operation.STOP_ENDS:Operation.SWING, :]
-    set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
-    clear_plan(Slot.NONE, offsets)
-    return lead_between(
-        Slot.NONE, Slot.BEHIND, stopped, limits,
-        operation[Operation.LOWER:Operation.LEAD_ENDS, :], timing, coefficients, offsets, states,
-        lead,
-    )
-
-
-def way_left(axis: int, velocity: float, rest: float, known: 'float[:,:]') -> float:
-    """Way [m] from where an axis stops [m] to the end of its way in the direction of a velocity."""
-    if velocity > 0.0:
-        return high_end(axis, known) - rest
-    if velocity < 0.0:
-        return rest - low_end(axis, known)
-    return NEVER
-
-
-def room_left(axis: int, operation: 'float[:,:]', known: 'float[:,:]') -> float:
-    """The same of a plan that does not hold its velocity."""
-    return way_left(
-        axis, operation[Operation.LEAD_ENDS + axis, LeadEnd.VELOCITY],
-        operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION], known,
-    )
-
-
-def shrink_shares(last: bool, operation: 'float[:,:]', known: 'float[:,:]') -> bool:
-    """Lower the shares of axes that do not stop before the end of their way; whether there are any.
+    """Lower the share of an axis that does not stop before the end of its way; whether it is one.
 
     The way to rest grows with the square of the velocity at most, and with its power 4 / 3 where
     the snap decides. An axis that is too fast the last time stops at once.
     """
-    found = False
-    for axis in range(3):
-        left = room_left(axis, operation, known)
-        if left < 0.0:
-            found = True
-            stopping = operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION]
-            way = abs(stopping - operation[Operation.NOW + axis, WaypointState.POSITION])
-            share = 0.0
-            if not last and way + left > 0.0:
-                # what this leaves of the way, the hold uses
-                ratio = (way + left) / way
-                share = 0.95 * ratio ** 0.7
-            operation[Operation.SHARE, axis] = share * operation[Operation.SHARE, axis]
-    return found
+    left = room_left(axis, operation, known)
+    if left >= 0.0:
+        return False
+    stopping = operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION]
+    way = abs(stopping - operation[Operation.NOW + axis, WaypointState.POSITION])
+    share = 0.0
+    if not last and way + left > 0.0:
+        # what this leaves of the way, the hold uses
+        ratio = (way + left) / way
+        share = 0.95 * ratio ** 0.7
+    operation[Operation.SHARE, axis] = share * operation[Operation.SHARE, axis]
+    return True
 
 
 def seek_velocity(
@@ -159,135 +175,19 @@ def seek_velocity(
     The row SHARE of `operation` tells which share of it each axis gets; it becomes less where the
     way is too short.
     """
+    set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
     tries = 5
-    for i in range(tries):
-        if not reach_and_stop(
-            operation, limits, timing, coefficients, offsets, states, lead
-        ):
-            return False
-        if not shrink_shares(i == tries - 2, operation, known):
-            break
+    for axis in range(3):
+        for i in range(tries):
+            if not reach_velocity(
+                axis, operation, limits, timing, coefficients, offsets, states, lead
+            ):
+                return False
+            if not stop_behind(
+                axis, operation, limits, timing, coefficients, offsets, states, lead
+            ):
+                return False
+            if not shrink_share(axis, i == tries - 2, operation, known):
+                break
     hold_shares(operation, known)
     return join_held(operation, timing, coefficients, offsets)
-
-
-def hold_shares(operation: 'float[:,:]', known: 'float[:,:]') -> None:
-    """Choose how long each axis holds its share of the velocity: the rows TRIED."""
-    command = operation[Operation.COMMAND, :]
-    until = command[Command.STEP] + command[Command.HOLD]
-    for axis in range(3):
-        held = operation[Operation.TRIED + axis, :]
-        velocity = operation[Operation.WISH, axis] * operation[Operation.SHARE, axis]
-        delay = operation[Operation.LEAD_ENDS + axis, LeadEnd.DELAY]
-        held[HeldVelocity.VELOCITY] = velocity
-        held[HeldVelocity.UNTIL] = delay
-        held[HeldVelocity.FREE] = 0.0
-        if abs(velocity) > 0.0:
-            longest = max(room_left(axis, operation, known), 0.0) / abs(velocity)
-            hold = max(until - delay, 0.0)
-            if hold < longest:
-                held[HeldVelocity.FREE] = 1.0
-            held[HeldVelocity.UNTIL] = delay + min(hold, longest)
-
-
-def join_held(
-    operation: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
-) -> bool:
-    """Join leads, held velocities and stops in the slot TRIED; False for too many pieces."""
-    rows = plan_pieces(Slot.LEADS, offsets) + plan_pieces(Slot.BEHIND, offsets) + 3
-    if rows > OperationRows.KEPT:
-        return False
-    tried = Slot.TRIED * Slot.OFFSETS
-    target = 0
-    for axis in range(3):
-        offsets[tried + axis] = target
-        reached = operation[Operation.LEAD_ENDS + axis, :]
-        held = operation[Operation.TRIED + axis, :]
-        hold = held[HeldVelocity.UNTIL] - reached[LeadEnd.DELAY]
-        leads = Slot.LEADS * Slot.OFFSETS + axis
-        for row in range(offsets[leads], offsets[leads + 1]):
-            copy_piece(
-                timing[Slot.LEADS, :, :], coefficients[Slot.LEADS, :, :], row,
-                timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], target,
-            )
-            target = target + 1
-        clear_piece(coefficients[Slot.TRIED, :, :], target)
-        coefficients[Slot.TRIED, target, Piece.POSITION] = reached[LeadEnd.POSITION]
-        coefficients[Slot.TRIED, target, Piece.VELOCITY] = reached[LeadEnd.VELOCITY]
-        timing[Slot.TRIED, target, Timing.START] = reached[LeadEnd.DELAY]
-        timing[Slot.TRIED, target, Timing.LENGTH] = hold
-        target = target + 1
-        behind = Slot.BEHIND * Slot.OFFSETS + axis
-        held[HeldVelocity.BEHIND] = offsets[behind + 1] - offsets[behind]
-        way = reached[LeadEnd.VELOCITY] * hold
-        for row in range(offsets[behind], offsets[behind + 1]):
-            copy_piece(
-                timing[Slot.BEHIND, :, :], coefficients[Slot.BEHIND, :, :], row,
-                timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], target,
-            )
-            shift_row(target, held[HeldVelocity.UNTIL], way, timing, coefficients)
-            target = target + 1
-    offsets[tried + Slot.AXES] = target
-    return True
-
-
-def shift_row(
-    row: int, later: float, way: float, timing: 'float[:,:,:]', coefficients: 'float[:,:,:]'
-) -> None:
-    """Shift a piece of the plan in TRIED by a time [s] and a way [m]."""
-    timing[Slot.TRIED, row, Timing.START] = timing[Slot.TRIED, row, Timing.START] + later
-    coefficients[Slot.TRIED, row, Piece.POSITION] = (
-        coefficients[Slot.TRIED, row, Piece.POSITION] + way
-    )
-
-
-def holds_long_enough(elapsed: float, operation: 'float[:,:]') -> bool:
-    """Whether no axis stops before the next command but one whose way ends; s since the start."""
-    command = operation[Operation.COMMAND, :]
-    # a little more than what `next_operation` waits for, whatever the clock rounds
-    until = elapsed + command[Command.STEP] + 0.501 * command[Command.HOLD]
-    for axis in range(3):
-        held = operation[Operation.HELD + axis, :]
-        if held[HeldVelocity.FREE] > 0.5 and held[HeldVelocity.UNTIL] < until:
-            return False
-    return True
-
-
-def prolong_holds(
-    elapsed: float, operation: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]', offsets: 'int[:]',
-) -> bool:
-    """Try to hold velocities longer: the rest of the present plan, with later stops, in TRIED.
-
-    False if an axis has begun to stop.
-    """
-    command = operation[Operation.COMMAND, :]
-    until = command[Command.STEP] + command[Command.HOLD]
-    if not has_room(Slot.TRIED, offsets):
-        return False
-    for axis in range(3):
-        held = operation[Operation.TRIED + axis, :]
-        for i in range(HeldVelocity.SIZE):
-            held[i] = operation[Operation.HELD + axis, i]
-        before = held[HeldVelocity.UNTIL] - elapsed
-        held[HeldVelocity.UNTIL] = before
-        if held[HeldVelocity.FREE] > 0.5:
-            if before <= 0.0:
-                return False
-            velocity = held[HeldVelocity.VELOCITY]
-            last = offsets[Slot.TRIED * Slot.OFFSETS + axis + 1]
-            first = last - int(held[HeldVelocity.BEHIND])
-            rest = standstill(Slot.TRIED, axis, timing, coefficients, offsets)
-            longest = max(way_left(axis, velocity, rest, known), 0.0) / abs(velocity)
-            longer = max(until - before, 0.0)
-            if longest <= longer:
-                longer = longest
-                held[HeldVelocity.FREE] = 0.0
-            timing[Slot.TRIED, first - 1, Timing.LENGTH] = (
-                timing[Slot.TRIED, first - 1, Timing.LENGTH] + longer
-            )
-            held[HeldVelocity.UNTIL] = before + longer
-            for row in range(first, last):
-                shift_row(row, longer, velocity * longer, timing, coefficients)
-    return True
