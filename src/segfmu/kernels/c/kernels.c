@@ -582,6 +582,7 @@ static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t c
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
 static void reverse_problem(array_double_1d problem);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
+static double steepest_acceleration(double duration, array_double_1d problem, array_double_1d axis);
 static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis);
 static bool is_resting(array_double_1d problem, array_double_1d axis);
 static double total_duration(array_double_2d phases, int64_t count);
@@ -747,7 +748,8 @@ static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
 static int64_t limit_held(int64_t* result_0, double* result_1_0001, double a, double v, array_double_1d axis);
 static void copy_levels(int64_t count, array_double_2d phases, double v, array_double_1d axis, array_double_2d work);
-static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing);
+static void begin_sequence(double duration, double acceleration, array_double_1d axis, array_double_1d passing);
+static double peak_acceleration(int64_t count, array_double_2d ramps);
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool first_solution(int64_t count, array_double_2d ramps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double largest_excess(array_double_1d axis, array_double_2d work);
@@ -18471,19 +18473,24 @@ static void boundary_problem(array_double_1d problem, array_double_1d axis, arra
     (*cspan_at(&cleaned, INT64_C(4))) = flush_tiny((*cspan_at(&problem, INT64_C(4))), scale);
     (*cspan_at(&cleaned, INT64_C(5))) = (*cspan_at(&problem, INT64_C(5)));
 }
-static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis)
+static double steepest_acceleration(double duration, array_double_1d problem, array_double_1d axis)
 {
-    double half;
     double change;
     double slope;
     double steepest;
+    double result;
+    ramp_change(&change, &slope, 0.5 * duration, axis);
+    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
+    result = span_min(steepest, top_acceleration(axis));
+    return result;
+}
+static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis)
+{
+    double steepest;
     double most;
     double result;
-    half = 0.5 * duration;
-    ramp_change(&change, &slope, half, axis);
-    steepest = span_max(fabs((*cspan_at(&problem, INT64_C(1)))), fabs((*cspan_at(&problem, INT64_C(3))))) + change;
-    steepest = span_min(steepest, top_acceleration(axis));
-    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * half;
+    steepest = steepest_acceleration(duration, problem, axis);
+    most = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) + steepest * 0.5 * duration;
     result = span_min(side_limit(INT64_C(1), sign, axis), most);
     return result;
 }
@@ -23727,25 +23734,28 @@ static void copy_levels(int64_t count, array_double_2d phases, double v, array_d
     }
     append_levels(pending, axis, work);
 }
-static void begin_sequence(int64_t count, array_double_2d phases, array_double_1d axis, array_double_1d passing)
+static void begin_sequence(double duration, double acceleration, array_double_1d axis, array_double_1d passing)
 {
-    int64_t i;
-    double a;
     (*cspan_at(&passing, INT64_C(1))) = (*cspan_at(&axis, INT64_C(38)));
     (*cspan_at(&passing, INT64_C(2))) = 1.0;
     (*cspan_at(&passing, INT64_C(5))) = 0.0;
     (*cspan_at(&passing, INT64_C(6))) = 0.0;
     (*cspan_at(&passing, INT64_C(14))) = 0.0;
     (*cspan_at(&passing, INT64_C(13))) = 0.0;
-    (*cspan_at(&passing, INT64_C(3))) = total_duration(phases, count);
-    (*cspan_at(&passing, INT64_C(4))) = 0.0;
+    (*cspan_at(&passing, INT64_C(3))) = duration;
+    (*cspan_at(&passing, INT64_C(4))) = acceleration;
+}
+static double peak_acceleration(int64_t count, array_double_2d ramps)
+{
+    int64_t i;
+    double peak;
+    peak = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        a = fabs((*cspan_at(&phases, i, INT64_C(2))) + (*cspan_at(&phases, i, INT64_C(3))));
-        (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
-        a = fabs((*cspan_at(&phases, i, INT64_C(2))));
-        (*cspan_at(&passing, INT64_C(4))) = span_max((*cspan_at(&passing, INT64_C(4))), a);
+        peak = span_max(peak, fabs((*cspan_at(&ramps, i, INT64_C(2))) + (*cspan_at(&ramps, i, INT64_C(3)))));
+        peak = span_max(peak, fabs((*cspan_at(&ramps, i, INT64_C(2)))));
     }
+    return peak;
 }
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -23756,7 +23766,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     int64_t row;
     passing = span_row(&work, INT64_C(101));
     q = (int64_t)((*cspan_at(&axis, INT64_C(38)))) + INT64_C(2);
-    begin_sequence(count, phases, axis, passing);
+    begin_sequence(total_duration(phases, count), peak_acceleration(count, phases), axis, passing);
     if (((*cspan_at(&passing, INT64_C(4))) == 0.0) || has_dip(phases, count))
     {
         return 0;
@@ -24189,7 +24199,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t wa
             break;
         }
         found = passing_duration(way, shortest, problem, axis, work);
-        if ((found > 0.0) && (found < shortest))
+        if ((found > 0.0) && (found < (1.0 - 1e-09) * shortest))
         {
             shortest = found;
             if (found < longest)
@@ -24662,7 +24672,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
         {
             return forwards;
         }
-        longest = total_duration(phases, forwards);
+        longest = total_duration(phases, forwards) * (1.0 - 1e-09);
         result = forwards;
     }
     reverse_search(asked, axis);
@@ -25024,6 +25034,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
 {
     array_double_1d passing;
     double whole;
+    double acceleration;
     bool first;
     bool last;
     int64_t used;
@@ -25037,6 +25048,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
     int64_t found;
     passing = span_row(&work, INT64_C(101));
     whole = total_duration(ramps, count);
+    acceleration = steepest_acceleration(whole, problem, axis);
     first = may_touch((*cspan_at(&problem, INT64_C(0))), (*cspan_at(&problem, INT64_C(1))), axis);
     last = may_touch((*cspan_at(&problem, INT64_C(2))), -(*cspan_at(&problem, INT64_C(3))), axis);
     used = INT64_C(0);
@@ -25059,7 +25071,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
         {
             continue;
         }
-        begin_sequence(count, ramps, axis, passing);
+        begin_sequence(whole, acceleration, axis, passing);
         set_touching(variant, share * whole, problem, work);
         if (!solve_rotated(problem, axis, work))
         {

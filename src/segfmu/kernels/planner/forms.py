@@ -260,7 +260,7 @@ def passing_either_way(
     if forwards > 0:
         if settled > 0.5 and ramps_suffice(axis):
             return forwards
-        longest = total_duration(phases, forwards)
+        longest = total_duration(phases, forwards) * (1.0 - WORTH)
         result = forwards
     reverse_search(asked, axis)
     reverse_phases(ramps, 0, count)

@@ -5,6 +5,7 @@ a derivative then exceeds its limit, it gets a plateau there (plateaus.py). If t
 sequence is slowed down until it keeps the limits; levels of the snap have another way (tighten.py).
 """
 
+from segfmu.kernels.numerics.numbers import WORTH
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
@@ -190,7 +191,7 @@ def shortest_way(
         if ways == 2 and way == 1 and used == 0:
             break
         found = passing_duration(way, shortest, problem, axis, work)
-        if found > 0.0 and found < shortest:
+        if found > 0.0 and found < (1.0 - WORTH) * shortest:
             shortest = found
             if found < longest:
                 used = write_sequence(phases, problem, axis, work)

@@ -164,6 +164,14 @@ def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]')
     cleaned[Problem.DURATION] = problem[Problem.DURATION]
 
 
+def steepest_acceleration(duration: float, problem: 'float[:]', axis: 'float[:]') -> float:
+    """Bound [m/s2] of the accelerations in motions between the boundary states."""
+    # half of the time leads there, the other half back
+    change, slope = ramp_change(0.5 * duration, axis)
+    steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B])) + change
+    return min(steepest, top_acceleration(axis))
+
+
 def speed_bound(
     sign: float, duration: float, problem: 'float[:]', axis: 'float[:]'
 ) -> float:
@@ -172,12 +180,9 @@ def speed_bound(
     In the direction of a sign it is the velocity limit, unless that is beyond what the other limits
     permit in that time.
     """
+    steepest = steepest_acceleration(duration, problem, axis)
     # half of the time leads there, the other half back
-    half = 0.5 * duration
-    change, slope = ramp_change(half, axis)
-    steepest = max(abs(problem[Problem.A]), abs(problem[Problem.B])) + change
-    steepest = min(steepest, top_acceleration(axis))
-    most = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + steepest * half
+    most = max(abs(problem[Problem.V]), abs(problem[Problem.W])) + steepest * 0.5 * duration
     return min(side_limit(1, sign, axis), most)
 
 

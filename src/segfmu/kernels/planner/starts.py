@@ -119,22 +119,26 @@ def copy_levels(
 
 
 def begin_sequence(
-    count: int, phases: 'float[:,:]', axis: 'float[:]', passing: 'float[:]'
+    duration: float, acceleration: float, axis: 'float[:]', passing: 'float[:]'
 ) -> None:
-    """Set all of a sequence but its nodes; phases are those of an ordinary profile."""
+    """Set all of a sequence but its nodes: about what it lasts [s], and its peak [m/s2]."""
     passing[Passing.ABOVE] = axis[Axis.ABOVE]
     passing[Passing.PACE] = 1.0
     passing[Passing.TARGET] = 0.0
     passing[Passing.FREE] = 0.0
     passing[Passing.INSTANTS] = 0.0
     passing[Passing.QUICK] = 0.0
-    passing[Passing.TIME] = total_duration(phases, count)
-    passing[Passing.ACCELERATION] = 0.0
+    passing[Passing.TIME] = duration
+    passing[Passing.ACCELERATION] = acceleration
+
+
+def peak_acceleration(count: int, ramps: 'float[:,:]') -> float:
+    """Largest magnitude of the acceleration [m/s2] in ramps."""
+    peak = 0.0
     for i in range(count):
-        a = abs(phases[i, Phase.ACCELERATION] + phases[i, Phase.CHANGE])
-        passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
-        a = abs(phases[i, Phase.ACCELERATION])
-        passing[Passing.ACCELERATION] = max(passing[Passing.ACCELERATION], a)
+        peak = max(peak, abs(ramps[i, Phase.ACCELERATION] + ramps[i, Phase.CHANGE]))
+        peak = max(peak, abs(ramps[i, Phase.ACCELERATION]))
+    return peak
 
 
 def set_sequence(
@@ -144,7 +148,7 @@ def set_sequence(
     """Set what Newton's method starts from in an attempt; False if it is that of another one."""
     passing = work[PlanWork.PASSING, :]
     q = int(axis[Axis.ABOVE]) + 2
-    begin_sequence(count, phases, axis, passing)
+    begin_sequence(total_duration(phases, count), peak_acceleration(count, phases), axis, passing)
     # a cruise alone has no ramps to start from, and nothing is shorter; a dip has other levels
     if passing[Passing.ACCELERATION] == 0.0 or has_dip(phases, count):
         return False

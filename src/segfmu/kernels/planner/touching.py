@@ -12,6 +12,7 @@ from segfmu.kernels.planner.passing import shortest_way, usual_ways
 from segfmu.kernels.planner.phases import (
     copy_phases,
     reverse_phases,
+    steepest_acceleration,
     total_duration,
 )
 from segfmu.kernels.planner.plateaus import (
@@ -113,6 +114,7 @@ def touching_starts(
     """
     passing = work[PlanWork.PASSING, :]
     whole = total_duration(ramps, count)
+    acceleration = steepest_acceleration(whole, problem, axis)
     first = may_touch(problem[Problem.V], problem[Problem.A], axis)
     last = may_touch(problem[Problem.W], -problem[Problem.B], axis)
     used = 0
@@ -129,7 +131,7 @@ def touching_starts(
             continue
         if variant > 3 and not last:
             continue
-        begin_sequence(count, ramps, axis, passing)
+        begin_sequence(whole, acceleration, axis, passing)
         set_touching(variant, share * whole, problem, work)
         if not solve_rotated(problem, axis, work):
             continue
