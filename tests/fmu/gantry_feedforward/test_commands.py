@@ -213,6 +213,36 @@ def test_model_exchange_renews_what_is_held(native_fmus) -> None:
     assert events < 400
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_model_exchange_follows_what_is_commanded_between_events(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][0], "ModelExchange") as fmu:
+        given = parameters(LAB) | {"command.mode": 3}
+        fmu.set(arrays(fmu, given))
+        fmu.initialise(-5.0)
+
+        def asked(time: float, velocity: float) -> bool:
+            fmu.fmu.setTime(time)
+            fmu.set({"command.velocity.x": velocity})
+            return bool(fmu.fmu.completedIntegratorStep()[0])
+
+        assert not asked(-4.9, 0.0)
+        assert asked(-4.8, -0.2)
+        fmu.fmu.enterEventMode()
+        fmu.event()
+        # the same command, and one at once, as of a signal that changes all the time
+        assert not asked(-4.7, -0.2)
+        fmu.fmu.enterEventMode()
+        fmu.event()
+        assert not asked(-4.6999, -0.3)
+        assert asked(-4.6, -0.3)
+        fmu.fmu.enterEventMode()
+        fmu.event()
+        fmu.fmu.setTime(-4.55)
+        assert fmu.get("reference.load.velocity.x") < 0.0
+        with pytest.raises(Exception, match="etReal|etFloat64"):
+            fmu.set({"crane.payload_mass": 2.0})
+
+
 @pytest.fixture(scope="module")
 def connectable(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """Archives in which commands are inputs, by version of FMI."""

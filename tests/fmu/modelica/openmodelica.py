@@ -18,6 +18,7 @@ CONNECTORS = """package Modelica
   package Blocks
     package Interfaces
       connector RealInput = input Real;
+      connector BooleanInput = input Boolean;
       connector RealOutput = output Real;
       connector BooleanOutput = output Boolean;
       connector IntegerOutput = output Integer;

@@ -188,9 +188,10 @@ def _differentiable(v: Variable) -> bool:
 
 
 def _setting(v: Variable) -> str:
+    if v.commands:
+        return "SET_COMMAND"
     if v.causality == "input":
-        # a discrete one acts from event to event, as what is tuned does
-        return "SET_INPUT" if v.variability == "continuous" else "SET_TUNABLE"
+        return "SET_INPUT"
     if v.causality == "parameter":
         return "SET_TUNABLE" if v.variability == "tunable" else "SET_FIXED"
     return "SET_NEVER" if v.initial != "exact" else "SET_START"

@@ -73,19 +73,15 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_s
                                        fmi2Boolean *enter_event_mode, fmi2Boolean *terminate)
 {
     instance *c = component;
-    char message[MESSAGE] = "";
+    bool event = false;
     ALLOW(MODE_CONTINUOUS);
     GIVEN(enter_event_mode);
     GIVEN(terminate);
     (void)no_set_before;
-    *enter_event_mode = fmi2False;
+    fmi2Status status = glue_accept(c, &event) ? fmi2OK : fmi2Error;
+    *enter_event_mode = event;
     *terminate = fmi2False;
-    if (!model_accept(c->model, message)) {
-        glue_log(c, STATUS_ERROR, "%s", message);
-        c->model->mode = MODE_FAILED;
-        return fmi2Error;
-    }
-    return fmi2OK;
+    return status;
 }
 
 fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time)

@@ -157,18 +157,12 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance self, fmi3Boolean no_set_bef
                                        fmi3Boolean *enter_event_mode, fmi3Boolean *terminate)
 {
     instance *c = self;
-    char message[MESSAGE] = "";
     ALLOW(MODE_CONTINUOUS);
     GIVEN(enter_event_mode);
     GIVEN(terminate);
     (void)no_set_before;
     *enter_event_mode = *terminate = false;
-    if (!model_accept(c->model, message)) {
-        glue_log(c, STATUS_ERROR, "%s", message);
-        c->model->mode = MODE_FAILED;
-        return fmi3Error;
-    }
-    return fmi3OK;
+    return glue_accept(c, enter_event_mode) ? fmi3OK : fmi3Error;
 }
 
 fmi3Status fmi3SetTime(fmi3Instance self, fmi3Float64 time)

@@ -117,6 +117,9 @@ static bool glue_evaluate(instance *c);
 /* Model exchange: the derivatives at the present state. */
 static bool glue_derivatives(instance *c, double derivatives[]);
 
+/* A step of the importer's integrator is over; whether it is to enter event mode. */
+static bool glue_accept(instance *c, bool *event);
+
 /* One communication step: begin it, go on to its end or an event. */
 static bool glue_begin_step(instance *c, double time, double step);
 static bool glue_continue_step(instance *c, double end, bool *event);

@@ -82,6 +82,7 @@ static void start(instance *c, int interface)
     memcpy(c->model->held, c->start.real, MODEL_INPUTS * sizeof *c->model->held);
     c->model->mode = MODE_INSTANTIATED;
     c->model->interface = interface;
+    c->model->met = -LATEST;
 }
 
 instance *glue_create(const char *name, const char *token, const char *resources,

@@ -24,9 +24,10 @@ enum { INPUT_ORDERS = 3 };
 
 enum { KIND_REAL, KIND_INTEGER, KIND_BOOLEAN, KIND_ENUMERATION };
 
-/* Who may set a variable, and when: a parameter before the end of initialisation, a tunable one
-   later as well, start values as a parameter, inputs always. */
-enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT };
+/* Who may set a variable, and when: a parameter before the end of initialisation, a tunable one at
+   events and between steps as well, start values as a parameter, inputs always. Commands, which may be
+   discrete inputs, are taken between events too, and act at the next one. */
+enum { SET_NEVER, SET_FIXED, SET_TUNABLE, SET_START, SET_INPUT, SET_COMMAND };
 
 /* A variable; its value reference is its place in the table, from 1. */
 typedef struct {
@@ -63,7 +64,9 @@ typedef struct {
     int64_t interface;    /* of the glue: co-simulation or model exchange */
     int64_t initialised;  /* the model follows from the present parameters and start values */
     int64_t evaluated;    /* outputs follow from the present time, states and inputs */
-    int64_t tuned;        /* a tunable parameter was set */
+    int64_t tuned;        /* a tunable parameter was set, or a command to another value */
+    int64_t awaited;      /* the latter between events, which asks for one */
+    double met;           /* s; the time of the last event */
     int64_t starting;     /* fixed parameters can be set in event mode, as before initialisation */
     int64_t running;      /* initialisation is over */
     int64_t given;        /* inputs were set before that */

@@ -6,6 +6,10 @@
 /* times that differ by less, relative to their size, are equal: importers add up steps */
 static const double SAME = 1e-9;
 
+/* s; a command between events is followed so long after the one before: a signal that changes all the
+   time would ask for an event at each of the integrator's steps, which begin anew there */
+static const double COMMANDED = 1e-3;
+
 /* of a time to which a step was added, relative to it */
 static const double ROUNDING = 1e-14;
 
@@ -209,5 +213,19 @@ bool glue_event(instance *c)
         return false;
     }
     c->model->evaluated = 0;
+    c->model->awaited = 0;
+    c->model->met = c->model->real[V_TIME];
+    return true;
+}
+
+bool glue_accept(instance *c, bool *event)
+{
+    char message[MESSAGE] = "";
+    if (!model_accept(c->model, message)) {
+        glue_log(c, STATUS_ERROR, "%s", message);
+        c->model->mode = MODE_FAILED;
+        return false;
+    }
+    *event = c->model->awaited && c->model->real[V_TIME] >= c->model->met + COMMANDED;
     return true;
 }

@@ -93,7 +93,7 @@ static bool sound_values(const instance *c, const model *m)
     }
     return m->interface == c->model->interface
         && memcmp(m->held, c->start.real, MODEL_INPUTS * sizeof *m->held) == 0
-        && fabs(m->start) <= LATEST
+        && fabs(m->start) <= LATEST && fabs(m->met) <= LATEST
         && fabs(m->real[V_TIME]) <= LATEST && isfinite(m->stop) && isfinite(m->step_start)
         && isfinite(m->step_end);
 }
@@ -110,7 +110,7 @@ static bool sound(const instance *c, const model *m, size_t size)
     return mode && ready && is_truth(m->initialised) && is_truth(m->starting)
         && is_truth(m->evaluated) && is_truth(m->stops) && is_truth(m->running)
         && is_truth(m->given) && is_truth(m->sloped) && is_truth(m->tuned)
-        && sound_values(c, m) && model_sound(m, size);
+        && is_truth(m->awaited) && sound_values(c, m) && model_sound(m, size);
 }
 
 bool glue_restore(instance *c, const void *state)

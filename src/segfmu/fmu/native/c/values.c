@@ -14,7 +14,9 @@ static int modes_of(const instance *c, const variable *v)
     static const int modes[] = {
         0, MODE_INSTANTIATED | MODE_INITIALISATION,
         MODE_INSTANTIATED | MODE_INITIALISATION | MODE_EVENT | MODE_STEP,
-        MODE_INSTANTIATED | MODE_INITIALISATION, INPUT_MODES
+        MODE_INSTANTIATED | MODE_INITIALISATION, INPUT_MODES,
+        /* between events for OpenModelica, which sets them at each of the integrator's stages */
+        MODE_INSTANTIATED | MODE_INITIALISATION | MODE_EVENT | MODE_STEP | MODE_CONTINUOUS
     };
     int allowed = modes[v->setting];
     if (v->setting == SET_FIXED && c->model->starting) {
@@ -157,7 +159,8 @@ void glue_get_reals(const instance *c, const uint32_t references[], size_t count
     }
 }
 
-/* What follows from variables is out of date; `settings` has a bit for each one's kind of setting. */
+/* What follows from variables is out of date; `settings` has a bit for each one's kind of setting,
+   of commands only if their values are others. */
 static void touch(instance *c, int settings)
 {
     if ((c->model->mode & MODE_RUNNING) == 0 || (settings & 1 << SET_FIXED) != 0) {
@@ -170,7 +173,8 @@ static void touch(instance *c, int settings)
             c->model->initialised = 0;
         }
     }
-    c->model->tuned |= (settings & 1 << SET_TUNABLE) != 0;
+    c->model->tuned |= (settings & (1 << SET_TUNABLE | 1 << SET_COMMAND)) != 0;
+    c->model->awaited |= (settings & 1 << SET_COMMAND) != 0 && c->model->mode == MODE_CONTINUOUS;
     c->model->evaluated = 0;
 }
 
@@ -195,7 +199,8 @@ static bool finite_values(instance *c, const uint32_t references[], const double
 /* While the model runs nothing checks its parameters again, so what is tuned is checked here. */
 static bool tuned_in_range(instance *c, const variable *v, const double values[], size_t count)
 {
-    if (v->setting != SET_TUNABLE || (c->model->mode & MODE_RUNNING) == 0) {
+    const bool tuned = v->setting == SET_TUNABLE || v->setting == SET_COMMAND;
+    if (!tuned || (c->model->mode & MODE_RUNNING) == 0) {
         return true;
     }
     for (size_t k = 0; k < count; k++) {
@@ -248,6 +253,7 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
     }
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
+        const bool same = v->setting == SET_COMMAND && real[v->offset] == *values;
         if (v->elements == 1) {
             real[v->offset] = *values++;
         } else {
@@ -255,9 +261,9 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
             memcpy(real + v->offset, values, elements * sizeof *values);
             values += elements;
         }
-        settings |= 1 << v->setting;
+        settings |= same ? 0 : 1 << v->setting;
     }
-    if (count > 0) {
+    if (settings != 0) {
         touch(c, settings);
     }
     return true;
@@ -275,8 +281,11 @@ bool glue_set_integer(instance *c, uint32_t reference, size_t element, int64_t v
     if (!tuned_in_range(c, v, &number, 1)) {
         return false;
     }
-    c->model->integer[v->offset + element] = value;
-    touch(c, 1 << v->setting);
+    int64_t *place = c->model->integer + v->offset + element;
+    if (v->setting != SET_COMMAND || *place != value) {
+        touch(c, 1 << v->setting);
+    }
+    *place = value;
     return true;
 }
 
