@@ -30253,6 +30253,8 @@ void segfmu_begin_operation(double time, array_double_2d operation)
         }
     }
     (*cspan_at(&operation, INT64_C(4), INT64_C(0))) = time;
+    (*cspan_at(&operation, INT64_C(4), INT64_C(4))) = time;
+    (*cspan_at(&operation, INT64_C(26), INT64_C(31))) = time;
     (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
 }
 static void begin_swing(array_double_2d operation)
@@ -30272,9 +30274,9 @@ static void begin_swing(array_double_2d operation)
     (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
     (*cspan_at(&progress, INT64_C(3))) = 0.0;
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
-    (*cspan_at(&progress, INT64_C(4))) = 0.0;
+    (*cspan_at(&progress, INT64_C(4))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
     (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
-    (*cspan_at(&operation, INT64_C(26), INT64_C(31))) = 0.0;
+    (*cspan_at(&operation, INT64_C(26), INT64_C(31))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
     (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
 }
 static bool is_stop(array_double_1d aim)

@@ -42,6 +42,9 @@ def begin_operation(time: float, operation: 'float[:,:]') -> None:
         for i in range(operation.shape[1]):
             operation[row, i] = 0.0
     operation[Operation.PROGRESS, Progress.BEGIN] = time
+    # times may be below zero
+    operation[Operation.PROGRESS, Progress.RETRY] = time
+    operation[Operation.SWING, Swing.CALM] = time
     # it is for no command
     operation[Operation.TAKEN, Aim.IS_TARGET] = -1.0
 
@@ -120,9 +123,9 @@ def begin_swing(operation: 'float[:,:]') -> None:
     progress[Progress.STATUS] = OperationStatus.TAKEN
     progress[Progress.ATTEMPT] = 0.0
     progress[Progress.NEXT] = 0.0
-    progress[Progress.RETRY] = 0.0
+    progress[Progress.RETRY] = operation[Operation.COMMAND, Command.TIME]
     progress[Progress.MODE] = OperationMode.EMERGENCY
-    operation[Operation.SWING, Swing.CALM] = 0.0
+    operation[Operation.SWING, Swing.CALM] = operation[Operation.COMMAND, Command.TIME]
     operation[Operation.TAKEN, Aim.IS_TARGET] = -1.0
 
 
