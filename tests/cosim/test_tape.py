@@ -62,6 +62,16 @@ def test_the_third_run_leaves_the_planner_out(native_fmus, monkeypatch, fmi: int
             system.run({SOURCE: {"planner.duration": 6.0}}, stop_time=STOP)
 
 
+def test_values_that_are_arrays(native_fmus) -> None:
+    def run(end: float) -> dict[str, Any]:
+        positions = np.array([[0.0, 0.0, -0.5], [end, 0.2, -0.4]])
+        return {"values": {SOURCE: {
+            "waypoint.count": 2, "waypoint.position": positions, "planner.duration": 0.0,
+        }}, "stop_time": STOP}
+
+    compared(native_fmus[3], [run(x) for x in (0.3, 0.3, 0.3, 0.2, 0.2, 0.2)])
+
+
 def test_a_planner_that_hears_of_changes_runs(native_fmus) -> None:
     changes = [Change(0.2, SOURCE, {"command.mode": "stop"})]
     run = {"values": disturbed(0.1) | {SOURCE: {"command.enabled": True}}, "stop_time": STOP}

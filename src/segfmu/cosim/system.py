@@ -352,7 +352,11 @@ class System:
         units = list(self._units.values())
         if any(self._tape.has(units[change.unit]) for change in pending):
             return None
-        own = {n: dict(values.get(n, {})) for n, u in self._units.items() if self._tape.has(u)}
+        # lists can be compared, arrays cannot
+        own = {
+            n: {k: np.asarray(v).tolist() for k, v in values.get(n, {}).items()}
+            for n, u in self._units.items() if self._tape.has(u)
+        }
         return own, [change.time for change in pending], span, self._ahead
 
 
