@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from benchmarks.operated import LAB, SITES, Site
 
-from segfmu import ActuatorBounds, InputError, Operator
+from segfmu import ActuatorBounds, InputError, Operator, Waypoint, load_mission
 from segfmu.kernels.crane.records import DRIVES
 from tests.crane.test_emergency import moving, swung
 
@@ -143,7 +143,7 @@ def test_what_cannot_trip_is_told() -> None:
     with pytest.raises(InputError, match="a drive is one of bridge, trolley, hoist, got 'winch'"):
         LAB.operator().trip("winch")
     with pytest.raises(InputError, match="brakes must be decelerations > 0"):
-        LAB.operator(brakes=[0.5, 0.0, 0.5])
+        LAB.operator(brakes=[0.5, -0.1, 0.5])
     unbounded = ActuatorBounds(acceleration=[0.9, np.inf, 0.7])
     operator = Operator(LAB.crane, LAB.limits, LAB.start, bounds=unbounded)
     with pytest.raises(InputError, match=r"a drive that trips needs .* trolley has no bound"):
@@ -153,3 +153,27 @@ def test_what_cannot_trip_is_told() -> None:
     braked.trip("trolley")
     braked.step(LAB.step)
     assert braked.tripped == ("trolley",)
+
+
+def test_brakes_are_those_of_the_crane_file() -> None:
+    drives = {"acceleration_max": 0.9, "velocity_max": 0.6}
+    operator = load_mission({
+        "name": "across",
+        "crane": {
+            "bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0, "rope_min": 0.2,
+            "rope_max": 0.9, "bridge": {**drives, "brake_deceleration": 0.3}, "trolley": drives,
+            "hoist": drives,
+        },
+        "limits": LAB.limits,
+        "waypoints": [Waypoint([0.0, 0.0, -0.5]), Waypoint([0.5, 0.3, -0.4])],
+    }).operator()
+    operator.command("velocity", velocity=[0.2, 0.2, 0.0])
+    for _ in range(200):
+        operator.step(0.01)
+    usual = operator.emergency.duration
+    operator.trip("trolley")
+    assert operator.emergency.duration == usual
+    operator.trip("bridge")
+    # behind three forces and five places
+    velocity = operator.setpoints[8]
+    assert operator.emergency.duration == pytest.approx(velocity / 0.3)

@@ -105,8 +105,8 @@ class Operator:
     friction : Friction, optional
         Of the axes, which the forces of the drives have room for.
     brakes : array_like, scalar or shape (3,), optional
-        Decelerations of the drives' brakes [m/s2], which stop a drive that trips; the drives'
-        greatest ones unless given.
+        Decelerations of the drives' brakes [m/s2], which stop a drive that trips; 0, or unless
+        given: the drives' greatest ones.
 
     Raises
     ------
@@ -154,8 +154,11 @@ class Operator:
         known[Known.OPTIONS, : PlanOptions.SIZE] = asked.vector
         if brakes is not None:
             given_brakes = triple("brakes", brakes, alike=True)
-            if not (given_brakes > 0.0).all():
-                raise InputError(f"brakes must be decelerations > 0 m/s2, got {shown(brakes)}")
+            if not (given_brakes >= 0.0).all():
+                raise InputError(
+                    "brakes must be decelerations > 0 m/s2, or 0 for that of the drive, got "
+                    f"{shown(brakes)}"
+                )
             known[Known.BRAKES, : DriveBrakes.SIZE] = given_brakes
         self.crane = crane
         self._motion = OperatedMotion(limits.table(3, smoothness), known)

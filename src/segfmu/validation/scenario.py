@@ -89,7 +89,8 @@ def feedforward_values(mission: Mission, trajectory: Trajectory) -> dict[str, fl
     are those that the mission tightens.
     """
     known = crane_parameters.models(mission.crane).planner(WAYPOINTS).references
-    values = {n: v for n, v in crane_parameters.parameters(mission.crane).items() if n in known}
+    own = crane_parameters.parameters(mission.crane) | crane_parameters.brakes(mission.crane)
+    values = {n: v for n, v in own.items() if n in known}
     values |= limit_values(trajectory.limits)
     bounds = (mission.build_bounds() or ActuatorBounds()).record.tolist()
     values |= {name: bounds[place] for place, name, _ in DriveBounds.feeds()}

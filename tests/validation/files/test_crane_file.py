@@ -48,6 +48,7 @@ acceleration_min = -0.3
 force_max = 300e3
 force_min = -200e3
 power_max = 100e3
+brake_deceleration = 0.4
 [trolley]
 lag = 0.2
 dead_time = 0.02
@@ -58,6 +59,7 @@ acceleration_min = -0.9
 force_max = 100e3
 force_min = -90e3
 power_max = 200e3
+brake_deceleration = 1.1
 [hoist]
 lag = 0.1
 dead_time = 0.01
@@ -68,6 +70,7 @@ acceleration_min = -0.4
 force_max = 600e3
 force_min = -550e3
 power_max = 400e3
+brake_deceleration = 0.9
 [travel]
 bridge = [-10.0, 300.0]
 trolley = [-5.0, 55.0]
@@ -264,7 +267,6 @@ NOT_OF_MISSIONS = {
         for name in gantry_feedforward.spec().references
         if name.startswith(("command.", "measured."))
         or name == "limits.scale"
-        or name.endswith(".brake_deceleration")
     },
     **{
         name: "the mission has no obstacles"
@@ -281,6 +283,7 @@ def test_a_mission_sets_every_parameter_of_the_feedforward(tmp_path: Path) -> No
     spec = gantry_feedforward.spec(len(trajectory.waypoints))
     assert {v.name for v in spec.where("parameter")} == {*values, *NOT_OF_MISSIONS}
     assert (values["drive.trolley.lag"], values["drive.hoist.dead_time"]) == (0.2, 0.01)
+    assert values["drive.trolley.brake_deceleration"] == 1.1
 
 
 def test_the_motion_ends_a_dead_time_later(tmp_path: Path) -> None:

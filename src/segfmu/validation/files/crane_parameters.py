@@ -149,6 +149,12 @@ def bounds(crane: CraneFile) -> ActuatorBounds:
     )
 
 
+def brakes(crane: CraneFile) -> dict[str, float]:
+    """Decelerations of brakes [m/s2] by the planner's parameters; 0: as strong as the drive."""
+    given = {drive: getattr(crane, drive).brake_deceleration or 0.0 for drive in DRIVES}
+    return {f"drive.{drive}.brake_deceleration": value for drive, value in given.items()}
+
+
 def friction(crane: CraneFile) -> Friction:
     """Friction of the axes; that of the sway is no matter of the drives."""
     table = crane.friction

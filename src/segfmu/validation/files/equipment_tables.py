@@ -64,6 +64,11 @@ class DriveTable(Table):
         Bound | None,
         Key("greatest power, driving or braking", "W", ("drive.{}.power_max",), NO_BOUND),
     ] = None
+    brake_deceleration: Annotated[
+        Bound | None,
+        Key("deceleration of the brake that stops it if it trips", "m/s2",
+            default="that of the drive"),
+    ] = None
 
 
 class TravelTable(Table):

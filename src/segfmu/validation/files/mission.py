@@ -246,6 +246,7 @@ class Mission(Table):
             crane, trajectory.limits, trajectory,
             bounds=self.build_bounds() or ActuatorBounds(), clearance=self.build_clearance(),
             shape=self.shape, synchronize=self.synchronization, friction=self.build_friction(),
+            brakes=list(crane_parameters.brakes(self.crane).values()),
         )
 
 
