@@ -28,6 +28,8 @@ MOST_SHARED = 64
 AHEAD = 2
 # of a future whose worker died with the result: it is made again
 REPEATED = ("lost", "pending")
+# bytes; what a worker keeps for its next run, and glibc's largest block that can be kept
+KEPT_MEMORY, MOST_MAPPED = 1 << 26, 1 << 25
 # s; for a scheduler to answer, and for a worker of a scheduler elsewhere to come
 ANSWER, PATIENCE = 5.0, 30.0
 CONFIGURATION = {
@@ -39,6 +41,10 @@ CONFIGURATION = {
     "distributed.admin.system-monitor.interval": "5s",
     # messages that are remembered: with orders and outcomes, some kB for each run
     "distributed.admin.low-level-log-length": 10,
+    # glibc: the rows of a run stay with the process, where Dask's 64 kB has each run ask the system
+    # for them anew, page by page
+    "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": KEPT_MEMORY,
+    "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": MOST_MAPPED,
 }
 # of one that restarts a worker of this machine, however long that takes: it will not
 GIVEN_UP = ("closing", "closed", "failed")
