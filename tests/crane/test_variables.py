@@ -22,7 +22,8 @@ from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL
 from segfmu.crane.observer import UNCERTAINTY, Uncertainty
 from segfmu.crane.parameters import CRANE
 from segfmu.crane.sensors import SENSORS
-from segfmu.crane.variables import build, values
+from segfmu.crane.variables import build, kept, values
+from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Plant
 
 CASES = [
@@ -61,3 +62,19 @@ def test_all_that_is_fed_into_the_plant_comes_from_a_class() -> None:
     found = own.parameters(Crane(2.0, 1.0, 0.5), driven=True)
     assert found[Plant.LAG : Plant.LAG + 3].tolist() == [0.0, 0.0, 0.3]
     assert found[Plant.WIND : Plant.GUST_START].tolist() == [0.1, 0.0, 0.0]
+
+
+def test_equal_numbers_give_the_same_part_and_others_another_one() -> None:
+    known = values(Friction(viscous=(1.0, 2.0, 3.0)), FRICTION)
+    first, again = (kept(Friction, FRICTION, known.__getitem__) for _ in range(2))
+    other = kept(Friction, FRICTION, (known | {next(iter(known)): 1.5}).__getitem__)
+    assert first is again
+    assert first == build(Friction, FRICTION, known.__getitem__)
+    assert other != first
+
+
+def test_wrong_numbers_are_refused_each_time() -> None:
+    known = dict.fromkeys(values(Friction(), FRICTION), -1.0)
+    for _ in range(2):
+        with pytest.raises(InputError, match="friction"):
+            kept(Friction, FRICTION, known.__getitem__)

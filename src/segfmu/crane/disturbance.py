@@ -16,7 +16,7 @@ from segfmu.crane.checks import (
     require_seed,
     sized,
 )
-from segfmu.crane.variables import Value, build, fed, values
+from segfmu.crane.variables import Value, build, fed, kept, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Plant
@@ -180,8 +180,8 @@ class Wind:
     @classmethod
     def of(cls, value: Value) -> Wind:
         """From the FMU's variables; `value` gives them by name."""
-        gust = build(Gust, GUST, value) if float(value(DURATION)) > 0.0 else None
-        turbulence: Turbulence | None = build(Turbulence, TURBULENCE, value)
+        gust = kept(Gust, GUST, value) if float(value(DURATION)) > 0.0 else None
+        turbulence: Turbulence | None = kept(Turbulence, TURBULENCE, value)
         if turbulence is not None and not any(turbulence.deviation):
             turbulence = None
         return build(partial(cls, gust=gust, turbulence=turbulence), WIND, value)

@@ -11,7 +11,7 @@ from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
-from segfmu.crane.variables import Value, build, filled, values
+from segfmu.crane.variables import Value, build, filled, kept, values
 from segfmu.kernels.crane.records import DriveMode, Plant
 
 
@@ -70,10 +70,10 @@ class Rig:
         InputError
             For values that do not fit together.
         """
-        bridge, trolley, hoist = (build(Drive, mapping, value) for mapping in DRIVE)
+        bridge, trolley, hoist = (kept(Drive, mapping, value) for mapping in DRIVE)
         return cls(
-            bridge, trolley, hoist, build(Friction, FRICTION, value),
-            build(TravelLimits, TRAVEL, value), build(Sensors, SENSORS, value), Wind.of(value),
+            bridge, trolley, hoist, kept(Friction, FRICTION, value),
+            kept(TravelLimits, TRAVEL, value), kept(Sensors, SENSORS, value), Wind.of(value),
             tuple(_change(value, i) for i in range(1, int(value("payload.count")) + 1)),
         )
 

@@ -17,6 +17,9 @@ from segfmu.kernels.records import Record
 
 T = TypeVar("T")
 Value = Callable[[str], Any]
+# a crane has some ten parts, and cranes that come one after the other have most of them in common
+MOST_BUILT = 64
+_built: dict[tuple[Any, ...], Any] = {}
 
 
 @dataclass(frozen=True)
@@ -94,3 +97,15 @@ def filled(record: type[Record], value: Value) -> FloatArray:
 def build(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:
     """A dataclass from the values of variables; `value` gives them by name."""
     return kind(**{name: f.field(value) for name, f in mapping.items()})
+
+
+def kept(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:
+    """The same of a frozen class, the one that was built last for the same numbers if there is."""
+    key = kind, *[float(value(v)) for f in mapping.values() for v in f.variables]
+    found = _built.get(key)
+    if found is None:
+        found = build(kind, mapping, value)
+        if len(_built) >= MOST_BUILT:
+            _built.clear()
+        _built[key] = found
+    return found

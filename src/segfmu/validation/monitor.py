@@ -87,7 +87,7 @@ def judge(
     InputError
         For variables that the run does not have, and an empty window.
     """
-    times, span = rows["time"], _window(criterion, known)
+    times, span = np.ascontiguousarray(rows["time"]), _window(criterion, known)
     if criterion.kind == "drives":
         bound = 1.0 if criterion.bound is None else criterion.bound
         use = drive_use(rows, crane)
@@ -222,6 +222,6 @@ def _within(
             f"the window from {first:.6g} s to {last:.6g} s is empty or outside of the "
             f"run from {times[0]:.6g} s to {times[-1]:.6g} s"
         )
-    inside = (times > first) & (times < last)
+    begin, end = np.searchsorted(times, first, "right"), np.searchsorted(times, last, "left")
     ends = np.interp([first, last], times, values)
-    return np.concatenate([ends[:1], values[inside], ends[1:]])
+    return np.concatenate([ends[:1], values[begin:end], ends[1:]])

@@ -99,7 +99,7 @@ def _native(interfaces: Sequence[Spec]) -> tuple[Spec, Spec]:
 
 def _differences(old: Spec, new: Spec) -> dict[str, Any]:
     """Start values of parameters that differ; of the table of gains all, if one does."""
-    before = {v.name: v.start for v in old.variables}
+    before = old.starts
     found = {v.name: v.start for v in new.where("parameter") if v.start != before[v.name]}
     if any(name.startswith(TABLE) for name in found):
         found |= _table(new)
@@ -113,7 +113,7 @@ def _table(interface: Spec) -> dict[str, Any]:
 
 def without_starts(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
     """Values without those that the archive starts with: an FMU that is reset has them."""
-    starts = {v.name: v.start for v in interface.variables}
+    starts = interface.starts
     return {n: value for n, value in values.items() if value != starts.get(n)}
 
 
@@ -122,7 +122,7 @@ def with_arrays(interface: Spec, values: Mapping[str, Any]) -> dict[str, Any]:
 
     What is not given among them is that of the archive's start values.
     """
-    whole = {v.name: v.start for v in interface.variables} | dict(values)
+    whole = {**interface.starts, **values}
     members = {m for a in interface.arrays for m in a.members}
     found = {n: v for n, v in values.items() if n not in members}
     for array in interface.arrays:

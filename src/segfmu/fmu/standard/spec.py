@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, Literal
 
 from segfmu.kernels.numerics.records import GivenTime
@@ -124,6 +125,11 @@ class Spec:
         """The variable with a name."""
         return self.variables[self.references[name] - 1]
 
+    @cached_property
+    def starts(self) -> Mapping[str, Value | None]:
+        """Start values of all variables, by name."""
+        return {v.name: v.start for v in self.variables}
+
     def where(self, *causalities: Causality) -> tuple[Variable, ...]:
         """The variables with one of the given causalities."""
         return tuple(v for v in self.variables if v.causality in causalities)
@@ -165,7 +171,7 @@ def start_values(spec: Spec, values: Mapping[str, Value | str]) -> dict[str, Val
     KeyError
         For a name that the specification does not have.
     """
-    return {v.name: v.start for v in spec.variables} | _numbers(spec, values)
+    return {**spec.starts, **_numbers(spec, values)}
 
 
 def _numbers(spec: Spec, values: Mapping[str, Value | str]) -> dict[str, Value]:

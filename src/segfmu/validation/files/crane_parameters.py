@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from math import radians
@@ -60,7 +60,11 @@ def parameters(crane: CraneFile) -> dict[str, float | str]:
     for path, own in _feeding():
         table = _at(crane, path)
         for entry in own:
-            found.update(_fed(entry, None if table is None else getattr(table, entry.path[-1])))
+            value = None if table is None else getattr(table, entry.path[-1])
+            if value is not None:
+                _feed(found, entry, value)
+            elif entry.key.none:
+                found.update(zip(entry.feeds, entry.key.none, strict=False))
     if crane.controller.sample_time is None and crane.rope_min is not None:
         found["feedback.sample_time"] = usual_sample_time(
             crane.gravity, crane.rope_min, crane.sensors.sample_time or 0.0
@@ -89,16 +93,15 @@ def _at(table: Any, path: tuple[str, ...]) -> Any:
     return table
 
 
-def _fed(entry: Entry, value: Any) -> Iterable[tuple[str, float | str]]:
-    if value is None:
-        return zip(entry.feeds, entry.key.none, strict=False)
+def _feed(found: dict[str, float | str], entry: Entry, value: Any) -> None:
+    """Set the variables of a key that has a value."""
     if entry.listed:
-        return [(entry.feeds[0], len(value))]
-    parts = value if isinstance(value, list) else [value]
-    return [
-        (name, one if isinstance(one, str) else _number(entry, one))
-        for name, one in zip(entry.feeds, parts, strict=True)
-    ]
+        found[entry.feeds[0]] = len(value)
+    elif isinstance(value, list):
+        for name, one in zip(entry.feeds, value, strict=True):
+            found[name] = _number(entry, one)
+    else:
+        found[entry.feeds[0]] = value if isinstance(value, str) else _number(entry, value)
 
 
 def _number(entry: Entry, value: Any) -> float:
