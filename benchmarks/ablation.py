@@ -41,9 +41,7 @@ WAYS: dict[str, dict[str, str]] = {
     "folds of these levels": {
         "loop_form": f"if (last > {LoopArc.SINGLE:d}) last = {LoopArc.SINGLE:d};",
     },
-    "profiles shorter than a detour": {"shorter_than_detour": "return count;"},
     "first members among rising ones": {"rising_member": "return -1.0;"},
-    "durations before the end of a gap": {"earlier_feasible": "return end;"},
     "gaps that end with these levels": {"loop_ends": "return count;"},
     "steeper rises": {"smoothness_share": "return 0.0;"},
     "shorter by braking first": {"shorter_braked": "return count;"},

@@ -596,8 +596,6 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
 static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial);
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis);
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis);
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
@@ -771,14 +769,10 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
-static bool may_detour(array_double_1d problem, array_double_1d axis);
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool is_done(array_double_1d problem);
 static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int64_t variant, double longest, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static bool crosses_zero(int64_t row, array_double_2d phases);
-static int64_t shorter_braked(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t shorter_than_detour(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work);
 static bool set_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work);
 static double problem_between(double depth, array_double_1d asked, array_double_1d axis, array_double_1d rest, array_double_2d work);
@@ -805,6 +799,7 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
 static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
+static bool may_last_longer(array_double_1d problem, array_double_1d axis);
 static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
@@ -937,8 +932,7 @@ static double between_extremes(array_double_1d axis, array_double_2d cell, array
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
-static double first_feasible(double accuracy, double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
-static double earlier_feasible(double start, double end, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
 static double common_duration(double start, double most, double sample_time, int64_t first, int64_t last, array_double_2d axes, array_double_3d cells, array_double_2d work);
@@ -18856,121 +18850,6 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     result = vanishing_cruise(slowest, (*cspan_at(&axis, INT64_C(2))), start, phases, problem, axis);
     return result;
 }
-static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial)
-{
-    double distance;
-    double longest;
-    double fastest;
-    double backwards;
-    double before;
-    double e_before;
-    int64_t i;
-    double cruise;
-    int64_t used;
-    int64_t row;
-    double duration;
-    double y;
-    double error;
-    double short_0001;
-    double far;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    longest = 1e+300;
-    fastest = (*cspan_at(&axis, INT64_C(2)));
-    backwards = (*cspan_at(&axis, INT64_C(9)));
-    if (count > INT64_C(0))
-    {
-        longest = total_duration(phases, count);
-        fastest = speed_bound(1.0, longest, problem, axis);
-        backwards = speed_bound(-1.0, longest, problem, axis);
-    }
-    before = 0.0;
-    e_before = 0.0;
-    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
-    {
-        cruise = fastest * (1.0 - i / 6.0);
-        if (i > INT64_C(6))
-        {
-            cruise = backwards * (1.0 - i / 6.0);
-        }
-        cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
-        error = 0.0;
-        if (used >= INT64_C(0))
-        {
-            error = y - distance;
-        }
-        if (error * e_before < 0.0)
-        {
-            short_0001 = cruise;
-            far = before;
-            if (e_before < 0.0)
-            {
-                short_0001 = before;
-                far = cruise;
-            }
-            used = vanishing_cruise(short_0001, far, 0.5 * (short_0001 + far), trial, problem, axis);
-            duration = -1.0;
-            if (used > INT64_C(0))
-            {
-                duration = valid_duration(trial, used, problem, axis);
-            }
-            if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
-            {
-                copy_phases(trial, phases, used);
-                count = used;
-                longest = duration;
-            }
-        }
-        before = cruise;
-        e_before = error;
-    }
-    return count;
-}
-static int64_t direct_form(array_double_2d phases, bool from_start, array_double_1d problem, array_double_1d axis)
-{
-    double v;
-    double a;
-    double w;
-    double b;
-    double distance;
-    double end;
-    double t;
-    double slope;
-    double cruise;
-    int64_t count;
-    int64_t row;
-    double duration;
-    double y;
-    v = (*cspan_at(&problem, INT64_C(0)));
-    a = (*cspan_at(&problem, INT64_C(1)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    end = fabs(b);
-    if (from_start)
-    {
-        end = fabs(a);
-    }
-    if (end == 0.0)
-    {
-        return INT64_C(0);
-    }
-    segfmu_ramp_duration(&t, &slope, end, axis);
-    cruise = w - 0.5 * b * t;
-    if (from_start)
-    {
-        cruise = v + 0.5 * a * t;
-    }
-    if (is_beyond(cruise, cruise, 1.0, axis))
-    {
-        return INT64_C(0);
-    }
-    cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-    if (fabs(y - distance) > 1e-14 * (fabs(distance) + (fabs(v) + fabs(w)) * duration))
-    {
-        return INT64_C(0);
-    }
-    return span_max_int(count, INT64_C(0));
-}
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
     double v;
@@ -24411,18 +24290,6 @@ static int64_t fastest_between(array_double_2d phases, array_double_1d problem, 
     }
     return INT64_C(0);
 }
-static bool may_detour(array_double_1d problem, array_double_1d axis)
-{
-    double slowest;
-    bool result;
-    slowest = slowest_velocity(axis);
-    if (slowest == fastest_velocity(axis))
-    {
-        return 0;
-    }
-    result = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2))))) > slowest;
-    return result;
-}
 static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
@@ -24442,31 +24309,19 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
         best = fastest_between(phases, problem, axis);
         if (best > INT64_C(0))
         {
-            shortest = total_duration(phases, best);
-            if (!may_detour(problem, axis))
-            {
-                return best;
-            }
+            return best;
         }
     }
     found = -INT64_C(1);
-    for (branch = INT64_C(0); branch < INT64_C(6) - attempt; branch += INT64_C(1))
+    for (branch = INT64_C(0); branch < INT64_C(4) + attempt; branch += INT64_C(1))
     {
         if ((attempt == INT64_C(0)) && (found == branch - INT64_C(1)) && same_members(branch, problem, family))
         {
             continue;
         }
-        if ((branch >= INT64_C(4)) && (attempt == INT64_C(0)) && (found >= INT64_C(0)))
-        {
-            break;
-        }
-        if ((branch == INT64_C(4)) && (attempt == INT64_C(1)))
+        if (branch == INT64_C(4))
         {
             count = slower_cruise(trial, problem, axis);
-        }
-        else if (branch >= INT64_C(4))
-        {
-            count = direct_form(trial, branch == INT64_C(4), problem, axis);
         }
         else
         {
@@ -24513,14 +24368,12 @@ static bool is_done(array_double_1d problem)
 }
 static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int64_t variant, double longest, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
-    array_double_2d trial;
     array_double_2d candidate;
     array_double_1d rest;
     int64_t taken;
     double spent;
     int64_t count;
     double duration;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
     candidate = span_rows(&work, INT64_C(21), INT64_C(42));
     rest = span_row(&work, INT64_C(60));
     braked(&taken, &spent, span_floor_mod(variant, INT64_C(4)), problem, axis, work);
@@ -24537,10 +24390,6 @@ static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int
         return 0;
     }
     count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
-    if ((count == INT64_C(0)) && (variant == INT64_C(4)))
-    {
-        count = shorter_cruise(INT64_C(0), candidate, rest, axis, trial);
-    }
     if ((count == INT64_C(0)) && (!(is_done(rest) && ((*cspan_at(&rest, INT64_C(1))) == 0.0))))
     {
         (*result_0_0001) = INT64_C(0);
@@ -24560,16 +24409,20 @@ static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int
     (*result_1_0001) = spent + duration;
     return 0;
 }
-static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
+static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     int64_t best;
     double shortest;
     double usual;
     int64_t variant;
-    int64_t count;
+    int64_t used;
     double duration;
-    best = INT64_C(0);
+    best = count;
     shortest = 1e+300;
+    if (count > INT64_C(0))
+    {
+        shortest = total_duration(phases, count) * (1.0 - 1e-10);
+    }
     usual = usual_duration(problem, axis);
     for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
     {
@@ -24577,14 +24430,14 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
         {
             break;
         }
-        braked_variant(&count, &duration, variant, shortest, problem, axis, phases, work);
-        if (count < INT64_C(0))
+        braked_variant(&used, &duration, variant, shortest, problem, axis, phases, work);
+        if ((used < INT64_C(0)) && (count == INT64_C(0)))
         {
-            return count;
+            return used;
         }
-        if (count > INT64_C(0))
+        if (used > INT64_C(0))
         {
-            best = count;
+            best = used;
             shortest = duration;
         }
     }
@@ -24593,57 +24446,6 @@ static int64_t braked_ramps(array_double_1d problem, array_double_1d axis, array
         return -INT64_C(3);
     }
     return best;
-}
-static bool crosses_zero(int64_t row, array_double_2d phases)
-{
-    double a;
-    bool result;
-    a = (*cspan_at(&phases, row, INT64_C(2)));
-    result = a * (a + (*cspan_at(&phases, row, INT64_C(3)))) < 0.0;
-    return result;
-}
-static int64_t shorter_braked(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
-{
-    bool first;
-    bool last;
-    double longest;
-    int64_t variant;
-    int64_t used;
-    double duration;
-    first = crosses_zero(INT64_C(0), phases);
-    last = crosses_zero(count - INT64_C(1), phases);
-    longest = total_duration(phases, count) * (1.0 - 1e-10);
-    for (variant = INT64_C(1); variant < INT64_C(4); variant += INT64_C(1))
-    {
-        if (((variant == INT64_C(2)) || first) && ((variant == INT64_C(1)) || last))
-        {
-            braked_variant(&used, &duration, variant, longest, problem, axis, phases, work);
-            if (used > INT64_C(0))
-            {
-                count = used;
-                longest = duration;
-            }
-        }
-    }
-    return count;
-}
-static int64_t shorter_than_detour(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
-{
-    double longest;
-    int64_t variant;
-    int64_t used;
-    double duration;
-    longest = total_duration(phases, count) * (1.0 - 1e-10);
-    for (variant = INT64_C(1); variant < INT64_C(8); variant += INT64_C(1))
-    {
-        braked_variant(&used, &duration, variant, longest, problem, axis, phases, work);
-        if (used > INT64_C(0))
-        {
-            count = used;
-            longest = duration;
-        }
-    }
-    return count;
 }
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work)
 {
@@ -24746,7 +24548,7 @@ static int64_t profile_between(array_double_1d rest, array_double_1d axis, array
     count = shortest_between(INT64_C(0), phases, rest, axis, work);
     if (count == INT64_C(0))
     {
-        count = braked_ramps(rest, axis, phases, work);
+        count = braked_ramps(INT64_C(0), rest, axis, phases, work);
     }
     if (count <= INT64_C(0))
     {
@@ -25304,7 +25106,7 @@ static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, arr
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count == INT64_C(0))
     {
-        count = braked_ramps(asked, axis, phases, work);
+        count = braked_ramps(INT64_C(0), asked, axis, phases, work);
     }
     return count;
 }
@@ -25320,7 +25122,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     double window;
     int64_t result;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
-    status = braked_ramps(asked, axis, phases, work);
+    status = braked_ramps(INT64_C(0), asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
     {
@@ -25416,6 +25218,14 @@ static bool misses_little(double free, double duration, array_double_1d asked, a
     result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
     return result;
 }
+static bool may_last_longer(array_double_1d problem, array_double_1d axis)
+{
+    double fastest;
+    bool result;
+    fastest = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2)))));
+    result = ((*cspan_at(&axis, INT64_C(14))) < 0.5) || (fastest > slowest_velocity(axis));
+    return result;
+}
 static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
@@ -25424,7 +25234,6 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     double free;
     array_double_1d rest;
     double longest;
-    array_double_2d trial;
     int64_t count;
     asked = span_row(&work, INT64_C(59));
     family = span_row(&work, INT64_C(98));
@@ -25434,10 +25243,6 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    if ((count > INT64_C(0)) && may_detour(asked, axis))
-    {
-        count = shorter_than_detour(count, asked, axis, phases, work);
-    }
     missed = (int64_t)((*cspan_at(&family, INT64_C(20))));
     if (count == INT64_C(0))
     {
@@ -25469,11 +25274,9 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14))) < 0.5))
+    if ((count > INT64_C(0)) && may_last_longer(asked, axis))
     {
-        trial = span_rows(&work, INT64_C(0), INT64_C(21));
-        count = shorter_cruise(count, phases, asked, axis, trial);
-        count = shorter_braked(count, asked, axis, phases, work);
+        count = braked_ramps(count, asked, axis, phases, work);
     }
     if ((!snap_is_last(axis)) && (!is_resting(asked, axis)))
     {
@@ -28203,13 +28006,13 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     ends = span_rows(&work, INT64_C(42), INT64_C(58));
     family = span_row(&work, INT64_C(98));
     usual = usual_duration(problem, axis);
-    for (form = INT64_C(0); form < INT64_C(5); form += INT64_C(1))
+    for (form = INT64_C(0); form < INT64_C(3); form += INT64_C(1))
     {
         if (form == INT64_C(0))
         {
             taken = slower_cruise(phases, problem, axis);
         }
-        else if (form < INT64_C(3))
+        else
         {
             cruise = (*cspan_at(&axis, INT64_C(2)));
             if (form == INT64_C(2))
@@ -28217,10 +28020,6 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
                 cruise = -(*cspan_at(&axis, INT64_C(9)));
             }
             taken = with_cruise(phases, cruise, problem, axis);
-        }
-        else
-        {
-            taken = direct_form(phases, form == INT64_C(3), problem, axis);
         }
         count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
     }
@@ -29155,14 +28954,14 @@ static bool set_duration(double target, array_double_2d cell, array_double_1d ax
     (*cspan_at(&cell, INT64_C(67), INT64_C(4))) = (*cspan_at(&work, INT64_C(58), INT64_C(2)));
     return 1;
 }
-static double first_feasible(double accuracy, double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
+static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double duration;
     int64_t i;
-    duration = inside * (1.0 - 0.75 * accuracy);
+    duration = inside * (1.0 - 0.75 * 4e-09);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((duration <= outside) || (inside - outside <= accuracy * inside))
+        if ((duration <= outside) || (inside - outside <= 4e-09 * inside))
         {
             break;
         }
@@ -29178,33 +28977,6 @@ static double first_feasible(double accuracy, double outside, double inside, arr
     }
     return inside;
 }
-static double earlier_feasible(double start, double end, array_double_2d cell, array_double_1d axis, array_double_2d work)
-{
-    double outside;
-    int64_t i;
-    double duration;
-    double result;
-    outside = start;
-    if (start > 1.1 * (*cspan_at(&cell, INT64_C(67), INT64_C(0))))
-    {
-        return end;
-    }
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
-    {
-        duration = start * (1.0 + 0.004 * pow(2.0, (double)(i)));
-        if (duration > 0.98 * end)
-        {
-            break;
-        }
-        if (set_duration(duration, cell, axis, work))
-        {
-            result = first_feasible(0.0001, outside, duration, cell, axis, work);
-            return result;
-        }
-        outside = duration;
-    }
-    return end;
-}
 static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work)
 {
     double after;
@@ -29213,9 +28985,8 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
     int64_t sweep;
     int64_t count;
     int64_t i;
-    double duration;
     double growth;
-    double result;
+    double duration;
     after = start;
     delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
     shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - delay;
@@ -29230,10 +29001,9 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
             {
                 if (((*cspan_at(&axis, INT64_C(14))) < 0.5) || (!ramps_suffice(axis)))
                 {
-                    duration = first_feasible(4e-09, after, duration, cell, axis, work);
+                    duration = first_feasible(after, duration, cell, axis, work);
                 }
-                result = earlier_feasible(start, duration, cell, axis, work);
-                return result;
+                return duration;
             }
             if (duration >= most)
             {
@@ -29252,8 +29022,8 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
         duration = span_min(after * growth, most);
         if (set_duration(duration, cell, axis, work))
         {
-            result = first_feasible(4e-09, after, duration, cell, axis, work);
-            return result;
+            duration = first_feasible(after, duration, cell, axis, work);
+            return duration;
         }
         if (duration >= most)
         {

@@ -4,24 +4,18 @@ The cruise velocity is given, or such that the cruise has zero duration, or the 
 ramp to zero acceleration reaches from either end.
 """
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME
+from segfmu.kernels.numerics.numbers import HALVINGS, NEVER, SAME
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
     append_change,
     append_hold,
     append_ramp,
-    copy_phases,
     insert_hold,
     measure_phases,
     reverse_phases,
-    speed_bound,
-    total_duration,
-    valid_duration,
 )
-from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
-from segfmu.kernels.planner.sides import is_beyond
 
 # a root, and the distance that a profile has to cover, within these shares
 ROOT = 1e-15
@@ -149,78 +143,3 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
     start = max(problem[Problem.V], problem[Problem.W])
     slowest = -axis[Axis.LOWER]
     return vanishing_cruise(slowest, axis[Axis.VELOCITY], start, phases, problem, axis)
-
-
-def shorter_cruise(
-    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', trial: 'float[:,:]'
-) -> int:
-    """Replace a profile of `count` phases by a shorter one whose cruise vanishes, if there is one.
-
-    Several cruise velocities can cover the distance. Returns the new number of phases.
-    """
-    distance = problem[Problem.DISTANCE]
-    longest = NEVER
-    fastest = axis[Axis.VELOCITY]
-    backwards = axis[Axis.LOWER]
-    if count > 0:
-        longest = total_duration(phases, count)
-        fastest = speed_bound(1.0, longest, problem, axis)
-        backwards = speed_bound(-1.0, longest, problem, axis)
-    before = 0.0
-    e_before = 0.0
-    for i in range(13):
-        cruise = fastest * (1.0 - i / 6.0)
-        if i > 6:
-            cruise = backwards * (1.0 - i / 6.0)
-        used, row, duration, y = cruise_form(trial, cruise, problem, axis)
-        error = 0.0
-        if used >= 0:
-            error = y - distance
-        if error * e_before < 0.0:
-            short = cruise
-            far = before
-            if e_before < 0.0:
-                short = before
-                far = cruise
-            used = vanishing_cruise(short, far, 0.5 * (short + far), trial, problem, axis)
-            duration = -1.0
-            if used > 0:
-                duration = valid_duration(trial, used, problem, axis)
-            # a gain by rounding is none
-            if duration >= 0.0 and duration < longest * (1.0 - GAINED):
-                copy_phases(trial, phases, used)
-                count = used
-                longest = duration
-        before = cruise
-        e_before = error
-    return count
-
-
-def direct_form(
-    phases: 'float[:,:]', from_start: bool, problem: 'float[:]', axis: 'float[:]'
-) -> int:
-    """The paper's form with the velocity that one ramp to zero reaches from one end, or 0.
-
-    The distance has a kink there, and this member can be the only one that covers the distance, as
-    for boundary states taken from another profile.
-    """
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    w = problem[Problem.W]
-    b = problem[Problem.B]
-    distance = problem[Problem.DISTANCE]
-    end = abs(b)
-    if from_start:
-        end = abs(a)
-    if end == 0.0:
-        return 0
-    t, slope = ramp_duration(end, axis)
-    cruise = w - 0.5 * b * t
-    if from_start:
-        cruise = v + 0.5 * a * t
-    if is_beyond(cruise, cruise, 1.0, axis):
-        return 0
-    count, row, duration, y = cruise_form(phases, cruise, problem, axis)
-    if abs(y - distance) > COVERED * (abs(distance) + (abs(v) + abs(w)) * duration):
-        return 0
-    return max(count, 0)

@@ -67,7 +67,7 @@ def profile_between(rest: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> i
         return 0
     count = shortest_between(0, phases, rest, axis, work)
     if count == 0:
-        count = braked_ramps(rest, axis, phases, work)
+        count = braked_ramps(0, rest, axis, phases, work)
     if count <= 0:
         return -1
     return passing_either_way(count, phases, rest, axis, work)

@@ -9,7 +9,7 @@ from math import sqrt
 
 from segfmu.kernels.numerics.numbers import GAINED, NEVER, SAME, WORTH
 from segfmu.kernels.planner.braking import braked, surround
-from segfmu.kernels.planner.cruise import direct_form, shorter_cruise, slower_cruise, with_cruise
+from segfmu.kernels.planner.cruise import slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
 from segfmu.kernels.planner.orientation import reverse_search
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -75,18 +75,6 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
     return 0
 
 
-def may_detour(problem: 'float[:]', axis: 'float[:]') -> bool:
-    """Whether a cruise at a velocity limit may be a detour between two states that are faster.
-
-    Where the limit in the other direction is higher, both states can have velocities of that
-    direction beyond it. A short motion then stays there, while the cruise turns twice.
-    """
-    slowest = slowest_velocity(axis)
-    if slowest == fastest_velocity(axis):
-        return False
-    return max(abs(problem[Problem.V]), abs(problem[Problem.W])) > slowest
-
-
 def shortest_between(
     attempt: int,
     phases: 'float[:,:]',
@@ -106,20 +94,13 @@ def shortest_between(
     if attempt == 0:
         best = fastest_between(phases, problem, axis)
         if best > 0:
-            shortest = total_duration(phases, best)
-            if not may_detour(problem, axis):
-                return best
+            return best
     found = -1
-    for branch in range(6 - attempt):
+    for branch in range(4 + attempt):
         if attempt == 0 and found == branch - 1 and same_members(branch, problem, family):
             continue
-        # the direct form is never faster
-        if branch >= 4 and attempt == 0 and found >= 0:
-            break
-        if branch == 4 and attempt == 1:
+        if branch == 4:
             count = slower_cruise(trial, problem, axis)
-        elif branch >= 4:
-            count = direct_form(trial, branch == 4, problem, axis)
         else:
             set_family(branch, problem, axis, family)
             if attempt == 0:
@@ -156,7 +137,6 @@ def braked_variant(
     the same with the second attempt. Returns the number of phases, 0 if there are none, or a
     status; and their duration.
     """
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
     rest = work[PlanWork.REST, :]
     taken, spent = braked(variant % 4, problem, axis, work)
@@ -165,8 +145,6 @@ def braked_variant(
     if taken < 0:
         return taken, 0.0
     count = shortest_between(variant // 4, candidate, rest, axis, work)
-    if count == 0 and variant == 4:
-        count = shorter_cruise(0, candidate, rest, axis, trial)
     if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
         return 0, 0.0
     # braking keeps the limit
@@ -179,64 +157,30 @@ def braked_variant(
 
 
 def braked_ramps(
-    problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
+    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
 ) -> int:
-    """The shortest ramps, with braking or forms that take longer to keep the limit; or a status."""
-    best = 0
+    """Replace a profile of `count` ramps, 0 if there is none, by the shortest one that brakes.
+
+    It may take longer to keep the limit. Returns the new number of phases, or a status.
+    """
+    best = count
     shortest = NEVER
+    if count > 0:
+        shortest = total_duration(phases, count) * (1.0 - GAINED)
     usual = usual_duration(problem, axis)
     for variant in range(1, 8):
         # the last three are the fallback
         if variant > 4 and best > 0 and shortest <= usual:
             break
-        count, duration = braked_variant(variant, shortest, problem, axis, phases, work)
-        if count < 0:
-            return count
-        if count > 0:
-            best = count
+        used, duration = braked_variant(variant, shortest, problem, axis, phases, work)
+        if used < 0 and count == 0:
+            return used
+        if used > 0:
+            best = used
             shortest = duration
     if best == 0:
         return PlanStatus.NO_PROFILE
     return best
-
-
-def crosses_zero(row: int, phases: 'float[:,:]') -> bool:
-    """Whether the acceleration changes its sign in a phase."""
-    a = phases[row, Phase.ACCELERATION]
-    return a * (a + phases[row, Phase.CHANGE]) < 0.0
-
-
-def shorter_braked(
-    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
-) -> int:
-    """Replace a profile of `count` ramps and holds by a shorter one that brakes; new number.
-
-    Where the first or the last ramp crosses zero, two by way of zero can cover a better distance
-    in about the same time.
-    """
-    first = crosses_zero(0, phases)
-    last = crosses_zero(count - 1, phases)
-    longest = total_duration(phases, count) * (1.0 - GAINED)
-    for variant in range(1, 4):
-        if (variant == 2 or first) and (variant == 1 or last):
-            used, duration = braked_variant(variant, longest, problem, axis, phases, work)
-            if used > 0:
-                count = used
-                longest = duration
-    return count
-
-
-def shorter_than_detour(
-    count: int, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]'
-) -> int:
-    """Replace a profile of `count` phases that may be a detour by the shortest one that brakes."""
-    longest = total_duration(phases, count) * (1.0 - GAINED)
-    for variant in range(1, 8):
-        used, duration = braked_variant(variant, longest, problem, axis, phases, work)
-        if used > 0:
-            count = used
-            longest = duration
-    return count
 
 
 def passing_either_way(

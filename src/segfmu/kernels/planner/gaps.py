@@ -9,7 +9,7 @@ the duration over a family.
 from segfmu.kernels.numerics.numbers import GOLDEN, NEVER
 from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
-from segfmu.kernels.planner.cruise import cruise_form, direct_form, slower_cruise, with_cruise
+from segfmu.kernels.planner.cruise import cruise_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.dipped import problem_between, profile_between, set_both_dips
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
@@ -195,16 +195,14 @@ def covering_ends(
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
     family = work[PlanWork.FAMILY, :]
     usual = usual_duration(problem, axis)
-    for form in range(5):
+    for form in range(3):
         if form == 0:
             taken = slower_cruise(phases, problem, axis)
-        elif form < 3:
+        else:
             cruise = axis[Axis.VELOCITY]
             if form == 2:
                 cruise = -axis[Axis.LOWER]
             taken = with_cruise(phases, cruise, problem, axis)
-        else:
-            taken = direct_form(phases, form == 3, problem, axis)
         count = insert_covering(phases, taken, spent, after, problem, axis, count, ends)
     for branch in range(4):
         if same_members(branch, problem, family):

@@ -27,15 +27,8 @@ GROWTH_LAST = 1.1
 LATER = 230
 LAST = 350
 GROWTHS = 600
-# how accurately the first feasible duration is found; coarsely where it may lie much earlier
+# how accurately the first feasible duration is found, and the first step, as a share of that
 ACCURACY = 4e-9
-COARSE = 1e-4
-# steps from the start of a gap, doubled, up to this share of its end; not where a duration is this
-# much above the shortest one
-FIRST_STEP = 0.004
-BEFORE_END = 0.98
-ABOVE_SHORTEST = 1.1
-# beside the first feasible duration, as a share of the accuracy
 INSIDE = 0.75
 # a duration is a multiple of the sample time within this share of one, and a duration beyond the
 # end of a gap by this share is feasible
@@ -121,8 +114,8 @@ def next_feasible(
             duration = min(duration, most)
             if set_duration(duration, cell, axis, work):
                 if axis[Axis.PLATEAU] < 0.5 or not ramps_suffice(axis):
-                    duration = first_feasible(ACCURACY, after, duration, cell, axis, work)
-                return earlier_feasible(start, duration, cell, axis, work)
+                    duration = first_feasible(after, duration, cell, axis, work)
+                return duration
             if duration >= most:
                 return -1.0
             after = duration
@@ -132,7 +125,7 @@ def next_feasible(
     for i in range(GROWTHS):
         duration = min(after * growth, most)
         if set_duration(duration, cell, axis, work):
-            return first_feasible(ACCURACY, after, duration, cell, axis, work)
+            return first_feasible(after, duration, cell, axis, work)
         if duration >= most:
             return -1.0
         after = duration
@@ -143,42 +136,13 @@ def next_feasible(
     return -1.0
 
 
-def earlier_feasible(
-    start: float, end: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
-) -> float:
-    """A feasible duration in (start, end], where `start` is infeasible and `end` feasible.
-
-    A little beyond the shortest profile, means of other families can last less than all durations
-    that `gap_ends` tells.
-    """
-    outside = start
-    if start > ABOVE_SHORTEST * cell[Cell.RESULT, Interval.SHORTEST]:
-        return end
-    for i in range(4):
-        duration = start * (1.0 + FIRST_STEP * 2**i)
-        if duration > BEFORE_END * end:
-            break
-        if set_duration(duration, cell, axis, work):
-            return first_feasible(COARSE, outside, duration, cell, axis, work)
-        outside = duration
-    return end
-
-
 def first_feasible(
-    accuracy: float,
-    outside: float,
-    inside: float,
-    cell: 'float[:,:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
+    outside: float, inside: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
-    """The first feasible duration between an infeasible and a feasible one.
-
-    accuracy: by which share it may be longer than that.
-    """
-    duration = inside * (1.0 - INSIDE * accuracy)
+    """The first feasible duration between an infeasible and a feasible one."""
+    duration = inside * (1.0 - INSIDE * ACCURACY)
     for i in range(HALVINGS):
-        if duration <= outside or inside - outside <= accuracy * inside:
+        if duration <= outside or inside - outside <= ACCURACY * inside:
             break
         if set_duration(duration, cell, axis, work):
             inside = duration

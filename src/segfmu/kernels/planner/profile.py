@@ -11,15 +11,11 @@ levels next to a single ramp (arcs.py) and profiles that pass zero jerk with sna
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.arcs import loop_form
 from segfmu.kernels.planner.braking import nearly_brakes
-from segfmu.kernels.planner.cruise import shorter_cruise
 from segfmu.kernels.planner.dipped import shorter_dipped
 from segfmu.kernels.planner.forms import (
     braked_ramps,
     is_done,
-    may_detour,
     passing_either_way,
-    shorter_braked,
-    shorter_than_detour,
     shortest_between,
     usual_duration,
 )
@@ -36,6 +32,7 @@ from segfmu.kernels.planner.records import (
     Problem,
     Rises,
 )
+from segfmu.kernels.planner.sides import slowest_velocity
 from segfmu.kernels.planner.touching import touching_form
 from segfmu.kernels.planner.window import early_window, short_window
 
@@ -68,7 +65,7 @@ def shortest_ramps(
         return 0
     count = shortest_between(0, phases, asked, axis, work)
     if count == 0:
-        count = braked_ramps(asked, axis, phases, work)
+        count = braked_ramps(0, asked, axis, phases, work)
     return count
 
 
@@ -106,6 +103,16 @@ def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') ->
     return as_asked(mirrored, turned, count, phases, asked, axis, work[PlanWork.PASSING, :])
 
 
+def may_last_longer(problem: 'float[:]', axis: 'float[:]') -> bool:
+    """Whether profiles that brake may be shorter than one that does not have to.
+
+    Two smoothsteps by way of zero cover a better distance than one, in about the same time. And
+    between states beyond the lower one of two velocity limits, a cruise at that one is a detour.
+    """
+    fastest = max(abs(problem[Problem.V]), abs(problem[Problem.W]))
+    return axis[Axis.PLATEAU] < 0.5 or fastest > slowest_velocity(axis)
+
+
 def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
     """`shortest_profile` of the problem that is set, in the direction that it has (`orient`)."""
     asked = work[PlanWork.PROBLEM, :]
@@ -114,8 +121,6 @@ def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]')
     if is_done(asked):
         return 0
     count = shortest_between(0, phases, asked, axis, work)
-    if count > 0 and may_detour(asked, axis):
-        count = shorter_than_detour(count, asked, axis, phases, work)
     missed = int(family[Family.MISSED])
     if count == 0:
         free = family[Family.FREE]
@@ -133,11 +138,8 @@ def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]')
                 missed = int(Rises.STEEPEST)
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
-    if count > 0 and axis[Axis.PLATEAU] < 0.5:
-        # two ramps by way of zero may take no longer than one, over another distance
-        trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-        count = shorter_cruise(count, phases, asked, axis, trial)
-        count = shorter_braked(count, asked, axis, phases, work)
+    if count > 0 and may_last_longer(asked, axis):
+        count = braked_ramps(count, asked, axis, phases, work)
     # where the snap is not the highest limit, steeper rises are always tried
     if not snap_is_last(axis) and not is_resting(asked, axis):
         missed = int(Rises.STEEPEST)
@@ -172,7 +174,7 @@ def usual_braked(
     """`shortest_profile` where the optimal forms fail, without dips: ramps, loops, windows."""
     # nothing is shorter; NEVER if there is none without the velocity limit either
     free = work[PlanWork.FAMILY, Family.FREE]
-    status = braked_ramps(asked, axis, phases, work)
+    status = braked_ramps(0, asked, axis, phases, work)
     longest = usual_duration(asked, axis)
     if status > 0:
         settled = False
