@@ -21,8 +21,9 @@ row.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, ClassVar
 
 
@@ -101,12 +102,14 @@ class Record:
         cls.COLUMNS = max((r.COLUMNS or r.SIZE for r in rows), default=0)
 
     @classmethod
-    def feeds(cls) -> Iterator[tuple[int, str, int]]:
+    @cache
+    def feeds(cls) -> tuple[tuple[int, str, int], ...]:
         """Index, variable and base of all entries that FMU variables feed."""
-        for name, declared in cls.FIELDS.items():
-            for i, variable in enumerate(declared.variables):
-                if variable:
-                    yield getattr(cls, name) + i, variable, declared.base
+        return tuple(
+            (getattr(cls, name) + i, variable, declared.base)
+            for name, declared in cls.FIELDS.items()
+            for i, variable in enumerate(declared.variables) if variable
+        )
 
     @classmethod
     def fill(cls, record: Any, value: Callable[[str], Any], row: int = 1) -> None:
@@ -115,7 +118,8 @@ class Record:
         row : which row of a table the record is, from 1.
         """
         for place, variable, base in cls.feeds():
-            record[place] = float(value(variable.format(row))) - base
+            named = variable.format(row) if "{" in variable else variable
+            record[place] = float(value(named)) - base
 
 
 def c_name(declared: type) -> str:

@@ -102,6 +102,13 @@ def test_noise_of_the_integration_tells_no_dead_time() -> None:
     assert sum(told.values()) >= len(told) - 2
 
 
+def test_the_deeper_of_two_valleys_is_found() -> None:
+    """From parts of whole pieces alone, axes stuck at other turns: nine intervals were wrong."""
+    found, truth = identified(("lab", "force"), 59)
+    assert sum(e.low <= truth[e.key] <= e.high for e in found.estimates) >= 14
+    assert max(signal.dependence for part in found.fitted for signal in part.signals) < 1.5
+
+
 # of force drives fewer intervals are right, see docs/identification.md
 KINDS = [("lab", "velocity"), *soaked(("quay", "velocity"))]
 

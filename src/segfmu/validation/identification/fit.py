@@ -19,6 +19,7 @@ from segfmu.validation.identification.found import Direction, Fit
 from segfmu.validation.identification.log import Log
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.noise import dependence, noise_of, rough_noise
+from segfmu.validation.identification.slopes import Slopes
 from segfmu.validation.identification.unknowns import Unknowns
 
 CONFIDENCE = 0.95
@@ -26,11 +27,6 @@ CONFIDENCE = 0.95
 # factor: over a long one, a start that is far away has sways whose periods are counted wrongly, or
 # a load that falls. A part that the crane cannot do yet is longer by the square root, down to LEAST
 FIRST, GROWTH, LEAST = 1.0 / 30.0, 1.8, 1.02
-# of differences: the first ones, and the longest. Others move the residuals by MOVED, about as much
-# as noise makes of the unknown: the integration of dry friction has a noise of its own, about 1e-3
-# of this, which short differences take for a slope
-STEP, LONGEST_STEP = 1e-4, 0.1
-MOVED, MOVED_LEAST, MOVED_MOST = 1.0, 0.3, 3.0
 # how far from the crane file unknowns are expected to be: so far that it only counts where the
 # signals say nothing, which otherwise has no solution; and the same while parts of logs are fitted
 EXPECTED, EXPECTED_EARLY = 10.0, 1.0
@@ -55,18 +51,23 @@ class Problem:
         self._noise = [rough_noise(log) for log in logs]
         self._directions: list[Direction] = []
         self._expected, self._converged = EXPECTED, True
-        # of differences, by logs and unknowns
-        self._steps = np.full((len(logs), unknowns.size), STEP)
+        self._slopes = Slopes(self._of_log, unknowns)
 
-    def fit(self, progress: Callable[[float], None] = lambda _: None) -> Fit:
+    def fit(
+        self, begin: FloatArray | None = None,
+        progress: Callable[[float], None] = lambda _: None,
+    ) -> Fit:
         """Fit, and hold one unknown after the other until the signals tell those that are left.
+
+        begin: where a second search begins, beside that from fits of parts of the logs; the better
+        one counts. Dry friction makes valleys: at other dead times an axis sticks at other turns.
 
         Raises
         ------
         InputError
             If the crane of the file cannot do what the log has.
         """
-        point, kept = self._settled(self._grown(progress)), set[int]()
+        point, kept = self._settled(self._better(self._grown(progress), begin)), set[int]()
         while (direction := self._untold(point, kept)) is not None:
             without = self._without(point, direction)
             if without is None:
@@ -81,7 +82,7 @@ class Problem:
         Near the best point they may tell little of what they tell at that value, as of friction
         with which an axis slides where it would stick.
         """
-        before, free, steps = self._cost(point), list(self._free), self._steps.copy()
+        before, free, slopes = self._cost(point), list(self._free), self._slopes.copy()
         limit = (self._student() * self._depends(point)) ** 2
         self._free.remove(direction.held)
         start = point.copy()
@@ -90,7 +91,7 @@ class Problem:
             start if self._possible(start, 1.0) else self._grown(), self._logs, TOLERANCE
         )
         if self._cost(found) > before + limit:
-            self._free, self._steps = free, steps
+            self._free, self._slopes = free, slopes
             return None
         self._directions.append(direction)
         return found
@@ -107,6 +108,17 @@ class Problem:
 
     def _student(self) -> float:
         return float(student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()))
+
+    def begin(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
+        """A first fit of all unknowns; raises as `fit`."""
+        return self._solved(self._grown(progress), self._logs, TOLERANCE)
+
+    def _better(self, one: FloatArray, other: FloatArray | None) -> FloatArray:
+        """Of the valleys of two points the deeper one."""
+        if other is None or not self._possible(other, 1.0):
+            return one
+        found = [self._solved(point, self._logs, TOLERANCE) for point in (one, other)]
+        return min(found, key=self._cost)
 
     def _grown(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
         """Fit longer and longer parts of the logs; the point for the longest but the whole."""
@@ -202,45 +214,9 @@ class Problem:
         return np.concatenate([*blocks, np.eye(len(self._free)) / self._expected])
 
     def _blocks(self, point: FloatArray, logs: Sequence[Log]) -> list[FloatArray]:
-        """Derivatives of the residuals of every log, shape (rows * signals, free unknowns)."""
-        blocks = []
-        for i, log in enumerate(logs):
-            base = self._of_log(point, i, log)
-            block = np.zeros((base.size, len(self._free)))
-            for column, place in enumerate(self._free):
-                if self._unknowns.of_log(place) in (None, i):
-                    block[:, column] = self._slope(point, i, log, place, base)
-            blocks.append(block)
-        return blocks
-
-    def _slope(
-        self, point: FloatArray, log_place: int, log: Log, place: int, base: FloatArray
-    ) -> FloatArray:
-        """Difference with a step that moves the residuals enough; 0 where the crane cannot go."""
-        found, moved = self._difference(point, log_place, log, place, base)
         # parts of logs are fitted roughly
-        if self._expected == EXPECTED_EARLY or MOVED_LEAST <= moved <= MOVED_MOST:
-            return found
-        before = self._steps[log_place, place]
-        step = before * MOVED / moved if moved > 0.0 else LONGEST_STEP
-        self._steps[log_place, place] = min(step, LONGEST_STEP)
-        if self._steps[log_place, place] == before:
-            return found
-        return self._difference(point, log_place, log, place, base)[0]
-
-    def _difference(
-        self, point: FloatArray, log_place: int, log: Log, place: int, base: FloatArray
-    ) -> tuple[FloatArray, float]:
-        """Slope away from the nearer bound, else to the other side, and how far this moves."""
-        size = self._steps[log_place, place]
-        first = size if self._unknowns.high[place] - point[place] > size else -size
-        for step in (first, -first):
-            moved = point.copy()
-            moved[place] += step
-            change = self._of_log(moved, log_place, log) - base
-            if np.isfinite(change).all():
-                return change / step, float(np.linalg.norm(change))
-        return np.zeros_like(base), MOVED
+        rough = self._expected == EXPECTED_EARLY
+        return self._slopes.blocks(point, logs, self._free, rough)
 
     def _untold(self, point: FloatArray, kept: Collection[int]) -> Direction | None:
         """The combination of unknowns that the signals tell least, if they do not tell it.

@@ -119,7 +119,9 @@ def identify(
         raise InputError("fit: name keys of the crane file, each once")
     chosen = [quantity(key, file, model.value, sizes) for key in keys]
     unknowns = Unknowns(model, parts, chosen, sizes)
-    found = Problem(model, parts, unknowns).fit(lambda share: progress("fit", share))
+    found = Problem(model, parts, unknowns).fit(
+        _begin(model, cut, unknowns, sizes, progress), lambda share: progress("fit", share)
+    )
     changes = unknowns.changes(found.point, found.free)
     followed = _Followed(model.changed(changes), zeros_of(model, changes), tube)
     starts = [unknowns.start(found.point, i) for i in range(len(parts))]
@@ -131,6 +133,28 @@ def identify(
         source, file, _estimates(unknowns, found), _untold(unknowns, found), tuple(known),
         tuple(later), found.converged,
     )
+
+
+def _begin(
+    model: Model, cut: Sequence[Sequence[Log]], unknowns: Unknowns, sizes: Sizes,
+    progress: Progress,
+) -> FloatArray | None:
+    """Where the search begins for logs in pieces: what fits their halves, which have less valleys.
+
+    None for logs that are whole, and where the crane cannot do the halves.
+    """
+    if all(len(own) == 1 for own in cut):
+        return None
+    parts = [part for own in cut for part in own]
+    halves = [_pieces(p, 0.5 * (p.times[-1] - p.times[0])) for p in parts]
+    every = [half for own in halves for half in own]
+    short = Unknowns(model, every, unknowns.quantities, sizes)
+    try:
+        point = Problem(model, every, short).begin(lambda share: progress("first fit", share))
+    except InputError:
+        return None
+    firsts = np.cumsum([0, *map(len, halves[:-1])])
+    return unknowns.taken(short, point, firsts.tolist())
 
 
 @dataclass(frozen=True)

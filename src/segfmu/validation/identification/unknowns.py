@@ -79,6 +79,13 @@ class Unknowns:
         first = self.parameters + log * State.SIZE
         return self.values(point)[first : first + State.SIZE]
 
+    def taken(self, other: Unknowns, point: FloatArray, places: Sequence[int]) -> FloatArray:
+        """The point with the parameters of another one, and the starts of those of its logs."""
+        starts = [other.start(point, place) for place in places]
+        values = np.append(other.values(point)[: self.parameters], np.concatenate(starts))
+        found: FloatArray = np.clip((values - self._start) / self._scale, self.low, self.high)
+        return found
+
     def name(self, place: int) -> str:
         """Key of a parameter, or component of a state at the start."""
         if place < self.parameters:
