@@ -23,6 +23,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "g": ("fmu_steps", ()),
     "m": ("master_runs", ()),
     "n": ("campaign_rate", ("distributed", "pyarrow")),
+    "mem": ("campaign_memory", ("distributed", "pyarrow")),
     "w": ("worst_cases", ("distributed", "pyarrow")),
     "v": ("identification", ()),
     "h": ("master_time", ()),

@@ -40,9 +40,9 @@ def measure(settings: Settings) -> Part:
 def _records(campaign: Campaign, count: int) -> list[Record]:
     ranges = any(f.range is not None for f in campaign.factors)
     drawn = SamplingTable(kind="random", runs=count, seed=7) if ranges else MATRIX
-    brute = _with(campaign, drawn)
+    brute = with_sampling(campaign, drawn)
     table = _result(brute)
-    found = _result(_with(campaign, SamplingTable(runs=RUNS, seed=1), "worst"))
+    found = _result(with_sampling(campaign, SamplingTable(runs=RUNS, seed=1), "worst"))
     return [_record(name, found, table) for name in campaign.criteria]
 
 
@@ -65,7 +65,9 @@ def _least(result: CampaignResult, criterion: str) -> float:
     return row.worst
 
 
-def _with(campaign: Campaign, sampling: SamplingTable, search: str | None = None) -> Campaign:
+def with_sampling(
+    campaign: Campaign, sampling: SamplingTable, search: str | None = None
+) -> Campaign:
     """The campaign with another sampling, or as a search."""
     file = campaign.source.file.model_copy(update={"sampling": sampling, "search": search})
     source = replace(campaign.source, file=file)
