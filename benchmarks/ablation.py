@@ -31,24 +31,16 @@ WAYS: dict[str, dict[str, str]] = {
     "more starts of passing profiles": {
         "plan_thoroughly": "return;", "touching_form": "return count;",
     },
-    "dips": {
-        "shorter_dipped": "return count;", "timed_dipped": "return -1.0;",
-        "dip_ends": "return count;",
-    },
-    "levels next to one ramp": {
-        "loop_form": "return count;", "timed_loop": "return;", "loop_ends": "return count;",
-    },
+    "dips": {"shorter_dipped": "return count;", "timed_dipped": "return -1.0;"},
+    "levels next to one ramp": {"loop_form": "return count;", "timed_loop": "return;"},
     "folds of these levels": {
         "loop_form": f"if (last > {LoopArc.SINGLE:d}) last = {LoopArc.SINGLE:d};",
     },
     "first members among rising ones": {"rising_member": "return -1.0;"},
-    "gaps that end with these levels": {"loop_ends": "return count;"},
     "steeper rises": {"smoothness_share": "return 0.0;"},
-    "shorter by braking first": {"shorter_braked": "return count;"},
     "slower passing profiles": {"slower_passing": "return -1.0;"},
     "least and largest distance": {"between_extremes": "return -1.0;"},
     "leads over levels": {"search_levels": "return;"},
-    "leads by pairs of stages": {"search_pairs": "return;"},
     "leads along the old plan": {"follow_plan": "return;"},
 }
 LIMITED = () if sysconfig.get_config_var("Py_GIL_DISABLED") else ("-DPy_LIMITED_API=0x030B0000",)

@@ -75,7 +75,7 @@ def test_a_common_duration_in_a_gap_goes_to_its_end(problem: AxisProblem, inside
 def test_ends_rise_and_come_after_the_given_duration() -> None:
     problem = AxisProblem(4, 1, (2.0, 0.6, 3.0, 20.0, 0.0), 1.36, -0.11, 1.7, 0.38, 1.9)
     work = work_space()
-    count = gap_ends(1.3, 1.2, problem.boundary(), problem.axis(), work)
+    count = gap_ends(1.3, problem.boundary(), problem.axis(), work)
     ends = work[PlanWork.GAP_ENDS :, 0]
     assert count >= 2
     assert (np.diff(ends[:count]) > 0.0).all() and ends[0] > 1.3

@@ -610,11 +610,9 @@ static void note_near(double y, double duration, array_double_1d family, array_d
 static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
 static bool only_farther(array_double_1d family);
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
-static void note_near_gain(array_double_1d family, array_double_1d axis);
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
 static double canonical_search(array_double_1d family, array_double_1d axis);
-static double nearby_member(array_double_1d family, array_double_1d axis);
 static double member_search(array_double_1d family, array_double_1d axis);
 static void set_family(int64_t branch, array_double_1d problem, array_double_1d axis, array_double_1d family);
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family);
@@ -639,7 +637,6 @@ static double loop_root(int64_t arc, double lower, double upper, double e_lower,
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state);
 static double zero_time(int64_t order, int64_t top, double length, array_double_1d state);
 static void advance_piece(int64_t top, double length, array_double_1d state, array_double_1d end);
@@ -681,19 +678,18 @@ static bool find_dips(double v, double a, double end, array_double_1d axis, arra
 static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work);
 static int64_t write_levels(array_double_2d phases, array_double_2d work);
 static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
-static double peak_past_zero(double v, double a, double level, array_double_1d axis);
-static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
-static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static bool nearly_brakes(double v, double a, array_double_1d axis);
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void note_known(array_double_2d work);
 static void clear_nearest(array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
+static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double beyond_rounding(double value, double scale);
 static void mirror_problem(array_double_1d problem);
 static void mirror_search(array_double_1d problem, array_double_1d axis);
@@ -724,7 +720,6 @@ static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_d
 static int64_t overlong_plateau(array_double_2d work);
 static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static bool release_touch(int64_t kind, array_double_2d work);
 static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
 static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool may_go_on(array_double_2d work);
@@ -738,9 +733,8 @@ static bool stay_below(int64_t place, array_double_1d problem, array_double_1d a
 static bool end_highest(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool end_plateau(int64_t place, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t vanishing_level(int64_t step, array_double_2d work);
+static int64_t vanishing_end(array_double_2d work);
 static bool release_plateau(array_double_2d work);
-static bool flip_level(array_double_2d work);
 static bool follow(double target, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void append_level(double sign, double time, array_double_2d work);
 static void append_levels(double change, array_double_1d axis, array_double_2d work);
@@ -793,12 +787,10 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
 static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, double top, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
-static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
 static bool may_last_longer(array_double_1d problem, array_double_1d axis);
 static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
@@ -862,9 +854,8 @@ static bool leads_in(double time, array_double_2d lead);
 static int64_t first_free_stage(int64_t order);
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double near_zero(double i);
-static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double near_zero(double i);
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -902,9 +893,7 @@ static int64_t insert_turn(int64_t sample, bool covering, double least, double s
 static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -17941,15 +17930,15 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(27)));
-    hold1 = (*cspan_at(&family, INT64_C(28)));
-    level1 = (*cspan_at(&family, INT64_C(29)));
-    hold2 = (*cspan_at(&family, INT64_C(30)));
-    level2 = (*cspan_at(&family, INT64_C(31)));
-    t3 = (*cspan_at(&family, INT64_C(32)));
+    t1 = (*cspan_at(&family, INT64_C(26)));
+    hold1 = (*cspan_at(&family, INT64_C(27)));
+    level1 = (*cspan_at(&family, INT64_C(28)));
+    hold2 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(30)));
+    t3 = (*cspan_at(&family, INT64_C(31)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(33)));
-    basis = basis + (*cspan_at(&family, INT64_C(34))) * (t2 - basis);
+    t2 = basis * (*cspan_at(&family, INT64_C(32)));
+    basis = basis + (*cspan_at(&family, INT64_C(33))) * (t2 - basis);
     if ((*cspan_at(&family, INT64_C(15))) > 0.5)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
@@ -18036,7 +18025,7 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     a = (*cspan_at(&family, INT64_C(1)));
     second_level(&level2, &t3, &hold2, &gain, p, family, axis);
     low = span_max(0.0, span_max(a, level2));
-    near = (*cspan_at(&family, INT64_C(27)));
+    near = (*cspan_at(&family, INT64_C(26)));
     solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(6))), near, axis);
     if (hold1 < 0.0)
     {
@@ -18044,12 +18033,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(27))) = t1;
-    (*cspan_at(&family, INT64_C(28))) = hold1;
-    (*cspan_at(&family, INT64_C(29))) = level1;
-    (*cspan_at(&family, INT64_C(30))) = hold2;
-    (*cspan_at(&family, INT64_C(31))) = level2;
-    (*cspan_at(&family, INT64_C(32))) = t3;
+    (*cspan_at(&family, INT64_C(26))) = t1;
+    (*cspan_at(&family, INT64_C(27))) = hold1;
+    (*cspan_at(&family, INT64_C(28))) = level1;
+    (*cspan_at(&family, INT64_C(29))) = hold2;
+    (*cspan_at(&family, INT64_C(30))) = level2;
+    (*cspan_at(&family, INT64_C(31))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -18964,12 +18953,12 @@ static double set_point(double place, double radius, array_double_1d family, arr
     level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), family, axis);
     level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(10))), (*cspan_at(&family, INT64_C(11))), family, axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(27))) = t1;
-    (*cspan_at(&family, INT64_C(28))) = hold1;
-    (*cspan_at(&family, INT64_C(29))) = level1;
-    (*cspan_at(&family, INT64_C(30))) = hold2;
-    (*cspan_at(&family, INT64_C(31))) = level2;
-    (*cspan_at(&family, INT64_C(32))) = t3;
+    (*cspan_at(&family, INT64_C(26))) = t1;
+    (*cspan_at(&family, INT64_C(27))) = hold1;
+    (*cspan_at(&family, INT64_C(28))) = level1;
+    (*cspan_at(&family, INT64_C(29))) = hold2;
+    (*cspan_at(&family, INT64_C(30))) = level2;
+    (*cspan_at(&family, INT64_C(31))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -19043,8 +19032,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(29)));
-    level2 = (*cspan_at(&family, INT64_C(31)));
+    level1 = (*cspan_at(&family, INT64_C(28)));
+    level2 = (*cspan_at(&family, INT64_C(30)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if (fastest <= 0.0)
@@ -19063,7 +19052,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     {
         return 0;
     }
-    (*cspan_at(&family, INT64_C(33))) = stretch;
+    (*cspan_at(&family, INT64_C(32))) = stretch;
     return stretch >= 1.0;
 }
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
@@ -19302,10 +19291,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(29)))) * (*cspan_at(&family, INT64_C(27)));
-    gain = gain + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(31))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(32)));
-    loss = loss + (*cspan_at(&family, INT64_C(31))) * (*cspan_at(&family, INT64_C(30)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(28)))) * (*cspan_at(&family, INT64_C(26)));
+    gain = gain + (*cspan_at(&family, INT64_C(28))) * (*cspan_at(&family, INT64_C(27)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(30))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(31)));
+    loss = loss + (*cspan_at(&family, INT64_C(30))) * (*cspan_at(&family, INT64_C(29)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -19339,22 +19328,6 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
         }
     }
     return -1.0;
-}
-static void note_near_gain(array_double_1d family, array_double_1d axis)
-{
-    double a;
-    double b;
-    double low;
-    double first;
-    double least;
-    a = (*cspan_at(&family, INT64_C(1)));
-    b = (*cspan_at(&family, INT64_C(3)));
-    low = span_max(0.0, span_max(a, b));
-    level_gain(&first, &least, low, a, b, axis);
-    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
-    {
-        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
-    }
 }
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
 {
@@ -19420,7 +19393,6 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     canonical_value(&f_lower, &duration, 0.0, family, axis);
     if (duration < 0.0)
     {
-        note_near_gain(family, axis);
         return -1.0;
     }
     if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
@@ -19458,40 +19430,6 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     }
     p = farther_member(lower, f_lower, family, axis);
     return p;
-}
-static double nearby_member(array_double_1d family, array_double_1d axis)
-{
-    double target;
-    double lower;
-    double upper;
-    double f_lower;
-    double duration;
-    double f_upper;
-    double result;
-    target = (*cspan_at(&family, INT64_C(16)));
-    lower = (1.0 - 0.05) * (*cspan_at(&family, INT64_C(26)));
-    upper = (1.0 + 0.05) * (*cspan_at(&family, INT64_C(26)));
-    if (lower <= 0.0)
-    {
-        return -1.0;
-    }
-    canonical_value(&f_lower, &duration, lower, family, axis);
-    if (duration < 0.0)
-    {
-        return -1.0;
-    }
-    canonical_value(&f_upper, &duration, upper, family, axis);
-    if ((duration < 0.0) || ((f_lower - target) * (f_upper - target) > 0.0) || (f_lower == f_upper))
-    {
-        return -1.0;
-    }
-    if (f_upper > f_lower)
-    {
-        result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
-        return result;
-    }
-    result = bracketed_root(upper, lower, f_upper, f_lower, family, axis);
-    return result;
 }
 static double member_search(array_double_1d family, array_double_1d axis)
 {
@@ -19642,17 +19580,16 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(15))) = 0.0;
     (*cspan_at(&family, INT64_C(16))) = distance;
     (*cspan_at(&family, INT64_C(17))) = -1.0;
-    (*cspan_at(&family, INT64_C(27))) = -1.0;
+    (*cspan_at(&family, INT64_C(26))) = -1.0;
     (*cspan_at(&family, INT64_C(18))) = last_ramp;
-    (*cspan_at(&family, INT64_C(33))) = 1.0;
-    (*cspan_at(&family, INT64_C(34))) = 0.0;
+    (*cspan_at(&family, INT64_C(32))) = 1.0;
+    (*cspan_at(&family, INT64_C(33))) = 0.0;
     (*cspan_at(&family, INT64_C(25))) = 0.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
     (*cspan_at(&family, INT64_C(17))) = member;
     (*cspan_at(&family, INT64_C(18))) = span_min(span_max((*cspan_at(&family, INT64_C(7))), 0.1 * time), time);
-    (*cspan_at(&family, INT64_C(26))) = -1.0;
     if (by_time)
     {
         (*cspan_at(&family, INT64_C(15))) = 1.0;
@@ -19688,21 +19625,21 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(29)));
-    level2 = (*cspan_at(&family, INT64_C(31)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(27))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(28))));
+    level1 = (*cspan_at(&family, INT64_C(28)));
+    level2 = (*cspan_at(&family, INT64_C(30)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(26))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(27))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(33))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(32))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(33)));
+        duration = basis * (*cspan_at(&family, INT64_C(32)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(34))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(33))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(30))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(32))), axis);
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(29))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(31))), axis);
     if ((*cspan_at(&family, INT64_C(13))) > 0.5)
     {
         reverse_phases(phases, INT64_C(0), count);
@@ -19726,17 +19663,12 @@ static int64_t merged_form(array_double_2d phases, double highest, array_double_
     }
     else
     {
-        p = nearby_member(family, axis);
-        if (p < 0.0)
-        {
-            p = member_search(family, axis);
-        }
+        p = member_search(family, axis);
     }
     if (p < 0.0)
     {
         return -INT64_C(1);
     }
-    (*cspan_at(&family, INT64_C(26))) = p;
     canonical_member(&duration, &y, p, family, axis);
     if (duration < 0.0)
     {
@@ -20324,8 +20256,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double y;
     double error;
     double speed;
-    (*cspan_at(&family, INT64_C(33))) = 1.0;
-    (*cspan_at(&family, INT64_C(34))) = 0.0;
+    (*cspan_at(&family, INT64_C(32))) = 1.0;
+    (*cspan_at(&family, INT64_C(33))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
@@ -20337,7 +20269,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(34))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(33))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -20349,7 +20281,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(34))) = 1.0;
+            (*cspan_at(&family, INT64_C(33))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -20599,28 +20531,6 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
             return;
         }
     }
-}
-static int64_t next_loop(int64_t* result_0_0001, double* result_1_0001, int64_t arc, int64_t sample, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d family;
-    array_double_2d trial;
-    double missing;
-    double duration;
-    int64_t used;
-    family = span_row(&work, INT64_C(98));
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    missing = set_loop(problem, axis, family);
-    arc_root(&sample, &duration, arc, sample, missing, longest, family, axis);
-    if (sample < INT64_C(0))
-    {
-        (*result_0_0001) = -INT64_C(1);
-        (*result_1_0001) = -1.0;
-        return 0;
-    }
-    used = write_member(trial, family, axis);
-    (*result_0_0001) = sample;
-    (*result_1_0001) = valid_duration(trial, used, problem, axis);
-    return 0;
 }
 static double taylor_value(int64_t order, int64_t top, double t, array_double_1d state)
 {
@@ -21816,6 +21726,119 @@ static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, 
     (*result_3) = v;
     return 0;
 }
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d family;
+    int64_t branch;
+    int64_t member;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    family = span_row(&work, INT64_C(98));
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        if (same_members(branch, problem, family))
+        {
+            continue;
+        }
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
+        {
+            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
+            count = tempered_form(trial, family, axis);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(count, problem, axis, cell, work);
+        }
+    }
+}
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double v;
+    double w;
+    double distance;
+    double middle;
+    int64_t count;
+    double y;
+    double hold;
+    double edge;
+    double y_edge;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        keep_nearest(count, problem, axis, cell, work);
+        edge = cruise_range(trial, middle, y, hold, problem, axis);
+        y_edge = keep_cruise(edge, problem, axis, cell, work);
+        if (is_enclosed(work))
+        {
+            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
+        }
+    }
+}
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    usual_cruise(problem, axis, cell, work);
+    if (!is_enclosed(work))
+    {
+        scan_cruises(problem, axis, cell, work);
+    }
+    if (!is_enclosed(work))
+    {
+        timed_merged(problem, axis, cell, work);
+    }
+}
+static void note_known(array_double_2d work)
+{
+    array_double_1d nearest;
+    nearest = span_row(&work, INT64_C(58));
+    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
+    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
+    }
+    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
+    }
+}
+static void clear_nearest(array_double_2d work)
+{
+    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
+}
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
+{
+    double distance;
+    double below;
+    double above;
+    double target;
+    double speed;
+    double tiny;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    below = (*cspan_at(&nearest, INT64_C(1)));
+    above = (*cspan_at(&nearest, INT64_C(3)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    speed = speed_bound(1.0, target, problem, axis);
+    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
+    tiny = 1e-14 * (fabs(distance) + speed * target);
+    if (above - distance <= tiny)
+    {
+        return 1.0;
+    }
+    if (distance - below > tiny)
+    {
+        return (distance - below) / (above - below);
+    }
+    return 0.0;
+}
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
     double duration;
@@ -21983,19 +22006,6 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     (*result_3) = 0.0;
     return 0;
 }
-static bool nearly_brakes(double v, double a, array_double_1d axis)
-{
-    double duration;
-    double slope;
-    double end;
-    double near;
-    bool result;
-    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
-    end = v + 0.5 * a * duration;
-    near = v + (1.0 - saving(axis)) * (0.5 * a * duration);
-    result = is_beyond(end, end, 1.0, axis) && (!is_beyond(near, near, 1.0, axis));
-    return result;
-}
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
@@ -22103,119 +22113,6 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
         count = join_phases(trial, last, phases, count);
     }
     return count;
-}
-static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d family;
-    int64_t branch;
-    int64_t member;
-    int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    family = span_row(&work, INT64_C(98));
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        if (same_members(branch, problem, family))
-        {
-            continue;
-        }
-        set_family(branch, problem, axis, family);
-        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
-        {
-            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
-            count = tempered_form(trial, family, axis);
-            if (count < INT64_C(0))
-            {
-                break;
-            }
-            keep_nearest(count, problem, axis, cell, work);
-        }
-    }
-}
-static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double v;
-    double w;
-    double distance;
-    double middle;
-    int64_t count;
-    double y;
-    double hold;
-    double edge;
-    double y_edge;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    v = (*cspan_at(&problem, INT64_C(0)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
-    {
-        keep_nearest(count, problem, axis, cell, work);
-        edge = cruise_range(trial, middle, y, hold, problem, axis);
-        y_edge = keep_cruise(edge, problem, axis, cell, work);
-        if (is_enclosed(work))
-        {
-            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
-        }
-    }
-}
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    usual_cruise(problem, axis, cell, work);
-    if (!is_enclosed(work))
-    {
-        scan_cruises(problem, axis, cell, work);
-    }
-    if (!is_enclosed(work))
-    {
-        timed_merged(problem, axis, cell, work);
-    }
-}
-static void note_known(array_double_2d work)
-{
-    array_double_1d nearest;
-    nearest = span_row(&work, INT64_C(58));
-    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
-    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
-    }
-    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
-    }
-}
-static void clear_nearest(array_double_2d work)
-{
-    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
-    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
-}
-static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
-{
-    double distance;
-    double below;
-    double above;
-    double target;
-    double speed;
-    double tiny;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    below = (*cspan_at(&nearest, INT64_C(1)));
-    above = (*cspan_at(&nearest, INT64_C(3)));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    speed = speed_bound(1.0, target, problem, axis);
-    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
-    tiny = 1e-14 * (fabs(distance) + speed * target);
-    if (above - distance <= tiny)
-    {
-        return 1.0;
-    }
-    if (distance - below > tiny)
-    {
-        return (distance - below) / (above - below);
-    }
-    return 0.0;
 }
 static double beyond_rounding(double value, double scale)
 {
@@ -23009,27 +22906,11 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
     return result;
 }
-static bool release_touch(int64_t kind, array_double_2d work)
-{
-    int64_t i;
-    int64_t row;
-    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))); i += INT64_C(1))
-    {
-        row = INT64_C(102) + i;
-        if (((*cspan_at(&work, row, INT64_C(4))) == kind) && ((*cspan_at(&work, row, INT64_C(7))) == 1.0))
-        {
-            (*cspan_at(&work, row, INT64_C(7))) = 0.0;
-            return 1;
-        }
-    }
-    return 0;
-}
 static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work)
 {
     int64_t q;
     int64_t j;
     int64_t kind;
-    int64_t lowest;
     q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
     for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
     {
@@ -23044,14 +22925,6 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
             {
                 return kind;
             }
-        }
-    }
-    lowest = q - INT64_C(3);
-    if ((lowest > INT64_C(0)) && ((*cspan_at(&work, INT64_C(196) + lowest, INT64_C(0))) > 0.0))
-    {
-        if (release_touch(lowest, work))
-        {
-            return q;
         }
     }
     return INT64_C(0);
@@ -23397,22 +23270,24 @@ static bool meet_all(array_double_1d problem, array_double_1d axis, array_double
     }
     return 0;
 }
-static int64_t vanishing_level(int64_t step, array_double_2d work)
+static int64_t vanishing_end(array_double_2d work)
 {
     array_double_1d passing;
+    int64_t last;
     double least;
-    int64_t i;
+    int64_t side;
     int64_t row;
     int64_t found;
     passing = span_row(&work, INT64_C(101));
+    last = (int64_t)((*cspan_at(&passing, INT64_C(0)))) - INT64_C(1);
     found = -INT64_C(1);
     least = 0.1 * (*cspan_at(&passing, INT64_C(3)));
-    for (i = INT64_C(0); (step > 0) ? (i < (int64_t)((*cspan_at(&passing, INT64_C(0))))) : (i > (int64_t)((*cspan_at(&passing, INT64_C(0))))); i += step)
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
     {
-        row = INT64_C(102) + i;
+        row = INT64_C(102) + side * last;
         if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
         {
-            found = i;
+            found = side * last;
             least = fabs((*cspan_at(&work, row, INT64_C(6)))) / 1.000001;
         }
     }
@@ -23421,21 +23296,19 @@ static int64_t vanishing_level(int64_t step, array_double_2d work)
 static bool release_plateau(array_double_2d work)
 {
     array_double_1d passing;
-    int64_t count;
     int64_t kind;
     int64_t end;
     int64_t i;
     int64_t row;
     bool touches;
     passing = span_row(&work, INT64_C(101));
-    count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     kind = (int64_t)((*cspan_at(&passing, INT64_C(1))));
-    end = vanishing_level(span_max_int(count - INT64_C(1), INT64_C(1)), work);
+    end = vanishing_end(work);
     if ((end < INT64_C(0)) || ((*cspan_at(&passing, INT64_C(14))) > 2.5))
     {
         return 0;
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
         row = INT64_C(102) + i;
         touches = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && ((*cspan_at(&work, row, INT64_C(6))) < 0.0);
@@ -23449,43 +23322,16 @@ static bool release_plateau(array_double_2d work)
     }
     return 0;
 }
-static bool flip_level(array_double_2d work)
-{
-    int64_t found;
-    int64_t row;
-    double time;
-    found = vanishing_level(INT64_C(1), work);
-    if (found < INT64_C(0))
-    {
-        return 0;
-    }
-    row = INT64_C(102) + found;
-    time = span_max(fabs((*cspan_at(&work, row, INT64_C(6)))), 0.03 * (*cspan_at(&work, INT64_C(101), INT64_C(3))));
-    if ((*cspan_at(&work, row, INT64_C(6))) > 0.0)
-    {
-        time = -time;
-    }
-    (*cspan_at(&work, row, INT64_C(6))) = time;
-    return 1;
-}
 static bool follow(double target, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     int64_t change;
     bool changed;
-    for (change = INT64_C(0); change < INT64_C(3); change += INT64_C(1))
+    for (change = INT64_C(0); change < INT64_C(2); change += INT64_C(1))
     {
         restore_sequence(INT64_C(158), work);
         (*cspan_at(&work, INT64_C(101), INT64_C(13))) = 1.0;
         (*cspan_at(&work, INT64_C(101), INT64_C(5))) = target;
-        changed = 1;
-        if (change == INT64_C(1))
-        {
-            changed = release_plateau(work);
-        }
-        else if (change == INT64_C(2))
-        {
-            changed = flip_level(work);
-        }
+        changed = (change == INT64_C(0)) || release_plateau(work);
         if (changed && may_go_on(work) && solve_rotated(problem, axis, work))
         {
             if (meet_all(problem, axis, work))
@@ -25038,53 +24884,6 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     }
     return span_min(most * (1.0 + 1e-09), duration);
 }
-static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest)
-{
-    double a;
-    double b;
-    int64_t i;
-    double spent;
-    double slope;
-    double distance;
-    double longest;
-    double result;
-    a = (*cspan_at(&problem, INT64_C(1)));
-    b = (*cspan_at(&problem, INT64_C(3)));
-    if (a * b >= 0.0)
-    {
-        result = early_window(duration, problem, axis);
-        return result;
-    }
-    if (span_min(fabs(a), fabs(b)) > 0.2 * span_max(fabs(a), fabs(b)))
-    {
-        return 0.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-    {
-        (*cspan_at(&rest, i)) = (*cspan_at(&problem, i));
-    }
-    if (fabs(a) < fabs(b))
-    {
-        segfmu_ramp_duration(&spent, &slope, fabs(a), axis);
-        distance = ramp_distance((*cspan_at(&problem, INT64_C(0))), a, 0.0, spent, spent, axis);
-        (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) + 0.5 * a * spent;
-        (*cspan_at(&rest, INT64_C(1))) = 0.0;
-    }
-    else
-    {
-        segfmu_ramp_duration(&spent, &slope, fabs(b), axis);
-        (*cspan_at(&rest, INT64_C(2))) = (*cspan_at(&problem, INT64_C(2))) - 0.5 * b * spent;
-        distance = ramp_distance((*cspan_at(&rest, INT64_C(2))), 0.0, b, spent, spent, axis);
-        (*cspan_at(&rest, INT64_C(3))) = 0.0;
-    }
-    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4))) - distance;
-    longest = early_window(duration - spent, rest, axis);
-    if (longest > 0.0)
-    {
-        return longest + spent;
-    }
-    return 0.0;
-}
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
@@ -25146,7 +24945,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     }
     last = INT64_C(6);
     count = span_max_int(status, INT64_C(0));
-    window = short_window(longest, asked, axis, span_row(&work, INT64_C(60)));
+    window = early_window(longest, asked, axis);
     if (window > 0.0)
     {
         count = loop_form(last, count, window, phases, asked, axis, work);
@@ -25200,24 +24999,6 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     (*cspan_at(&work, INT64_C(98), INT64_C(21))) = total_duration(phases, status) > most;
     return status;
 }
-static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
-{
-    bool result;
-    if (duration > 1.3 * free)
-    {
-        return 1;
-    }
-    if (early_window(duration, asked, axis) > 0.0)
-    {
-        return 1;
-    }
-    if (nearly_brakes((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis))
-    {
-        return 1;
-    }
-    result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
-    return result;
-}
 static bool may_last_longer(array_double_1d problem, array_double_1d axis)
 {
     double fastest;
@@ -25231,8 +25012,6 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     array_double_1d asked;
     array_double_1d family;
     int64_t missed;
-    double free;
-    array_double_1d rest;
     double longest;
     int64_t count;
     asked = span_row(&work, INT64_C(59));
@@ -25246,21 +25025,15 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     missed = (int64_t)((*cspan_at(&family, INT64_C(20))));
     if (count == INT64_C(0))
     {
-        free = (*cspan_at(&family, INT64_C(19)));
         count = shortest_braked(asked, axis, phases, work);
         if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
         {
             missed = span_max_int(missed, INT64_C(1));
         }
-        if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
-        {
-            missed = INT64_C(2);
-        }
     }
     else
     {
-        rest = span_row(&work, INT64_C(60));
-        longest = short_window(total_duration(phases, count), asked, axis, rest);
+        longest = early_window(total_duration(phases, count), asked, axis);
         if (longest > 0.0)
         {
             count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
@@ -26951,52 +26724,6 @@ static void search_ends(int64_t order, double within_0001, array_double_1d limit
         improve_ends(order, within_0001, limits, lead, timing, coefficients);
     }
 }
-static double near_zero(double i)
-{
-    double share;
-    if (i == 0.0)
-    {
-        return 0.0;
-    }
-    share = pow(0.7, (12.0 - fabs(i)));
-    if (i < 0.0)
-    {
-        share = -share;
-    }
-    return share;
-}
-static void search_pairs(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t smoothness;
-    int64_t stage;
-    int64_t earlier;
-    int64_t i;
-    int64_t j;
-    bool free;
-    double end;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
-    stage = first_free_stage(order);
-    earlier = stage + INT64_C(2);
-    for (i = -INT64_C(12); i < INT64_C(13); i += INT64_C(1))
-    {
-        for (j = -INT64_C(12); j < INT64_C(14); j += INT64_C(1))
-        {
-            free = j == INT64_C(13);
-            if ((!free) && (earlier >= smoothness))
-            {
-                continue;
-            }
-            soonest_ends(order, lead);
-            (*cspan_at(&lead, INT64_C(14), stage)) = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(12), stage));
-            if (!free)
-            {
-                end = near_zero((double)(j)) * (*cspan_at(&lead, INT64_C(12), earlier));
-                (*cspan_at(&lead, INT64_C(14), earlier)) = end;
-            }
-            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-        }
-    }
-}
 static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double steep;
@@ -27028,14 +26755,20 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
         }
         steep = 10.0 * steep;
     }
-    if (((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0) && (!is_settled(lead)))
+}
+static double near_zero(double i)
+{
+    double share;
+    if (i == 0.0)
     {
-        search_pairs(order, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) >= 0.0)
-        {
-            improve_ends(order, within_0001, limits, lead, timing, coefficients);
-        }
+        return 0.0;
     }
+    share = pow(0.7, (12.0 - fabs(i)));
+    if (i < 0.0)
+    {
+        share = -share;
+    }
+    return share;
 }
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -28043,65 +27776,13 @@ static int64_t covering_ends(double spent, double after, array_double_1d problem
     }
     return count;
 }
-static int64_t loop_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
-{
-    array_double_2d ends;
-    double longest;
-    int64_t arc;
-    int64_t sample;
-    double duration;
-    ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    longest = usual_duration(problem, axis);
-    for (arc = INT64_C(0); arc < INT64_C(5); arc += INT64_C(1))
-    {
-        sample = INT64_C(0);
-        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
-        {
-            next_loop(&sample, &duration, arc, sample, longest, problem, axis, work);
-            if (duration >= 0.0)
-            {
-                count = insert_end(duration, after, count, ends);
-            }
-        }
-    }
-    return count;
-}
-static int64_t dip_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count)
+static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d rest;
-    array_double_2d between;
-    array_double_2d ends;
-    int64_t i;
-    double spent;
-    int64_t used;
-    double duration;
-    rest = span_row(&work, INT64_C(61));
-    between = span_rows(&work, INT64_C(65), INT64_C(98));
-    ends = span_rows(&work, INT64_C(42), INT64_C(58));
-    if (!set_both_dips(0.0, problem, axis, work))
-    {
-        return count;
-    }
-    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
-    {
-        spent = problem_between(0.25 * i, problem, axis, rest, work);
-        used = profile_between(rest, axis, work);
-        if (used >= INT64_C(0))
-        {
-            duration = spent + total_duration(between, used);
-            count = insert_end(duration, after, count, ends);
-        }
-    }
-    return count;
-}
-static int64_t gap_ends(double after, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work)
-{
-    array_double_1d rest;
-    int64_t count;
     int64_t variant;
     int64_t taken;
     double spent;
-    int64_t result;
+    int64_t count;
     rest = span_row(&work, INT64_C(60));
     count = INT64_C(0);
     for (variant = INT64_C(0); variant < INT64_C(4); variant += INT64_C(1))
@@ -28111,15 +27792,10 @@ static int64_t gap_ends(double after, double shortest, array_double_1d problem, 
         {
             continue;
         }
-        if ((variant == INT64_C(0)) && ((after < 1.1 * shortest) || (!snap_is_last(axis))))
-        {
-            count = loop_ends(after, rest, axis, work, count);
-        }
         count = covering_ends(spent, after, rest, axis, work, count);
         count = turning_ends(spent, after, rest, axis, work, count);
     }
-    result = dip_ends(after, problem, axis, work, count);
-    return result;
+    return count;
 }
 static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -28981,7 +28657,6 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
 {
     double after;
     double delay;
-    double shortest;
     int64_t sweep;
     int64_t count;
     int64_t i;
@@ -28989,10 +28664,9 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
     double duration;
     after = start;
     delay = (*cspan_at(&cell, INT64_C(68), INT64_C(2)));
-    shortest = (*cspan_at(&cell, INT64_C(67), INT64_C(0))) - delay;
     for (sweep = INT64_C(0); sweep < INT64_C(8); sweep += INT64_C(1))
     {
-        count = gap_ends(after - delay, shortest, span_row(&cell, INT64_C(66)), axis, work);
+        count = gap_ends(after - delay, span_row(&cell, INT64_C(66)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);

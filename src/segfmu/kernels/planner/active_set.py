@@ -1,8 +1,8 @@
 """Which limits are active in a sequence (sequence.py), as limits or its duration change.
 
 Derivatives stay at limits on plateaus, with several starts for Newton's method, or touch them for
-an instant (instant.py). Plateaus become instants as their holds vanish, and levels that vanish get
-the other sign, or go to the other end.
+an instant (instant.py). Plateaus become instants as their holds vanish, and levels that vanish at
+one end go to the other.
 """
 
 from segfmu.kernels.numerics.numbers import NEVER, TIE
@@ -28,9 +28,8 @@ MOST_NODES = 12
 CHANGES = 10
 # a sequence is better if it costs this share less
 BETTER = 1e-9
-# of the whole duration: what a short level takes at most, and a new one at least
+# of the whole duration: what a short level takes at most
 SHORT = 0.1
-NEW = 0.03
 
 
 def may_go_on(work: 'float[:,:]') -> bool:
@@ -232,15 +231,16 @@ def meet_all(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     return False
 
 
-def vanishing_level(step: int, work: 'float[:,:]') -> int:
-    """The free level of the least time, if that is short: of every `step`-th node; -1: none."""
+def vanishing_end(work: 'float[:,:]') -> int:
+    """The free level at the start or the end that takes the least time, if that is short; -1."""
     passing = work[PlanWork.PASSING, :]
+    last = int(passing[Passing.COUNT]) - 1
     found = -1
     least = SHORT * passing[Passing.TIME]
-    for i in range(0, int(passing[Passing.COUNT]), step):
-        row = PlanWork.NODES + i
+    for side in range(2):
+        row = PlanWork.NODES + side * last
         if work[row, Node.KIND] < 0.5 and abs(work[row, Node.TIME]) < least:
-            found = i
+            found = side * last
             least = abs(work[row, Node.TIME]) / TIE
     return found
 
@@ -251,12 +251,11 @@ def release_plateau(work: 'float[:,:]') -> bool:
     A level that vanishes at the start or the end goes. False if there are no such two.
     """
     passing = work[PlanWork.PASSING, :]
-    count = int(passing[Passing.COUNT])
     kind = int(passing[Passing.ABOVE])
-    end = vanishing_level(max(count - 1, 1), work)
+    end = vanishing_end(work)
     if end < 0 or passing[Passing.INSTANTS] > 2.5:
         return False
-    for i in range(count):
+    for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         touches = work[row, Node.TOUCH] < 0.5 and work[row, Node.TIME] < 0.0
         if touches and int(work[row, Node.KIND]) == kind:
@@ -267,22 +266,6 @@ def release_plateau(work: 'float[:,:]') -> bool:
     return False
 
 
-def flip_level(work: 'float[:,:]') -> bool:
-    """Let a level that vanishes have the other sign; false if there is none.
-
-    Newton's method hardly passes zero: the change of the state there is of higher order in time.
-    """
-    found = vanishing_level(1, work)
-    if found < 0:
-        return False
-    row = PlanWork.NODES + found
-    time = max(abs(work[row, Node.TIME]), NEW * work[PlanWork.PASSING, Passing.TIME])
-    if work[row, Node.TIME] > 0.0:
-        time = -time
-    work[row, Node.TIME] = time
-    return True
-
-
 def follow(
     target: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
@@ -290,15 +273,11 @@ def follow(
 
     target: the duration that it lasts at a slower pace [s]; 0: as long as it takes.
     """
-    for change in range(3):
+    for change in range(2):
         restore_sequence(PlanWork.SOLVED, work)
         work[PlanWork.PASSING, Passing.QUICK] = 1.0
         work[PlanWork.PASSING, Passing.TARGET] = target
-        changed = True
-        if change == 1:
-            changed = release_plateau(work)
-        elif change == 2:
-            changed = flip_level(work)
+        changed = change == 0 or release_plateau(work)
         if changed and may_go_on(work) and solve_rotated(problem, axis, work):
             if meet_all(problem, axis, work):
                 return True

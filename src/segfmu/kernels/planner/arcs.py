@@ -203,22 +203,3 @@ def timed_loop(
                 keep_nearest(used, problem, axis, cell, work)
         if is_enclosed(work):
             return
-
-
-def next_loop(
-    arc: int, sample: int, longest: float, problem: 'float[:]', axis: 'float[:]',
-    work: 'float[:,:]',
-) -> 'tuple[int, float]':
-    """The next member of an arc that covers the distance, after a sample 0 .. 47 of its places.
-
-    longest: the longest duration that is looked for [s]. Returns the sample after it (-1: none) and
-    its duration (-1: it exceeds the velocity limit).
-    """
-    family = work[PlanWork.FAMILY, :]
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    missing = set_loop(problem, axis, family)
-    sample, duration = arc_root(arc, sample, missing, longest, family, axis)
-    if sample < 0:
-        return -1, -1.0
-    used = write_member(trial, family, axis)
-    return sample, valid_duration(trial, used, problem, axis)

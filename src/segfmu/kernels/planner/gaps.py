@@ -7,23 +7,18 @@ the duration over a family.
 """
 
 from segfmu.kernels.numerics.numbers import GOLDEN, NEVER
-from segfmu.kernels.planner.arcs import next_loop
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, slower_cruise, with_cruise
-from segfmu.kernels.planner.dipped import problem_between, profile_between, set_both_dips
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
-from segfmu.kernels.planner.parameters import snap_is_last
-from segfmu.kernels.planner.phases import speed_bound, total_duration, valid_duration
-from segfmu.kernels.planner.records import Axis, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.phases import speed_bound, valid_duration
+from segfmu.kernels.planner.records import Axis, PlanWork, Problem
 
 # two ends of gaps are one within this share
 ONE = 1e-10
 # cruise velocities that are tried, and steps of golden section between them
 CRUISES = 24
 SECTIONS = 30
-# with the snap as the highest limit, loops hardly matter for durations above this over the shortest
-LOOPS = 1.1
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -236,49 +231,9 @@ def insert_covering(
     return insert_end(spent + duration, after, count, ends)
 
 
-def loop_ends(
-    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int
-) -> int:
-    """Insert the durations of profiles next to a single ramp (arcs.py) that cover the distance."""
-    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    longest = usual_duration(problem, axis)
-    for arc in range(LoopArc.SINGLE):
-        sample = 0
-        while sample >= 0 and sample < 48:
-            sample, duration = next_loop(arc, sample, longest, problem, axis, work)
-            if duration >= 0.0:
-                count = insert_end(duration, after, count, ends)
-    return count
-
-
-def dip_ends(
-    after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int
-) -> int:
-    """Insert the durations of profiles with dips of several depths at the ends (dipped.py)."""
-    rest = work[PlanWork.DIPPED, :]
-    between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
-    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    if not set_both_dips(0.0, problem, axis, work):
-        return count
-    for i in range(5):
-        spent = problem_between(0.25 * i, problem, axis, rest, work)
-        used = profile_between(rest, axis, work)
-        if used >= 0:
-            duration = spent + total_duration(between, used)
-            count = insert_end(duration, after, count, ends)
-    return count
-
-
-def gap_ends(
-    after: float,
-    shortest: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
-) -> int:
+def gap_ends(after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> int:
     """Write the shortest durations above a given one at which a gap can end; returns their number.
 
-    `shortest` is the duration of the shortest profile [s].
     They are in ascending order in the first column of the rows GAP_ENDS of `work`, at most one per
     row.
     """
@@ -288,8 +243,6 @@ def gap_ends(
         taken, spent = braked(variant, problem, axis, work)
         if taken < 0:
             continue
-        if variant == 0 and (after < LOOPS * shortest or not snap_is_last(axis)):
-            count = loop_ends(after, rest, axis, work, count)
         count = covering_ends(spent, after, rest, axis, work, count)
         count = turning_ends(spent, after, rest, axis, work, count)
-    return dip_ends(after, problem, axis, work, count)
+    return count

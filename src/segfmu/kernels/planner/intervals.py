@@ -106,9 +106,8 @@ def next_feasible(
     """
     after = start
     delay = cell[Cell.PLACE, Place.DELAY]
-    shortest = cell[Cell.RESULT, Interval.SHORTEST] - delay
     for sweep in range(8):
-        count = gap_ends(after - delay, shortest, cell[Cell.PROBLEM, :], axis, work)
+        count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
             duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + ROUNDED)
             duration = min(duration, most)

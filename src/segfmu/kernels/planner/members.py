@@ -6,34 +6,11 @@ BY_TIME of a family (Family) selects duration or distance, TARGET is its value.
 from segfmu.kernels.planner.records import Family
 from segfmu.kernels.planner.search import bracketed_root, canonical_value, window_edge
 
-# shares beside a parameter that was found with another bound
-BESIDE = 0.05
 # parameters on this side of SCALE and in all, growing as squares, and halvings to the edge of a
 # window
 SCALED = 12
 MEMBERS = 36
 EDGE = 24
-
-
-def nearby_member(family: 'float[:]', axis: 'float[:]') -> float:
-    """Parameter of the member of the target value near that of another bound of the level, or -1.
-
-    As the bound changes, the member moves along.
-    """
-    target = family[Family.TARGET]
-    lower = (1.0 - BESIDE) * family[Family.NEAR]
-    upper = (1.0 + BESIDE) * family[Family.NEAR]
-    if lower <= 0.0:
-        return -1.0
-    f_lower, duration = canonical_value(lower, family, axis)
-    if duration < 0.0:
-        return -1.0
-    f_upper, duration = canonical_value(upper, family, axis)
-    if duration < 0.0 or (f_lower - target) * (f_upper - target) > 0.0 or f_lower == f_upper:
-        return -1.0
-    if f_upper > f_lower:
-        return bracketed_root(lower, upper, f_lower, f_upper, family, axis)
-    return bracketed_root(upper, lower, f_upper, f_lower, family, axis)
 
 
 def member_search(family: 'float[:]', axis: 'float[:]') -> float:

@@ -7,7 +7,7 @@ search.py searches by distance or by duration.
 from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
-from segfmu.kernels.planner.members import member_search, nearby_member
+from segfmu.kernels.planner.members import member_search
 from segfmu.kernels.planner.phases import (
     append_change,
     append_hold,
@@ -96,7 +96,6 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
     """
     family[Family.MEMBER] = member
     family[Family.SCALE] = min(max(family[Family.LAST_RAMP], SCALE * time), time)
-    family[Family.NEAR] = -1.0
     if by_time:
         family[Family.BY_TIME] = 1.0
         family[Family.TARGET] = time
@@ -129,12 +128,9 @@ def merged_form(
     if family[Family.MEMBER] < 0.0:
         p = canonical_search(family, axis)
     else:
-        p = nearby_member(family, axis)
-        if p < 0.0:
-            p = member_search(family, axis)
+        p = member_search(family, axis)
     if p < 0.0:
         return -1
-    family[Family.NEAR] = p
     duration, y = canonical_member(p, family, axis)
     if duration < 0.0:
         return -1

@@ -247,16 +247,6 @@ def touch_limit(
     return shorten_hold(row, 2, 4, problem, axis, work)
 
 
-def release_touch(kind: int, work: 'float[:,:]') -> bool:
-    """Let a derivative that touches its limit and still exceeds it stay there instead."""
-    for i in range(int(work[PlanWork.PASSING, Passing.COUNT])):
-        row = PlanWork.NODES + i
-        if work[row, Node.KIND] == kind and work[row, Node.TOUCH] == 1.0:
-            work[row, Node.TOUCH] = 0.0
-            return True
-    return False
-
-
 def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
     """Add a plateau of a derivative that exceeds its limit; its order, 0: impossible.
 
@@ -270,10 +260,6 @@ def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
         if work[PlanWork.EXCESS + kind, Excess.SHARE] > 0.0:
             if insert_plateau(kind, False, 0, axis, work):
                 return kind
-    lowest = q - 3
-    if lowest > 0 and work[PlanWork.EXCESS + lowest, Excess.SHARE] > 0.0:
-        if release_touch(lowest, work):
-            return q
     return 0
 
 

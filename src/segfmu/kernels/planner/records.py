@@ -240,7 +240,6 @@ class Family(Record):
     PASSED_INSIDE = field("parameter of the last one of them; -1: it has no member", "s")
     PASSED_VALUE = field("its distance or duration", "m or s")
     LOWERED = field("1 where the first level was lowered to keep the velocity limit, else 0")
-    NEAR = field("parameter near which a member is looked for first; -1: nowhere", "s")
     FIRST_TIME = field("member: duration of the first ramp", "s")
     FIRST_HOLD = field("member: hold at the first level", "s")
     FIRST_LEVEL = field("member: first acceleration level", "m/s2")

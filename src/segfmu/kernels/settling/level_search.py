@@ -8,11 +8,21 @@ from segfmu.kernels.numerics.numbers import GAINED, NEVER
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Lead, LeadStage, LeadWork
-from segfmu.kernels.settling.search import FLAT, near_zero
+from segfmu.kernels.settling.search import FLAT
 from segfmu.kernels.settling.trial import is_settled, set_limits, try_level
 
 # halved steps without a gain, after which a level is no more improved
 USELESS = 4
+
+
+def near_zero(i: float) -> float:
+    """Numbers from -1 to 1 for i from -12 to 12, denser near 0."""
+    if i == 0.0:
+        return 0.0
+    share = 0.7 ** (12.0 - abs(i))
+    if i < 0.0:
+        share = -share
+    return share
 
 
 def follow_level(

@@ -133,40 +133,6 @@ def improve_ends(
             break
 
 
-def near_zero(i: float) -> float:
-    """Numbers from -1 to 1 for i from -12 to 12, denser near 0."""
-    if i == 0.0:
-        return 0.0
-    share = 0.7 ** (12.0 - abs(i))
-    if i < 0.0:
-        share = -share
-    return share
-
-
-def search_pairs(
-    order: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-) -> None:
-    """Try the ends of two stages together, over a grid, as few of them keep the limits."""
-    smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
-    stage = first_free_stage(order)
-    earlier = stage + 2
-    for i in range(-12, 13):
-        for j in range(-12, 14):
-            free = j == 13
-            if not free and earlier >= smoothness:
-                continue
-            soonest_ends(order, lead)
-            lead[LeadWork.ENDS, stage] = near_zero(float(i)) * lead[LeadWork.LIMITS, stage]
-            if not free:
-                end = near_zero(float(j)) * lead[LeadWork.LIMITS, earlier]
-                lead[LeadWork.ENDS, earlier] = end
-            try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
-
-
 def search_stages(
     order: int,
     within: float,
@@ -195,7 +161,3 @@ def search_stages(
         if leads_in(within, lead):
             break
         steep = 10.0 * steep
-    if lead[LeadWork.BEST, Lead.TIME] < 0.0 and not is_settled(lead):
-        search_pairs(order, limits, lead, timing, coefficients)
-        if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
-            improve_ends(order, within, limits, lead, timing, coefficients)
