@@ -38,10 +38,19 @@ WAYS: dict[str, dict[str, str]] = {
     },
     "first members among rising ones": {"rising_member": "return -1.0;"},
     "steeper rises": {"smoothness_share": "return 0.0;"},
+    "lower cruise velocities": {"slower_cruise": "return 0;"},
+    "braking where it is not needed": {"may_last_longer": "return 0;"},
+    "limits reached for an instant": {"insert_instant": "return 0;"},
+    "limits touched": {"touch_limit": "return 0;"},
+    "limits that come down in steps": {"tighten": "return 0;"},
+    "a slower pace": {"slow_down": "return 0;"},
+    "much shorter starts": {"shorter_solution": "return 0;"},
     "slower passing profiles": {"slower_passing": "return -1.0;"},
     "least and largest distance": {"between_extremes": "return -1.0;"},
     "leads over levels": {"search_levels": "return;"},
+    "ends of stages of leads": {"improve_ends": "return;"},
     "leads along the old plan": {"follow_plan": "return;"},
+    "free states moved one by one": {"polish_state": "return;"},
 }
 LIMITED = () if sysconfig.get_config_var("Py_GIL_DISABLED") else ("-DPy_LIMITED_API=0x030B0000",)
 OPTIONS = (
