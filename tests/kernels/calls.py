@@ -82,6 +82,7 @@ from segfmu.kernels.hook.records import (
 )
 from segfmu.kernels.limits.records import (
     AxisTask,
+    Heading,
     LimitFault,
     LimitRow,
     Pace,
@@ -404,6 +405,8 @@ def limit_calls() -> dict[str, Call]:
     states, place = zeros(3, 3, WaypointState.SIZE), np.arange(3.0)
     states[:, :, WaypointState.POSITION] = points
     states[1, :, WaypointState.VELOCITY] = np.nan
+    heading = zeros(Heading.SIZE)
+    backend.write_heading(points, heading)
     return {
         "begin_pace": (1.0, 0.999, zeros(Pace.SIZE)),
         "next_pace": (1.4, np.array([0.8, 1.0, 0.999, 0.5, 1.0, 0.7, 1.9, 1.0, 1.9, 2.0])),
@@ -413,11 +416,14 @@ def limit_calls() -> dict[str, Call]:
         "write_limits": (starts[0].copy(), axes, zeros(3, LimitRow.SIZE)),
         "write_shares": (peaks, bounds, axes, zeros(2 * Demand.SIZE)),
         "write_starts": (1.2, bounds, known, axes, starts.copy(), fault),
-        "write_passing": (points, kinds, axes, starts[0].copy()),
+        "write_passing": (points, kinds, axes, heading, starts[0].copy()),
+        "write_heading": (points, heading.copy()),
         "unite_waypoints": (states.copy(), zeros(3)),
-        "write_free": (states.copy(), place, zeros(3), kinds.copy(), zeros(3, 3)),
+        "write_free": (
+            states.copy(), place, zeros(3), heading, kinds.copy(), zeros(3, 3),
+        ),
         "write_states": (
-            starts[0].copy(), kinds, zeros(3, LimitRow.SIZE), place, states.copy(),
+            starts[0].copy(), kinds, zeros(3, LimitRow.SIZE), place, heading, states.copy(),
         ),
         "begin_limits": (starts, kinds, search.copy()),
         "next_limits": (5.0, peaks.ravel().copy(), starts, search.copy(), *work),

@@ -121,3 +121,16 @@ def test_an_acceleration_is_braked_past_zero_beside_an_acceleration_limit_that_i
     points = [Waypoint(0.0, 0.0, 0.525), Waypoint(1.0)]
     for acceleration in (0.55, 5.5, 1e6, 1e12):
         assert verify(plan(points, Limits(0.4, acceleration, 10.0, 0.87))).passed
+
+
+@pytest.mark.parametrize("place", [0.0, 2.0, -7.3])
+@pytest.mark.parametrize("unit", [0.3, 0.7, 1.0, 3.0])
+def test_the_first_of_motions_that_last_as_long_is_taken(unit: float, place: float) -> None:
+    """From rest to rest, as fast as the limit without a cruise: one level is lower."""
+    values = np.array([1.861121, 1.222928, 2.0883, 7.0861])
+    here = plan([Waypoint([0.0]), Waypoint([3.99686])], Limits(*values))
+    least, most = (float(found[0]) for found in here.extrema(2))
+    assert max(most, -least) == pytest.approx(1.222928) and abs(most + least) > 0.05
+    scaled = Limits(*(unit * values))
+    there = plan([Waypoint([unit * place]), Waypoint([unit * (place + 3.99686)])], scaled)
+    assert there.extrema(2)[1] == pytest.approx(unit * most, rel=1e-6)

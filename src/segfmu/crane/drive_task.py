@@ -16,7 +16,7 @@ from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
-from segfmu.kernels.limits.records import AxisTask, LimitRow, Looks
+from segfmu.kernels.limits.records import AxisTask, Heading, LimitRow, Looks
 from segfmu.planning.excursions import first_excursion
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
@@ -78,14 +78,16 @@ class Task:
         return np.array([p.position for p in self.waypoints])
 
     @cached_property
-    def _route(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """States with rest where they are free, places, unknown states and `led`."""
+    def _route(self) -> tuple[FloatArray, ...]:
+        """States with rest where they are free, places, unknown states, `led`, `heading`."""
         states, place = np.array([p.planned for p in self.waypoints]), np.zeros(len(self.waypoints))
         backend.unite_waypoints(states, place)
         kinds = np.zeros(LIMITS + STATES * max(int(place[-1]) - 1, 0))
         led = np.zeros((len(place), 3))
-        backend.write_free(states, place, self._dwells, kinds, led)
-        return states, place, kinds, led
+        heading = np.zeros(Heading.SIZE)
+        backend.write_heading(self._first_of(place), heading)
+        backend.write_free(states, place, self._dwells, heading, kinds, led)
+        return states, place, kinds, led, heading
 
     @cached_property
     def _dwells(self) -> FloatArray:
@@ -100,6 +102,11 @@ class Task:
     def place(self) -> FloatArray:
         """The place of each waypoint, from 0."""
         return self._route[1]
+
+    @property
+    def heading(self) -> FloatArray:
+        """The kernels' `Heading`."""
+        return self._route[4]
 
     @property
     def led(self) -> FloatArray:
@@ -163,7 +170,10 @@ class Task:
     @cached_property
     def places(self) -> FloatArray:
         """Positions of the places, shape (places, 3)."""
-        return np.ascontiguousarray(self.positions[np.unique(self.place, return_index=True)[1]])
+        return self._first_of(self.place)
+
+    def _first_of(self, place: FloatArray) -> FloatArray:
+        return np.ascontiguousarray(self.positions[np.unique(place, return_index=True)[1]])
 
     @property
     def directed(self) -> NDArray[np.bool_]:
@@ -184,7 +194,7 @@ class Task:
         points = self.resting
         if self.chooses:
             states = self.states.copy()
-            backend.write_states(unknowns, self.kinds, table, self.place, states)
+            backend.write_states(unknowns, self.kinds, table, self.place, self.heading, states)
             points = with_states(self.waypoints, states, self._dwells)
         return plan(points, self._limits(table), **self.options)
 

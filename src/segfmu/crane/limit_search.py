@@ -231,5 +231,5 @@ def _starts(task: Task) -> FloatArray:
         raise InputError(LIMIT.text(status, fault))
     if task.chooses:
         for start in starts:
-            backend.write_passing(task.places, task.kinds, task.axes, start)
+            backend.write_passing(task.places, task.kinds, task.axes, task.heading, start)
     return starts

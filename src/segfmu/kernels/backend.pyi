@@ -658,6 +658,12 @@ def check_hook(
     /,
 ) -> int: ...
 
+def write_heading(
+    places: Floats,
+    heading: Floats,
+    /,
+) -> None: ...
+
 def begin_pace(
     most: float,
     full: float,
@@ -668,6 +674,75 @@ def begin_pace(
 def next_pace(
     use: float,
     pace: Floats,
+    /,
+) -> bool: ...
+
+def unite_waypoints(
+    states: Floats,
+    place: Floats,
+    /,
+) -> None: ...
+
+def write_free(
+    states: Floats,
+    place: Floats,
+    dwells: Floats,
+    heading: Floats,
+    kinds: Floats,
+    led: Floats,
+    /,
+) -> None: ...
+
+def write_states(
+    unknowns: Floats,
+    kinds: Floats,
+    table: Floats,
+    place: Floats,
+    heading: Floats,
+    states: Floats,
+    /,
+) -> None: ...
+
+def is_judged(
+    duration: float,
+    uses: Floats,
+    search: Floats,
+    /,
+) -> bool: ...
+
+def cap_best(
+    axes: Floats,
+    search: Floats,
+    /,
+) -> None: ...
+
+def write_best(
+    pace: float,
+    search: Floats,
+    /,
+) -> None: ...
+
+def keep_best(
+    pace: float,
+    search: Floats,
+    /,
+) -> None: ...
+
+def begin_limits(
+    starts: Floats,
+    kinds: Floats,
+    search: Floats,
+    /,
+) -> None: ...
+
+def next_limits(
+    duration: float,
+    uses: Floats,
+    starts: Floats,
+    search: Floats,
+    values: Floats,
+    slopes: Floats,
+    newton: Floats,
     /,
 ) -> bool: ...
 
@@ -724,76 +799,10 @@ def write_passing(
     positions: Floats,
     kinds: Floats,
     axes: Floats,
+    heading: Floats,
     start: Floats,
     /,
 ) -> None: ...
-
-def unite_waypoints(
-    states: Floats,
-    place: Floats,
-    /,
-) -> None: ...
-
-def write_free(
-    states: Floats,
-    place: Floats,
-    dwells: Floats,
-    kinds: Floats,
-    led: Floats,
-    /,
-) -> None: ...
-
-def write_states(
-    unknowns: Floats,
-    kinds: Floats,
-    table: Floats,
-    place: Floats,
-    states: Floats,
-    /,
-) -> None: ...
-
-def is_judged(
-    duration: float,
-    uses: Floats,
-    search: Floats,
-    /,
-) -> bool: ...
-
-def cap_best(
-    axes: Floats,
-    search: Floats,
-    /,
-) -> None: ...
-
-def write_best(
-    pace: float,
-    search: Floats,
-    /,
-) -> None: ...
-
-def keep_best(
-    pace: float,
-    search: Floats,
-    /,
-) -> None: ...
-
-def begin_limits(
-    starts: Floats,
-    kinds: Floats,
-    search: Floats,
-    /,
-) -> None: ...
-
-def next_limits(
-    duration: float,
-    uses: Floats,
-    starts: Floats,
-    search: Floats,
-    values: Floats,
-    slopes: Floats,
-    newton: Floats,
-    /,
-) -> bool: ...
 
 def check_range(
     value: float,

@@ -80,6 +80,7 @@ from segfmu.kernels.crane.records import (
 from segfmu.kernels.entry_point import EntryPoint, Extent, entry
 from segfmu.kernels.limits.records import (
     AxisTask,
+    Heading,
     LimitFault,
     LimitRow,
     Pace,
@@ -519,7 +520,10 @@ _COMMON = (
     ),
     entry(
         "limits.starts", "write_passing", positions=("points", Vector.SIZE), kinds=STATES_TOO,
-        axes=(Vector.SIZE, AxisTask.SIZE), start=STATES_TOO,
+        axes=(Vector.SIZE, AxisTask.SIZE), heading=Heading.SIZE, start=STATES_TOO,
+    ),
+    entry(
+        "limits.heading", "write_heading", places=("places", Vector.SIZE), heading=Heading.SIZE,
     ),
     entry(
         "limits.places", "unite_waypoints", states=("points", "axes", WaypointState.SIZE),
@@ -548,11 +552,12 @@ _COMMON = (
     ),
     entry(
         "limits.places", "write_free", states=("points", Vector.SIZE, WaypointState.SIZE),
-        place="points", dwells="points", kinds=STATES_OF, led=("points", Vector.SIZE),
+        place="points", dwells="points", heading=Heading.SIZE, kinds=STATES_OF,
+        led=("points", Vector.SIZE),
     ),
     entry(
         "limits.places", "write_states", unknowns=STATES_OF, kinds=STATES_OF,
-        table=(Vector.SIZE, LimitRow.SIZE), place="points",
+        table=(Vector.SIZE, LimitRow.SIZE), place="points", heading=Heading.SIZE,
         states=("points", Vector.SIZE, WaypointState.SIZE),
     ),
     entry(

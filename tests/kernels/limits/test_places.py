@@ -35,6 +35,11 @@ def runs(states: np.ndarray) -> list[list[int]]:
     return found
 
 
+def along(places: int) -> np.ndarray:
+    """A `Heading` from the first place to the last one, in the positive direction."""
+    return np.array([places - 1.0, 1.0, 1.0, 1.0, 1.0])
+
+
 def test_places_and_what_is_free_in_them() -> None:
     rng = np.random.default_rng(1)
     chosen = 0
@@ -47,7 +52,7 @@ def test_places_and_what_is_free_in_them() -> None:
         kinds = np.full(LIMITS + 6 * max(len(expected) - 2, 0), float(Unknown.LIMIT))
         led = np.zeros((len(states), 3))
         found = given.copy()
-        backend.write_free(found, place, dwells, kinds, led)
+        backend.write_free(found, place, dwells, along(len(expected)), kinds, led)
         assert np.array_equal(found, np.nan_to_num(given))
         for k, run in enumerate(expected[1:-1], 1):
             kind = kinds[LIMITS + 6 * (k - 1) : LIMITS + 6 * k].reshape(2, 3)
@@ -67,7 +72,8 @@ def test_states_are_shares_of_limits() -> None:
     kinds[LIMITS + 4] = Unknown.GIVEN
     shares = np.array([0.5, -2.0, 0.1, 1.5, 0.3, -0.2])
     table = np.arange(1.0, 1.0 + 3 * LimitRow.SIZE).reshape(3, LimitRow.SIZE)
-    backend.write_states(np.append(np.zeros(LIMITS), shares), kinds, table, place, states)
+    unknowns = np.append(np.zeros(LIMITS), shares)
+    backend.write_states(unknowns, kinds, table, place, along(3), states)
     limits = table[:, :2].T
     expected = np.clip(shares, -1.0, 1.0).reshape(2, 3) * limits * [[1, 1, 1], [1, 0, 1]]
     assert np.allclose(states[1, :, 1:].T, expected) and np.array_equal(states[1], states[2])

@@ -148,3 +148,16 @@ def test_a_duration_of_any_size_is_rounded_up(
 ) -> None:
     """Beyond all integers of the machine it stays what it is."""
     assert round_up(duration, sample_time) == pytest.approx(expected, rel=1e-15)
+
+
+def test_rounding_of_a_duration_decides_nothing() -> None:
+    """Of two profiles beside the distance one is enough; the other one turned back, or did not."""
+    points = [
+        Waypoint([0.4462425236693913], [0.0], [0.0]), Waypoint([2.5233248320848953], [0.33001178])
+    ]
+    limits = Limits(1.09594855, 0.31671211, 0.14422336, 0.1055181)
+    peaks = [
+        plan(points, limits, duration=13.866594439403634 * (1.0 + k * 1e-14)).extrema(2)[1][0]
+        for k in range(-10, 11)
+    ]
+    assert np.ptp(peaks) < 1e-6 * max(peaks)

@@ -312,22 +312,10 @@ static void write_margins(double time, array_double_2d timing, array_double_2d c
 static bool is_dip(array_double_2d work);
 static void look_around(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d masses, double hook_mass, double sling, array_double_1d bounds, array_double_2d work);
 static int64_t judge_margins(array_double_1d bounds, array_double_2d work, array_double_1d report);
+static double direction_of(array_double_2d places, double least);
+static int64_t state_of(int64_t place, int64_t order, int64_t axis, array_double_1d heading);
+static double heading_sign(int64_t order, int64_t axis, array_double_1d heading);
 static double pace_between(double use, array_double_1d pace);
-static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
-static void write_farthest(int64_t axis, array_double_2d positions, array_double_1d resistance, array_double_1d row);
-static bool differs(int64_t i, array_double_1d bounds);
-static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
-static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row);
-static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
-static double held_force(int64_t side, array_double_1d row);
-static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault);
-static double least_of(double limit, double bound);
-static double rigid_mass(int64_t axis, array_double_1d resistance);
-static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row);
-static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row);
-static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
-static int64_t state_of(int64_t point, int64_t order, int64_t axis);
-static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
 static bool is_free(double state);
 static bool may_be_same(array_double_2d one, array_double_2d other);
 static void take_states(bool every, array_double_2d given, array_double_2d found);
@@ -365,6 +353,20 @@ static void enter_centre(array_double_2d search, array_double_2d values);
 static bool enter_round(array_double_2d search, array_double_2d values);
 static double least_radius(array_double_2d search);
 static bool judge_step(array_double_2d search, array_double_2d values, array_double_2d slopes, array_double_2d newton);
+static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
+static void write_farthest(int64_t axis, array_double_2d positions, array_double_1d resistance, array_double_1d row);
+static bool differs(int64_t i, array_double_1d bounds);
+static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row);
+static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row);
+static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row);
+static double held_force(int64_t side, array_double_1d row);
+static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault);
+static double least_of(double limit, double bound);
+static double rigid_mass(int64_t axis, array_double_1d resistance);
+static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row);
+static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row);
+static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
+static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
 static double least_scale(void);
@@ -909,7 +911,7 @@ static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static bool is_turning(double lowest, double highest);
-static bool turns_back(double v, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool turns_back(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(bool turning, double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -10087,7 +10089,7 @@ void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients,
     end = next_joint(begin, duration, timing, offsets, ends, contacts);
     while(end < 1e+300)
     {
-        count = samples + (int64_t)(64.0 * (end - begin) / duration);
+        count = samples + (int64_t)(64.0 * (end - begin) / duration + 1e-06);
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             note_value(begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
@@ -11632,6 +11634,93 @@ int64_t segfmu_check_hook(array_double_2d timing, array_double_2d coefficients, 
     status = judge_margins(bounds, work, report);
     return status;
 }
+static double direction_of(array_double_2d places, double least)
+{
+    int64_t last;
+    int64_t k;
+    int64_t axis;
+    double early;
+    double late;
+    last = places.shape[INT64_C(0)] - INT64_C(1);
+    for (k = INT64_C(0); k < last; k += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < places.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            early = fabs((*cspan_at(&places, k + INT64_C(1), axis)) - (*cspan_at(&places, k, axis)));
+            late = fabs((*cspan_at(&places, last - k, axis)) - (*cspan_at(&places, last - k - INT64_C(1), axis)));
+            if (early > late + least)
+            {
+                return 1.0;
+            }
+            if (late > early + least)
+            {
+                return -1.0;
+            }
+        }
+    }
+    return 1.0;
+}
+void segfmu_write_heading(array_double_2d places, array_double_1d heading)
+{
+    int64_t last;
+    double longest;
+    int64_t axis;
+    int64_t k;
+    double farthest;
+    int64_t first;
+    double way;
+    last = places.shape[INT64_C(0)] - INT64_C(1);
+    longest = 0.0;
+    for (axis = INT64_C(0); axis < places.shape[INT64_C(1)]; axis += INT64_C(1))
+    {
+        for (k = INT64_C(0); k < last; k += INT64_C(1))
+        {
+            longest = span_max(longest, fabs((*cspan_at(&places, k + INT64_C(1), axis)) - (*cspan_at(&places, k, axis))));
+        }
+    }
+    (*cspan_at(&heading, INT64_C(0))) = last;
+    (*cspan_at(&heading, INT64_C(1))) = direction_of(places, 1e-09 * longest);
+    for (axis = INT64_C(0); axis < places.shape[INT64_C(1)]; axis += INT64_C(1))
+    {
+        farthest = 0.0;
+        (*cspan_at(&heading, INT64_C(2) + axis)) = 1.0;
+        for (k = INT64_C(0); k < last; k += INT64_C(1))
+        {
+            first = k;
+            if ((*cspan_at(&heading, INT64_C(1))) < 0.0)
+            {
+                first = last - INT64_C(1) - k;
+            }
+            way = (*cspan_at(&heading, INT64_C(1))) * ((*cspan_at(&places, first + INT64_C(1), axis)) - (*cspan_at(&places, first, axis)));
+            if (fabs(way) > farthest + 1e-09 * longest)
+            {
+                farthest = fabs(way);
+                (*cspan_at(&heading, INT64_C(2) + axis)) = way / farthest;
+            }
+        }
+    }
+}
+static int64_t state_of(int64_t place, int64_t order, int64_t axis, array_double_1d heading)
+{
+    int64_t passed;
+    passed = place;
+    if ((*cspan_at(&heading, INT64_C(1))) < 0.0)
+    {
+        passed = (int64_t)((*cspan_at(&heading, INT64_C(0)))) - place;
+    }
+    return INT64_C(3) * INT64_C(6) + ((passed - INT64_C(1)) * INT64_C(2) + order) * INT64_C(3) + axis;
+}
+static double heading_sign(int64_t order, int64_t axis, array_double_1d heading)
+{
+    double result;
+    if (order == INT64_C(0))
+    {
+        result = (*cspan_at(&heading, INT64_C(1))) * (*cspan_at(&heading, INT64_C(2) + axis));
+        return result;
+    }
+    result = (*cspan_at(&heading, INT64_C(2) + axis));
+    return result;
+}
 void segfmu_begin_pace(double most, double full, array_double_1d pace)
 {
     (*cspan_at(&pace, INT64_C(0))) = 1.0;
@@ -11721,637 +11810,6 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     }
     result = (*cspan_at(&pace, INT64_C(0))) > 0.0;
     return result;
-}
-static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
-{
-    double ahead;
-    double back;
-    int64_t k;
-    double velocity;
-    double way;
-    ahead = 0.0;
-    back = 0.0;
-    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        velocity = (*cspan_at(&velocities, k, axis));
-        (*cspan_at(&row, INT64_C(2))) = span_max((*cspan_at(&row, INT64_C(2))), fabs(velocity));
-        way = 0.0;
-        if (k > INT64_C(0))
-        {
-            way = (*cspan_at(&positions, k, axis)) - (*cspan_at(&positions, k - INT64_C(1), axis));
-        }
-        (*cspan_at(&row, INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(1))), fabs(way));
-        if ((velocity > 0.0) || (way > 0.0))
-        {
-            ahead = 1.0;
-        }
-        if ((velocity < 0.0) || (way < 0.0))
-        {
-            back = 1.0;
-        }
-        if ((velocity != 0.0) || ((*cspan_at(&accelerations, k, axis)) != 0.0) || (way != 0.0))
-        {
-            (*cspan_at(&row, INT64_C(0))) = 1.0;
-        }
-    }
-    if ((ahead < 0.5) && (back < 0.5))
-    {
-        ahead = (*cspan_at(&row, INT64_C(0)));
-        back = (*cspan_at(&row, INT64_C(0)));
-    }
-    (*cspan_at(&row, INT64_C(3))) = ahead;
-    (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = back;
-    if (axis == INT64_C(2))
-    {
-        (*cspan_at(&row, INT64_C(3))) = back;
-        (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = ahead;
-    }
-}
-static void write_farthest(int64_t axis, array_double_2d positions, array_double_1d resistance, array_double_1d row)
-{
-    int64_t side;
-    int64_t k;
-    double place;
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-    {
-        (*cspan_at(&row, INT64_C(7) + side)) = -1e+300;
-    }
-    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        place = (*cspan_at(&positions, k, axis));
-        if (axis == INT64_C(2))
-        {
-            place = (-place) - (*cspan_at(&resistance, INT64_C(23)));
-        }
-        (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&row, INT64_C(7))), place);
-        (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(7) + INT64_C(1))), -place);
-    }
-}
-static bool differs(int64_t i, array_double_1d bounds)
-{
-    bool result;
-    result = bound_magnitude(i, INT64_C(0), bounds) != bound_magnitude(i, INT64_C(1), bounds);
-    return result;
-}
-static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row)
-{
-    bool turns;
-    bool forced;
-    int64_t i;
-    int64_t caps;
-    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
-    if (turns && differs(INT64_C(3) + axis, bounds))
-    {
-        (*cspan_at(&row, INT64_C(5))) = 1.0;
-    }
-    forced = (axis != INT64_C(2)) && differs(INT64_C(0) + axis, bounds);
-    if (forced || differs(INT64_C(6) + axis, bounds))
-    {
-        (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
-    }
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-    {
-        caps = INT64_C(17) + i;
-        if ((*cspan_at(&row, caps)) != (*cspan_at(&row, caps + INT64_C(4))))
-        {
-            (*cspan_at(&row, INT64_C(5) + i)) = 1.0;
-        }
-    }
-}
-static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row)
-{
-    bool turns;
-    bool forced;
-    bool result;
-    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
-    forced = (*cspan_at(&bounds, INT64_C(0) + axis)) > 0.0;
-    result = forced && ((*cspan_at(&row, INT64_C(9))) > 0.0) && (!turns) && (axis != INT64_C(2));
-    return result;
-}
-static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
-{
-    int64_t k;
-    int64_t i;
-    double state;
-    int64_t ahead;
-    int64_t back;
-    bool directed;
-    for (k = INT64_C(0); k < velocities.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            state = (*cspan_at(&velocities, k, axis));
-            if (i == INT64_C(1))
-            {
-                state = (*cspan_at(&accelerations, k, axis));
-            }
-            ahead = INT64_C(11) + INT64_C(0) + i;
-            back = INT64_C(11) + INT64_C(4) + i;
-            directed = (*cspan_at(&row, INT64_C(5) + i)) > 0.5;
-            if ((state > 0.0) || (!directed))
-            {
-                (*cspan_at(&row, ahead)) = span_max((*cspan_at(&row, ahead)), fabs(state));
-            }
-            if ((state < 0.0) || (!directed))
-            {
-                (*cspan_at(&row, back)) = span_max((*cspan_at(&row, back)), fabs(state));
-            }
-        }
-    }
-}
-void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes)
-{
-    int64_t axis;
-    array_double_1d row;
-    int64_t i;
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        row = span_row(&axes, axis);
-        for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
-        {
-            (*cspan_at(&row, i)) = 0.0;
-        }
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            (*cspan_at(&row, INT64_C(17) + i)) = 1e+300;
-            if ((*cspan_at(&caps, axis, i)) > 0.0)
-            {
-                (*cspan_at(&row, INT64_C(17) + i)) = (*cspan_at(&caps, axis, i));
-            }
-        }
-        write_motion_of(axis, positions, velocities, accelerations, row);
-        write_farthest(axis, positions, resistance, row);
-        if ((*cspan_at(&row, INT64_C(0))) > 0.5)
-        {
-            (*cspan_at(&row, INT64_C(9))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
-        }
-        write_directions(axis, bounds, row);
-        if ((!narrow) && is_braked_by_friction(axis, bounds, row))
-        {
-            (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
-        }
-        write_floors(axis, velocities, accelerations, row);
-        if (axis == INT64_C(2))
-        {
-            (*cspan_at(&row, INT64_C(9) + INT64_C(1))) = hanging_mass(resistance) * (*cspan_at(&resistance, INT64_C(3)));
-        }
-    }
-}
-void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps)
-{
-    int64_t i;
-    double least;
-    int64_t axis;
-    double ahead;
-    double back;
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        least = (*cspan_at(&bounds, INT64_C(17) + i));
-        if ((least < 0.0) && (i != INT64_C(0) + INT64_C(2)))
-        {
-            if (((*cspan_at(&bounds, i)) == 0.0) || (-least < (*cspan_at(&bounds, i))))
-            {
-                (*cspan_at(&bounds, i)) = -least;
-            }
-            (*cspan_at(&bounds, INT64_C(17) + i)) = 0.0;
-        }
-    }
-    for (axis = INT64_C(0); axis < caps.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
-        {
-            ahead = (*cspan_at(&caps, axis, i));
-            back = (*cspan_at(&caps, axis, INT64_C(4) + i));
-            least = span_min(ahead, back);
-            if (least <= 0.0)
-            {
-                least = span_max(ahead, back);
-            }
-            (*cspan_at(&caps, axis, i)) = least;
-            (*cspan_at(&caps, axis, INT64_C(4) + i)) = least;
-        }
-    }
-}
-static double held_force(int64_t side, array_double_1d row)
-{
-    double weight;
-    double result;
-    weight = (*cspan_at(&row, INT64_C(9) + INT64_C(1)));
-    if (weight > 0.0)
-    {
-        result = span_max((*cspan_at(&row, INT64_C(9))) + (2.0 * side - 1.0) * weight, 0.0);
-        return result;
-    }
-    if ((*cspan_at(&row, INT64_C(3) + side)) < 0.5)
-    {
-        result = -(*cspan_at(&row, INT64_C(9)));
-        return result;
-    }
-    result = (*cspan_at(&row, INT64_C(9)));
-    return result;
-}
-void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds)
-{
-    int64_t axis;
-    int64_t i;
-    bool own;
-    int64_t same;
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(0);
-            own = (*cspan_at(&axes, axis, INT64_C(0))) > 0.5;
-            if (i >= INT64_C(4))
-            {
-                same = i - INT64_C(4);
-                own = own && ((*cspan_at(&axes, axis, INT64_C(5) + same)) > 0.5);
-            }
-            if (own)
-            {
-                (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(1);
-            }
-        }
-    }
-}
-void segfmu_write_limits(array_double_1d unknowns, array_double_2d axes, array_double_2d table)
-{
-    int64_t axis;
-    int64_t i;
-    int64_t own;
-    int64_t same;
-    double value;
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-        {
-            own = i;
-            if (i >= INT64_C(4))
-            {
-                same = i - INT64_C(4);
-                if ((*cspan_at(&axes, axis, INT64_C(5) + same)) < 0.5)
-                {
-                    own = same;
-                }
-            }
-            value = exp(span_min(span_max((*cspan_at(&unknowns, axis * INT64_C(6) + own)), -300.0), 300.0));
-            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(11) + own)));
-            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(17) + own)));
-        }
-    }
-}
-void segfmu_write_shares(array_double_2d peaks, array_double_1d bounds, array_double_2d axes, array_double_1d uses)
-{
-    int64_t i;
-    int64_t side;
-    double bound;
-    double used;
-    double held;
-    bool full;
-    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
-    {
-        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-        {
-            bound = bound_magnitude(i, side, bounds);
-            used = (*cspan_at(&peaks, side, i)) - bound_origin(i, side, bounds);
-            held = 0.0;
-            if (i < INT64_C(3))
-            {
-                held = held_force(side, span_row(&axes, i));
-            }
-            if (is_place(i))
-            {
-                held = (*cspan_at(&axes, i - INT64_C(12), INT64_C(7) + side));
-                held = held - bound_origin(i, side, bounds);
-            }
-            full = bound <= held * (1.0 + 1e-06);
-            if (full)
-            {
-                held = 0.0;
-            }
-            (*cspan_at(&uses, side * INT64_C(17) + i)) = 0.0;
-            if (bound > 0.0)
-            {
-                (*cspan_at(&uses, side * INT64_C(17) + i)) = span_max(used - held, 0.0) / (bound - held);
-            }
-            if (is_place(i) && full && (used <= bound * (1.0 + 1e-09)))
-            {
-                (*cspan_at(&uses, side * INT64_C(17) + i)) = 0.0;
-            }
-        }
-    }
-}
-static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
-{
-    int64_t side;
-    int64_t i;
-    double bound;
-    (*cspan_at(&fault, INT64_C(0))) = axis;
-    (*cspan_at(&fault, INT64_C(1))) = axis;
-    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            bound = bound_magnitude(INT64_C(3) + INT64_C(3) * i + axis, side, bounds);
-            if (((*cspan_at(&axes, axis, INT64_C(0))) > 0.5) && (0.0 < bound) && (bound < 1e-05))
-            {
-                (*cspan_at(&fault, INT64_C(2))) = side;
-                (*cspan_at(&fault, INT64_C(3))) = bound;
-                return INT64_C(2) + i;
-            }
-        }
-    }
-    return INT64_C(0);
-}
-static double least_of(double limit, double bound)
-{
-    if (bound > 0.0)
-    {
-        return span_min(limit, bound);
-    }
-    return limit;
-}
-static double rigid_mass(int64_t axis, array_double_1d resistance)
-{
-    double mass;
-    mass = hanging_mass(resistance);
-    if (axis < INT64_C(2))
-    {
-        mass = mass + (*cspan_at(&resistance, INT64_C(1)));
-    }
-    if (axis == INT64_C(0))
-    {
-        mass = mass + (*cspan_at(&resistance, INT64_C(0)));
-    }
-    return mass;
-}
-static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row)
-{
-    double gravity;
-    int64_t side;
-    int64_t cap;
-    double velocity;
-    double strongest;
-    double acceleration;
-    double carried;
-    double held;
-    double mass;
-    double force;
-    bool lowered;
-    double strong;
-    double steepest;
-    double sway;
-    double power;
-    double distance;
-    double time;
-    double fastest;
-    gravity = (*cspan_at(&resistance, INT64_C(3)));
-    side = way;
-    if (axis == INT64_C(2))
-    {
-        side = INT64_C(1) - way;
-    }
-    cap = INT64_C(17) + way * INT64_C(4);
-    velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
-    strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
-    acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
-    carried = (*cspan_at(&row, INT64_C(9) + INT64_C(1)));
-    held = (*cspan_at(&row, INT64_C(9))) + carried;
-    mass = rigid_mass(axis, resistance);
-    force = bound_magnitude(INT64_C(0) + axis, side, bounds);
-    if (axis == INT64_C(2))
-    {
-        force = bound_magnitude(INT64_C(0) + axis, INT64_C(1), bounds);
-    }
-    lowered = (axis == INT64_C(2)) && (side == INT64_C(0)) && ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) > 0.5);
-    if (lowered)
-    {
-        acceleration = span_min(acceleration, 0.9 * gravity);
-    }
-    else if (force > 0.0)
-    {
-        if (axis != INT64_C(2))
-        {
-            held = held_force(side, row);
-        }
-        strong = span_min((force - held) / mass, 1e+299);
-        acceleration = span_min(acceleration, span_max(strong, 0.001 * gravity));
-    }
-    steepest = tan(1.0);
-    if (axis == INT64_C(2))
-    {
-        steepest = 0.9;
-    }
-    else if ((*cspan_at(&bounds, INT64_C(15) + axis)) > 0.0)
-    {
-        sway = tan(span_min((*cspan_at(&bounds, INT64_C(15) + axis)), 1.0));
-        acceleration = span_min(acceleration, gravity * sway);
-    }
-    power = (*cspan_at(&bounds, INT64_C(9) + axis));
-    distance = (*cspan_at(&row, INT64_C(1)));
-    if ((power > 0.0) && (acceleration >= 1e+300))
-    {
-        time = exp(log(span_max(mass * distance * distance / power, 1e-30)) / 3.0);
-        acceleration = span_min(velocity / time, distance / (time * time));
-    }
-    if (acceleration >= 1e+300)
-    {
-        (*result_0) = velocity;
-        (*result_1) = acceleration;
-        return 0;
-    }
-    acceleration = span_min(acceleration, gravity * steepest);
-    if (distance <= 0.0)
-    {
-        fastest = (*cspan_at(&row, INT64_C(2)));
-        distance = span_max(fastest * fastest / acceleration, 1e-09);
-    }
-    if (power > 0.0)
-    {
-        velocity = span_min(velocity, power / ((*cspan_at(&row, INT64_C(9))) + carried + mass * acceleration));
-    }
-    (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
-    (*result_1) = acceleration;
-    return 0;
-}
-static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row)
-{
-    double up;
-    double down;
-    up = (*cspan_at(&row, INT64_C(3)));
-    down = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
-    if (axis == INT64_C(2))
-    {
-        up = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
-        down = (*cspan_at(&row, INT64_C(3)));
-    }
-    if (down < 0.5)
-    {
-        return ahead;
-    }
-    if (up < 0.5)
-    {
-        return back;
-    }
-    return span_min(ahead, back);
-}
-static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts)
-{
-    array_double_1d row;
-    double ahead;
-    double rise;
-    double back;
-    double fall;
-    double least;
-    double time;
-    int64_t k;
-    double multiple;
-    double ramp;
-    double faster;
-    double calmer;
-    int64_t first;
-    double most;
-    row = span_row(&axes, axis);
-    rigid_limits(&ahead, &rise, axis, INT64_C(0), bounds, resistance, row);
-    rigid_limits(&back, &fall, axis, INT64_C(1), bounds, resistance, row);
-    if ((rise >= 1e+300) || (fall >= 1e+300))
-    {
-        return INT64_C(1);
-    }
-    if ((*cspan_at(&row, INT64_C(5))) < 0.5)
-    {
-        ahead = of_the_way(ahead, back, axis, row);
-        back = ahead;
-    }
-    if ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) < 0.5)
-    {
-        rise = of_the_way(rise, fall, axis, row);
-        fall = rise;
-    }
-    least = span_min(rise, fall);
-    time = span_min(ahead, back) / least;
-    if ((*cspan_at(&row, INT64_C(1))) > 0.0)
-    {
-        time = span_min(time, sqrt((*cspan_at(&row, INT64_C(1))) / least));
-    }
-    for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
-    {
-        multiple = 0.5 * exp(span_floor_mod(k, INT64_C(4)) * 0.46209812);
-        ramp = multiple * span_min(swing, 2.0 * time);
-        if (axis == INT64_C(2))
-        {
-            ramp = multiple * 0.3 * time;
-        }
-        faster = 0.0;
-        if (span_floor_mod(span_floor_div(k, INT64_C(4)), INT64_C(2)) == INT64_C(1))
-        {
-            faster = log(1.5);
-        }
-        calmer = 0.0;
-        if (span_floor_div(k, INT64_C(8)) == INT64_C(1))
-        {
-            calmer = log(0.75);
-        }
-        first = axis * INT64_C(6);
-        most = span_max(rise, fall);
-        (*cspan_at(&starts, k, first + INT64_C(0))) = log(ahead) + faster;
-        (*cspan_at(&starts, k, first + INT64_C(1))) = log(rise) + calmer;
-        (*cspan_at(&starts, k, first + INT64_C(2))) = log(1.9 * most / ramp);
-        (*cspan_at(&starts, k, first + INT64_C(3))) = log(5.8 * most / (ramp * ramp));
-        (*cspan_at(&starts, k, first + INT64_C(4))) = log(back) + faster;
-        (*cspan_at(&starts, k, first + INT64_C(5))) = log(fall) + calmer;
-    }
-    return INT64_C(0);
-}
-int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault)
-{
-    double swing;
-    int64_t axis;
-    int64_t k;
-    int64_t i;
-    int64_t status;
-    swing = 3.141592653589793 * sqrt(span_max(rope, 0.001) / (*cspan_at(&resistance, INT64_C(3))));
-    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-    {
-        status = check_pace_of(axis, bounds, axes, fault);
-        if (status != INT64_C(0))
-        {
-            return status;
-        }
-        for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
-        {
-            for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
-            {
-                (*cspan_at(&starts, k, axis * INT64_C(6) + i)) = 0.0;
-            }
-        }
-        if ((*cspan_at(&axes, axis, INT64_C(0))) > 0.5)
-        {
-            status = write_axis_starts(axis, swing, bounds, resistance, axes, starts);
-            if (status != INT64_C(0))
-            {
-                return status;
-            }
-        }
-    }
-    return INT64_C(0);
-}
-static int64_t state_of(int64_t point, int64_t order, int64_t axis)
-{
-    return INT64_C(3) * INT64_C(6) + ((point - INT64_C(1)) * INT64_C(2) + order) * INT64_C(3) + axis;
-}
-static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start)
-{
-    double time;
-    int64_t i;
-    double way;
-    double velocity;
-    double acceleration;
-    double result;
-    time = 0.0;
-    for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
-    {
-        if ((*cspan_at(&axes, i, INT64_C(0))) > 0.5)
-        {
-            way = fabs((*cspan_at(&positions, point, i)) - (*cspan_at(&positions, point - INT64_C(1), i)));
-            velocity = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(0))));
-            acceleration = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(1))));
-            time = span_max(time, span_max(way / velocity, 2.0 * sqrt(way / acceleration)));
-        }
-    }
-    result = ((*cspan_at(&positions, point, axis)) - (*cspan_at(&positions, point - INT64_C(1), axis))) / span_max(time, 1e-09);
-    return result;
-}
-void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d start)
-{
-    int64_t point;
-    int64_t axis;
-    int64_t i;
-    double before;
-    double after;
-    double share;
-    for (point = INT64_C(1); point < positions.shape[INT64_C(0)] - INT64_C(1); point += INT64_C(1))
-    {
-        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
-        {
-            i = state_of(point, INT64_C(0), axis);
-            if ((*cspan_at(&kinds, i)) > 1.5)
-            {
-                before = mean_velocity(point, axis, positions, axes, start);
-                after = mean_velocity(point + INT64_C(1), axis, positions, axes, start);
-                share = 0.0;
-                if (before * after > 0.0)
-                {
-                    share = span_min(fabs(before), fabs(after)) / exp((*cspan_at(&start, axis * INT64_C(6))));
-                }
-                if (before < 0.0)
-                {
-                    share = -share;
-                }
-                (*cspan_at(&start, i)) = share;
-            }
-        }
-    }
 }
 static bool is_free(double state)
 {
@@ -12451,7 +11909,7 @@ static bool is_passed(int64_t point, int64_t axis, array_double_3d states, array
     goes = (*cspan_at(&states, after, axis, INT64_C(0))) - here;
     return come * goes > 0.0;
 }
-void segfmu_write_free(array_double_3d states, array_double_1d place, array_double_1d dwells, array_double_1d kinds, array_double_2d led)
+void segfmu_write_free(array_double_3d states, array_double_1d place, array_double_1d dwells, array_double_1d heading, array_double_1d kinds, array_double_2d led)
 {
     int64_t points;
     int64_t i;
@@ -12475,7 +11933,7 @@ void segfmu_write_free(array_double_3d states, array_double_1d place, array_doub
                     if (is_free((*cspan_at(&states, point, axis, INT64_C(1) + order))))
                     {
                         (*cspan_at(&led, point, axis)) = 1.0;
-                        i = state_of((int64_t)((*cspan_at(&place, point))), order, axis);
+                        i = state_of((int64_t)((*cspan_at(&place, point))), order, axis, heading);
                         (*cspan_at(&kinds, i)) = INT64_C(2);
                     }
                 }
@@ -12496,7 +11954,7 @@ void segfmu_write_free(array_double_3d states, array_double_1d place, array_doub
         }
     }
 }
-void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_double_2d table, array_double_1d place, array_double_3d states)
+void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_double_2d table, array_double_1d place, array_double_1d heading, array_double_3d states)
 {
     int64_t points;
     int64_t point;
@@ -12505,6 +11963,7 @@ void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_
     int64_t i;
     double limit;
     double share;
+    double value;
     points = states.shape[INT64_C(0)];
     for (point = INT64_C(0); point < points; point += INT64_C(1))
     {
@@ -12514,12 +11973,13 @@ void segfmu_write_states(array_double_1d unknowns, array_double_1d kinds, array_
             {
                 for (order = INT64_C(0); order < INT64_C(2); order += INT64_C(1))
                 {
-                    i = state_of((int64_t)((*cspan_at(&place, point))), order, axis);
+                    i = state_of((int64_t)((*cspan_at(&place, point))), order, axis, heading);
                     if ((int64_t)((*cspan_at(&kinds, i))) == INT64_C(2))
                     {
                         limit = (*cspan_at(&table, axis, INT64_C(0) + order));
                         share = span_min(span_max((*cspan_at(&unknowns, i)), -1.0), 1.0);
-                        (*cspan_at(&states, point, axis, INT64_C(1) + order)) = share * limit;
+                        value = heading_sign(order, axis, heading) * share * limit;
+                        (*cspan_at(&states, point, axis, INT64_C(1) + order)) = value;
                     }
                 }
             }
@@ -13333,6 +12793,633 @@ bool segfmu_next_limits(double duration, array_double_1d uses, array_double_2d s
     }
     result = judge_step(search, values, slopes, newton);
     return result;
+}
+static void write_motion_of(int64_t axis, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
+{
+    double ahead;
+    double back;
+    int64_t k;
+    double velocity;
+    double way;
+    ahead = 0.0;
+    back = 0.0;
+    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        velocity = (*cspan_at(&velocities, k, axis));
+        (*cspan_at(&row, INT64_C(2))) = span_max((*cspan_at(&row, INT64_C(2))), fabs(velocity));
+        way = 0.0;
+        if (k > INT64_C(0))
+        {
+            way = (*cspan_at(&positions, k, axis)) - (*cspan_at(&positions, k - INT64_C(1), axis));
+        }
+        (*cspan_at(&row, INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(1))), fabs(way));
+        if ((velocity > 0.0) || (way > 0.0))
+        {
+            ahead = 1.0;
+        }
+        if ((velocity < 0.0) || (way < 0.0))
+        {
+            back = 1.0;
+        }
+        if ((velocity != 0.0) || ((*cspan_at(&accelerations, k, axis)) != 0.0) || (way != 0.0))
+        {
+            (*cspan_at(&row, INT64_C(0))) = 1.0;
+        }
+    }
+    if ((ahead < 0.5) && (back < 0.5))
+    {
+        ahead = (*cspan_at(&row, INT64_C(0)));
+        back = (*cspan_at(&row, INT64_C(0)));
+    }
+    (*cspan_at(&row, INT64_C(3))) = ahead;
+    (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = back;
+    if (axis == INT64_C(2))
+    {
+        (*cspan_at(&row, INT64_C(3))) = back;
+        (*cspan_at(&row, INT64_C(3) + INT64_C(1))) = ahead;
+    }
+}
+static void write_farthest(int64_t axis, array_double_2d positions, array_double_1d resistance, array_double_1d row)
+{
+    int64_t side;
+    int64_t k;
+    double place;
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        (*cspan_at(&row, INT64_C(7) + side)) = -1e+300;
+    }
+    for (k = INT64_C(0); k < positions.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        place = (*cspan_at(&positions, k, axis));
+        if (axis == INT64_C(2))
+        {
+            place = (-place) - (*cspan_at(&resistance, INT64_C(23)));
+        }
+        (*cspan_at(&row, INT64_C(7))) = span_max((*cspan_at(&row, INT64_C(7))), place);
+        (*cspan_at(&row, INT64_C(7) + INT64_C(1))) = span_max((*cspan_at(&row, INT64_C(7) + INT64_C(1))), -place);
+    }
+}
+static bool differs(int64_t i, array_double_1d bounds)
+{
+    bool result;
+    result = bound_magnitude(i, INT64_C(0), bounds) != bound_magnitude(i, INT64_C(1), bounds);
+    return result;
+}
+static void write_directions(int64_t axis, array_double_1d bounds, array_double_1d row)
+{
+    bool turns;
+    bool forced;
+    int64_t i;
+    int64_t caps;
+    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
+    if (turns && differs(INT64_C(3) + axis, bounds))
+    {
+        (*cspan_at(&row, INT64_C(5))) = 1.0;
+    }
+    forced = (axis != INT64_C(2)) && differs(INT64_C(0) + axis, bounds);
+    if (forced || differs(INT64_C(6) + axis, bounds))
+    {
+        (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        caps = INT64_C(17) + i;
+        if ((*cspan_at(&row, caps)) != (*cspan_at(&row, caps + INT64_C(4))))
+        {
+            (*cspan_at(&row, INT64_C(5) + i)) = 1.0;
+        }
+    }
+}
+static bool is_braked_by_friction(int64_t axis, array_double_1d bounds, array_double_1d row)
+{
+    bool turns;
+    bool forced;
+    bool result;
+    turns = ((*cspan_at(&row, INT64_C(3))) > 0.5) && ((*cspan_at(&row, INT64_C(3) + INT64_C(1))) > 0.5);
+    forced = (*cspan_at(&bounds, INT64_C(0) + axis)) > 0.0;
+    result = forced && ((*cspan_at(&row, INT64_C(9))) > 0.0) && (!turns) && (axis != INT64_C(2));
+    return result;
+}
+static void write_floors(int64_t axis, array_double_2d velocities, array_double_2d accelerations, array_double_1d row)
+{
+    int64_t k;
+    int64_t i;
+    double state;
+    int64_t ahead;
+    int64_t back;
+    bool directed;
+    for (k = INT64_C(0); k < velocities.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            state = (*cspan_at(&velocities, k, axis));
+            if (i == INT64_C(1))
+            {
+                state = (*cspan_at(&accelerations, k, axis));
+            }
+            ahead = INT64_C(11) + INT64_C(0) + i;
+            back = INT64_C(11) + INT64_C(4) + i;
+            directed = (*cspan_at(&row, INT64_C(5) + i)) > 0.5;
+            if ((state > 0.0) || (!directed))
+            {
+                (*cspan_at(&row, ahead)) = span_max((*cspan_at(&row, ahead)), fabs(state));
+            }
+            if ((state < 0.0) || (!directed))
+            {
+                (*cspan_at(&row, back)) = span_max((*cspan_at(&row, back)), fabs(state));
+            }
+        }
+    }
+}
+void segfmu_write_axes(bool narrow, array_double_2d positions, array_double_2d velocities, array_double_2d accelerations, array_double_1d bounds, array_double_2d caps, array_double_1d resistance, array_double_2d axes)
+{
+    int64_t axis;
+    array_double_1d row;
+    int64_t i;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        row = span_row(&axes, axis);
+        for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+        {
+            (*cspan_at(&row, i)) = 0.0;
+        }
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&row, INT64_C(17) + i)) = 1e+300;
+            if ((*cspan_at(&caps, axis, i)) > 0.0)
+            {
+                (*cspan_at(&row, INT64_C(17) + i)) = (*cspan_at(&caps, axis, i));
+            }
+        }
+        write_motion_of(axis, positions, velocities, accelerations, row);
+        write_farthest(axis, positions, resistance, row);
+        if ((*cspan_at(&row, INT64_C(0))) > 0.5)
+        {
+            (*cspan_at(&row, INT64_C(9))) = span_max((*cspan_at(&resistance, INT64_C(10) + axis)), (*cspan_at(&resistance, INT64_C(7) + axis)));
+        }
+        write_directions(axis, bounds, row);
+        if ((!narrow) && is_braked_by_friction(axis, bounds, row))
+        {
+            (*cspan_at(&row, INT64_C(5) + INT64_C(1))) = 1.0;
+        }
+        write_floors(axis, velocities, accelerations, row);
+        if (axis == INT64_C(2))
+        {
+            (*cspan_at(&row, INT64_C(9) + INT64_C(1))) = hanging_mass(resistance) * (*cspan_at(&resistance, INT64_C(3)));
+        }
+    }
+}
+void segfmu_narrow_bounds(array_double_1d bounds, array_double_2d caps)
+{
+    int64_t i;
+    double least;
+    int64_t axis;
+    double ahead;
+    double back;
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        least = (*cspan_at(&bounds, INT64_C(17) + i));
+        if ((least < 0.0) && (i != INT64_C(0) + INT64_C(2)))
+        {
+            if (((*cspan_at(&bounds, i)) == 0.0) || (-least < (*cspan_at(&bounds, i))))
+            {
+                (*cspan_at(&bounds, i)) = -least;
+            }
+            (*cspan_at(&bounds, INT64_C(17) + i)) = 0.0;
+        }
+    }
+    for (axis = INT64_C(0); axis < caps.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6) - INT64_C(4); i += INT64_C(1))
+        {
+            ahead = (*cspan_at(&caps, axis, i));
+            back = (*cspan_at(&caps, axis, INT64_C(4) + i));
+            least = span_min(ahead, back);
+            if (least <= 0.0)
+            {
+                least = span_max(ahead, back);
+            }
+            (*cspan_at(&caps, axis, i)) = least;
+            (*cspan_at(&caps, axis, INT64_C(4) + i)) = least;
+        }
+    }
+}
+static double held_force(int64_t side, array_double_1d row)
+{
+    double weight;
+    double result;
+    weight = (*cspan_at(&row, INT64_C(9) + INT64_C(1)));
+    if (weight > 0.0)
+    {
+        result = span_max((*cspan_at(&row, INT64_C(9))) + (2.0 * side - 1.0) * weight, 0.0);
+        return result;
+    }
+    if ((*cspan_at(&row, INT64_C(3) + side)) < 0.5)
+    {
+        result = -(*cspan_at(&row, INT64_C(9)));
+        return result;
+    }
+    result = (*cspan_at(&row, INT64_C(9)));
+    return result;
+}
+void segfmu_write_kinds(array_double_2d axes, array_double_1d kinds)
+{
+    int64_t axis;
+    int64_t i;
+    bool own;
+    int64_t same;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(0);
+            own = (*cspan_at(&axes, axis, INT64_C(0))) > 0.5;
+            if (i >= INT64_C(4))
+            {
+                same = i - INT64_C(4);
+                own = own && ((*cspan_at(&axes, axis, INT64_C(5) + same)) > 0.5);
+            }
+            if (own)
+            {
+                (*cspan_at(&kinds, axis * INT64_C(6) + i)) = INT64_C(1);
+            }
+        }
+    }
+}
+void segfmu_write_limits(array_double_1d unknowns, array_double_2d axes, array_double_2d table)
+{
+    int64_t axis;
+    int64_t i;
+    int64_t own;
+    int64_t same;
+    double value;
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+        {
+            own = i;
+            if (i >= INT64_C(4))
+            {
+                same = i - INT64_C(4);
+                if ((*cspan_at(&axes, axis, INT64_C(5) + same)) < 0.5)
+                {
+                    own = same;
+                }
+            }
+            value = exp(span_min(span_max((*cspan_at(&unknowns, axis * INT64_C(6) + own)), -300.0), 300.0));
+            value = span_max(value, (*cspan_at(&axes, axis, INT64_C(11) + own)));
+            (*cspan_at(&table, axis, i)) = span_min(value, (*cspan_at(&axes, axis, INT64_C(17) + own)));
+        }
+    }
+}
+void segfmu_write_shares(array_double_2d peaks, array_double_1d bounds, array_double_2d axes, array_double_1d uses)
+{
+    int64_t i;
+    int64_t side;
+    double bound;
+    double used;
+    double held;
+    bool full;
+    for (i = INT64_C(0); i < INT64_C(17); i += INT64_C(1))
+    {
+        for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+        {
+            bound = bound_magnitude(i, side, bounds);
+            used = (*cspan_at(&peaks, side, i)) - bound_origin(i, side, bounds);
+            held = 0.0;
+            if (i < INT64_C(3))
+            {
+                held = held_force(side, span_row(&axes, i));
+            }
+            if (is_place(i))
+            {
+                held = (*cspan_at(&axes, i - INT64_C(12), INT64_C(7) + side));
+                held = held - bound_origin(i, side, bounds);
+            }
+            full = bound <= held * (1.0 + 1e-06);
+            if (full)
+            {
+                held = 0.0;
+            }
+            (*cspan_at(&uses, side * INT64_C(17) + i)) = 0.0;
+            if (bound > 0.0)
+            {
+                (*cspan_at(&uses, side * INT64_C(17) + i)) = span_max(used - held, 0.0) / (bound - held);
+            }
+            if (is_place(i) && full && (used <= bound * (1.0 + 1e-09)))
+            {
+                (*cspan_at(&uses, side * INT64_C(17) + i)) = 0.0;
+            }
+        }
+    }
+}
+static int64_t check_pace_of(int64_t axis, array_double_1d bounds, array_double_2d axes, array_double_1d fault)
+{
+    int64_t side;
+    int64_t i;
+    double bound;
+    (*cspan_at(&fault, INT64_C(0))) = axis;
+    (*cspan_at(&fault, INT64_C(1))) = axis;
+    for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            bound = bound_magnitude(INT64_C(3) + INT64_C(3) * i + axis, side, bounds);
+            if (((*cspan_at(&axes, axis, INT64_C(0))) > 0.5) && (0.0 < bound) && (bound < 1e-05))
+            {
+                (*cspan_at(&fault, INT64_C(2))) = side;
+                (*cspan_at(&fault, INT64_C(3))) = bound;
+                return INT64_C(2) + i;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static double least_of(double limit, double bound)
+{
+    if (bound > 0.0)
+    {
+        return span_min(limit, bound);
+    }
+    return limit;
+}
+static double rigid_mass(int64_t axis, array_double_1d resistance)
+{
+    double mass;
+    mass = hanging_mass(resistance);
+    if (axis < INT64_C(2))
+    {
+        mass = mass + (*cspan_at(&resistance, INT64_C(1)));
+    }
+    if (axis == INT64_C(0))
+    {
+        mass = mass + (*cspan_at(&resistance, INT64_C(0)));
+    }
+    return mass;
+}
+static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, int64_t way, array_double_1d bounds, array_double_1d resistance, array_double_1d row)
+{
+    double gravity;
+    int64_t side;
+    int64_t cap;
+    double velocity;
+    double strongest;
+    double acceleration;
+    double carried;
+    double held;
+    double mass;
+    double force;
+    bool lowered;
+    double strong;
+    double steepest;
+    double sway;
+    double power;
+    double distance;
+    double time;
+    double fastest;
+    gravity = (*cspan_at(&resistance, INT64_C(3)));
+    side = way;
+    if (axis == INT64_C(2))
+    {
+        side = INT64_C(1) - way;
+    }
+    cap = INT64_C(17) + way * INT64_C(4);
+    velocity = least_of((*cspan_at(&row, cap)), bound_magnitude(INT64_C(3) + axis, side, bounds));
+    strongest = bound_magnitude(INT64_C(6) + axis, side, bounds);
+    acceleration = least_of((*cspan_at(&row, cap + INT64_C(1))), strongest);
+    carried = (*cspan_at(&row, INT64_C(9) + INT64_C(1)));
+    held = (*cspan_at(&row, INT64_C(9))) + carried;
+    mass = rigid_mass(axis, resistance);
+    force = bound_magnitude(INT64_C(0) + axis, side, bounds);
+    if (axis == INT64_C(2))
+    {
+        force = bound_magnitude(INT64_C(0) + axis, INT64_C(1), bounds);
+    }
+    lowered = (axis == INT64_C(2)) && (side == INT64_C(0)) && ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) > 0.5);
+    if (lowered)
+    {
+        acceleration = span_min(acceleration, 0.9 * gravity);
+    }
+    else if (force > 0.0)
+    {
+        if (axis != INT64_C(2))
+        {
+            held = held_force(side, row);
+        }
+        strong = span_min((force - held) / mass, 1e+299);
+        acceleration = span_min(acceleration, span_max(strong, 0.001 * gravity));
+    }
+    steepest = tan(1.0);
+    if (axis == INT64_C(2))
+    {
+        steepest = 0.9;
+    }
+    else if ((*cspan_at(&bounds, INT64_C(15) + axis)) > 0.0)
+    {
+        sway = tan(span_min((*cspan_at(&bounds, INT64_C(15) + axis)), 1.0));
+        acceleration = span_min(acceleration, gravity * sway);
+    }
+    power = (*cspan_at(&bounds, INT64_C(9) + axis));
+    distance = (*cspan_at(&row, INT64_C(1)));
+    if ((power > 0.0) && (acceleration >= 1e+300))
+    {
+        time = exp(log(span_max(mass * distance * distance / power, 1e-30)) / 3.0);
+        acceleration = span_min(velocity / time, distance / (time * time));
+    }
+    if (acceleration >= 1e+300)
+    {
+        (*result_0) = velocity;
+        (*result_1) = acceleration;
+        return 0;
+    }
+    acceleration = span_min(acceleration, gravity * steepest);
+    if (distance <= 0.0)
+    {
+        fastest = (*cspan_at(&row, INT64_C(2)));
+        distance = span_max(fastest * fastest / acceleration, 1e-09);
+    }
+    if (power > 0.0)
+    {
+        velocity = span_min(velocity, power / ((*cspan_at(&row, INT64_C(9))) + carried + mass * acceleration));
+    }
+    (*result_0) = span_min(velocity, 2.0 * sqrt(acceleration * distance));
+    (*result_1) = acceleration;
+    return 0;
+}
+static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row)
+{
+    double up;
+    double down;
+    up = (*cspan_at(&row, INT64_C(3)));
+    down = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
+    if (axis == INT64_C(2))
+    {
+        up = (*cspan_at(&row, INT64_C(3) + INT64_C(1)));
+        down = (*cspan_at(&row, INT64_C(3)));
+    }
+    if (down < 0.5)
+    {
+        return ahead;
+    }
+    if (up < 0.5)
+    {
+        return back;
+    }
+    return span_min(ahead, back);
+}
+static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts)
+{
+    array_double_1d row;
+    double ahead;
+    double rise;
+    double back;
+    double fall;
+    double least;
+    double time;
+    int64_t k;
+    double multiple;
+    double ramp;
+    double faster;
+    double calmer;
+    int64_t first;
+    double most;
+    row = span_row(&axes, axis);
+    rigid_limits(&ahead, &rise, axis, INT64_C(0), bounds, resistance, row);
+    rigid_limits(&back, &fall, axis, INT64_C(1), bounds, resistance, row);
+    if ((rise >= 1e+300) || (fall >= 1e+300))
+    {
+        return INT64_C(1);
+    }
+    if ((*cspan_at(&row, INT64_C(5))) < 0.5)
+    {
+        ahead = of_the_way(ahead, back, axis, row);
+        back = ahead;
+    }
+    if ((*cspan_at(&row, INT64_C(5) + INT64_C(1))) < 0.5)
+    {
+        rise = of_the_way(rise, fall, axis, row);
+        fall = rise;
+    }
+    least = span_min(rise, fall);
+    time = span_min(ahead, back) / least;
+    if ((*cspan_at(&row, INT64_C(1))) > 0.0)
+    {
+        time = span_min(time, sqrt((*cspan_at(&row, INT64_C(1))) / least));
+    }
+    for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
+    {
+        multiple = 0.5 * exp(span_floor_mod(k, INT64_C(4)) * 0.46209812);
+        ramp = multiple * span_min(swing, 2.0 * time);
+        if (axis == INT64_C(2))
+        {
+            ramp = multiple * 0.3 * time;
+        }
+        faster = 0.0;
+        if (span_floor_mod(span_floor_div(k, INT64_C(4)), INT64_C(2)) == INT64_C(1))
+        {
+            faster = log(1.5);
+        }
+        calmer = 0.0;
+        if (span_floor_div(k, INT64_C(8)) == INT64_C(1))
+        {
+            calmer = log(0.75);
+        }
+        first = axis * INT64_C(6);
+        most = span_max(rise, fall);
+        (*cspan_at(&starts, k, first + INT64_C(0))) = log(ahead) + faster;
+        (*cspan_at(&starts, k, first + INT64_C(1))) = log(rise) + calmer;
+        (*cspan_at(&starts, k, first + INT64_C(2))) = log(1.9 * most / ramp);
+        (*cspan_at(&starts, k, first + INT64_C(3))) = log(5.8 * most / (ramp * ramp));
+        (*cspan_at(&starts, k, first + INT64_C(4))) = log(back) + faster;
+        (*cspan_at(&starts, k, first + INT64_C(5))) = log(fall) + calmer;
+    }
+    return INT64_C(0);
+}
+int64_t segfmu_write_starts(double rope, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts, array_double_1d fault)
+{
+    double swing;
+    int64_t axis;
+    int64_t k;
+    int64_t i;
+    int64_t status;
+    swing = 3.141592653589793 * sqrt(span_max(rope, 0.001) / (*cspan_at(&resistance, INT64_C(3))));
+    for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        status = check_pace_of(axis, bounds, axes, fault);
+        if (status != INT64_C(0))
+        {
+            return status;
+        }
+        for (k = INT64_C(0); k < starts.shape[INT64_C(0)]; k += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+            {
+                (*cspan_at(&starts, k, axis * INT64_C(6) + i)) = 0.0;
+            }
+        }
+        if ((*cspan_at(&axes, axis, INT64_C(0))) > 0.5)
+        {
+            status = write_axis_starts(axis, swing, bounds, resistance, axes, starts);
+            if (status != INT64_C(0))
+            {
+                return status;
+            }
+        }
+    }
+    return INT64_C(0);
+}
+static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start)
+{
+    double time;
+    int64_t i;
+    double way;
+    double velocity;
+    double acceleration;
+    double result;
+    time = 0.0;
+    for (i = INT64_C(0); i < axes.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&axes, i, INT64_C(0))) > 0.5)
+        {
+            way = fabs((*cspan_at(&positions, point, i)) - (*cspan_at(&positions, point - INT64_C(1), i)));
+            velocity = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(0))));
+            acceleration = exp((*cspan_at(&start, i * INT64_C(6) + INT64_C(1))));
+            time = span_max(time, span_max(way / velocity, 2.0 * sqrt(way / acceleration)));
+        }
+    }
+    result = ((*cspan_at(&positions, point, axis)) - (*cspan_at(&positions, point - INT64_C(1), axis))) / span_max(time, 1e-09);
+    return result;
+}
+void segfmu_write_passing(array_double_2d positions, array_double_1d kinds, array_double_2d axes, array_double_1d heading, array_double_1d start)
+{
+    int64_t point;
+    int64_t axis;
+    int64_t i;
+    double before;
+    double after;
+    double share;
+    for (point = INT64_C(1); point < positions.shape[INT64_C(0)] - INT64_C(1); point += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < axes.shape[INT64_C(0)]; axis += INT64_C(1))
+        {
+            i = state_of(point, INT64_C(0), axis, heading);
+            if ((*cspan_at(&kinds, i)) > 1.5)
+            {
+                before = mean_velocity(point, axis, positions, axes, start);
+                after = mean_velocity(point + INT64_C(1), axis, positions, axes, start);
+                share = 0.0;
+                if (before * after > 0.0)
+                {
+                    share = span_min(fabs(before), fabs(after)) / exp((*cspan_at(&start, axis * INT64_C(6))));
+                }
+                if (before < 0.0)
+                {
+                    share = -share;
+                }
+                (*cspan_at(&start, i)) = share * heading_sign(INT64_C(0), axis, heading);
+            }
+        }
+    }
 }
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault)
 {
@@ -22430,7 +22517,7 @@ static double longest_step(array_double_2d work)
     {
         change = (*cspan_at(&work, INT64_C(219) + i, INT64_C(0)));
         time = (*cspan_at(&nodes, i, INT64_C(6)));
-        if (!(fabs(change) < 1000000000000.0 * (*cspan_at(&passing, INT64_C(3)))))
+        if (!(fabs(change) < 10000.0 * (*cspan_at(&passing, INT64_C(3)))))
         {
             return 0.0;
         }
@@ -24192,7 +24279,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
             {
                 found = branch;
             }
-            if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest)))
+            if ((duration >= 0.0) && ((best == INT64_C(0)) || (duration < shortest * (1.0 - 1e-09))))
             {
                 copy_phases(trial, phases, count);
                 best = count;
@@ -24895,19 +24982,24 @@ static void begin_search(array_double_1d problem, array_double_1d axis, array_do
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
     array_double_1d asked;
+    int64_t mirrored;
+    int64_t turned;
     int64_t count;
+    int64_t result;
     asked = span_row(&work, INT64_C(59));
     begin_search(problem, axis, work);
     if (is_done(asked))
     {
         return INT64_C(0);
     }
+    orient(&mirrored, &turned, asked, axis);
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
     if (count == INT64_C(0))
     {
         count = braked_ramps(INT64_C(0), asked, axis, phases, work);
     }
-    return count;
+    result = as_asked(mirrored, turned, count, phases, asked, axis, span_row(&work, INT64_C(101)));
+    return result;
 }
 static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work)
 {
@@ -28234,9 +28326,11 @@ static bool is_turning(double lowest, double highest)
 {
     return span_min(-lowest, highest) > 1e-12 * span_max(-lowest, highest);
 }
-static bool turns_back(double v, array_double_1d axis, array_double_2d cell, array_double_2d work)
+static bool turns_back(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
     array_double_1d nearest;
+    double weight;
+    double v;
     int64_t count;
     double duration;
     double y;
@@ -28244,15 +28338,24 @@ static bool turns_back(double v, array_double_1d axis, array_double_2d cell, arr
     double lowest;
     double highest;
     nearest = span_row(&work, INT64_C(58));
-    count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_rows(&cell, INT64_C(0), INT64_C(33)), count, v, 0.0, axis);
-    if (is_turning(lowest, highest))
+    weight = nearest_weight(problem, axis, nearest);
+    v = (*cspan_at(&problem, INT64_C(0)));
+    if (weight < 1.0)
     {
-        return 1;
+        count = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_rows(&cell, INT64_C(0), INT64_C(33)), count, v, 0.0, axis);
+        if (is_turning(lowest, highest))
+        {
+            return 1;
+        }
     }
-    count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
-    segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_rows(&cell, INT64_C(33), INT64_C(66)), count, v, 0.0, axis);
-    return is_turning(lowest, highest);
+    if (weight > 0.0)
+    {
+        count = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
+        segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, span_rows(&cell, INT64_C(33), INT64_C(66)), count, v, 0.0, axis);
+        return is_turning(lowest, highest);
+    }
+    return 0;
 }
 static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
@@ -28355,7 +28458,7 @@ static bool timed_slower(bool turning, double shortest, array_double_1d axis, ar
                 nearest = span_row(&work, INT64_C(58));
                 below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
                 above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
-                if ((!turning) && turns_back((*cspan_at(&rest, INT64_C(0))), axis, cell, work))
+                if ((!turning) && turns_back(rest, axis, cell, work))
                 {
                     return 0;
                 }

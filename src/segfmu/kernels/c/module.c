@@ -2484,6 +2484,29 @@ static PyObject *call_check_hook(
     return answer;
 }
 
+static PyObject *call_write_heading(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_heading", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_places;
+    Py_buffer *in_heading;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_places = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_heading = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "places", 0, in_places->shape[0], 1)
+        && has_at_least(&call, "places", 1, in_places->shape[1], 3)
+        && has_at_least(&call, "heading", 0, in_heading->shape[0], 5)) {
+        segfmu_write_heading(
+            (array_double_2d){in_places->buf, {in_places->shape[0], in_places->shape[1]}},
+            (array_double_1d){in_heading->buf, {in_heading->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_begin_pace(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -2523,6 +2546,278 @@ static PyObject *call_next_pace(
         answer = PyBool_FromLong(segfmu_next_pace(
             in_use,
             (array_double_1d){in_pace->buf, {in_pace->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_unite_waypoints(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "unite_waypoints", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_place;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
+        && (in_place = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)) {
+        segfmu_unite_waypoints(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_free(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_free", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_place;
+    Py_buffer *in_dwells;
+    Py_buffer *in_heading;
+    Py_buffer *in_kinds;
+    Py_buffer *in_led;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
+        && (in_place = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
+        && (in_heading = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 4, 1, 'd', true)) != NULL
+        && (in_led = take_array(&call, 5, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
+        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
+        && has_extent(&call, "led", 0, in_led->shape[0], in_states->shape[0])
+        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "heading", 0, in_heading->shape[0], 5)
+        && has_at_least(&call, "led", 1, in_led->shape[1], 3)
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_states->shape[0] - 1)] - 1))))) {
+        segfmu_write_free(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}},
+            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_1d){in_heading->buf, {in_heading->shape[0]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_led->buf, {in_led->shape[0], in_led->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_states(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_states", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_unknowns;
+    Py_buffer *in_kinds;
+    Py_buffer *in_table;
+    Py_buffer *in_place;
+    Py_buffer *in_heading;
+    Py_buffer *in_states;
+    (void)self;
+    if (take_count(&call, count, 6)
+        && (in_unknowns = take_array(&call, 0, 1, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_table = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_place = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_heading = take_array(&call, 4, 1, 'd', false)) != NULL
+        && (in_states = take_array(&call, 5, 3, 'd', true)) != NULL
+        && has_at_least(&call, "place", 0, in_place->shape[0], 1)
+        && has_extent(&call, "states", 0, in_states->shape[0], in_place->shape[0])
+        && has_at_least(&call, "table", 0, in_table->shape[0], 3)
+        && has_at_least(&call, "table", 1, in_table->shape[1], 6)
+        && has_at_least(&call, "heading", 0, in_heading->shape[0], 5)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_place->shape[0] - 1)] - 1))))
+        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_place->shape[0] - 1)] - 1))))) {
+        segfmu_write_states(
+            (array_double_1d){in_unknowns->buf, {in_unknowns->shape[0]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}},
+            (array_double_1d){in_place->buf, {in_place->shape[0]}},
+            (array_double_1d){in_heading->buf, {in_heading->shape[0]}},
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_is_judged(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "is_judged", .values = values};
+    PyObject *answer = NULL;
+    double in_duration;
+    Py_buffer *in_uses;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && take_float(&call, 0, &in_duration)
+        && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_search = take_array(&call, 2, 2, 'd', false)) != NULL
+        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
+        answer = PyBool_FromLong(segfmu_is_judged(
+            in_duration,
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_cap_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "cap_best", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_axes;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
+        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_cap_best(
+            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_write_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "write_best", .values = values};
+    PyObject *answer = NULL;
+    double in_pace;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_pace)
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_write_best(
+            in_pace,
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_keep_best(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "keep_best", .values = values};
+    PyObject *answer = NULL;
+    double in_pace;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && take_float(&call, 0, &in_pace)
+        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        segfmu_keep_best(
+            in_pace,
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_begin_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "begin_limits", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_starts;
+    Py_buffer *in_kinds;
+    Py_buffer *in_search;
+    (void)self;
+    if (take_count(&call, count, 3)
+        && (in_starts = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_search = take_array(&call, 2, 2, 'd', true)) != NULL
+        && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
+        && has_at_least(&call, "starts", 1, in_starts->shape[1], 1)
+        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
+        && has_extent(&call, "kinds", 0, in_kinds->shape[0], in_starts->shape[1])
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
+        segfmu_begin_limits(
+            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
+            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
+        answer = Py_NewRef(Py_None);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_next_limits(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "next_limits", .values = values};
+    PyObject *answer = NULL;
+    double in_duration;
+    Py_buffer *in_uses;
+    Py_buffer *in_starts;
+    Py_buffer *in_search;
+    Py_buffer *in_values;
+    Py_buffer *in_slopes;
+    Py_buffer *in_newton;
+    (void)self;
+    if (take_count(&call, count, 7)
+        && take_float(&call, 0, &in_duration)
+        && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
+        && (in_starts = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_search = take_array(&call, 3, 2, 'd', true)) != NULL
+        && (in_values = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_slopes = take_array(&call, 5, 2, 'd', true)) != NULL
+        && (in_newton = take_array(&call, 6, 2, 'd', true)) != NULL
+        && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
+        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
+        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "values", 0, in_values->shape[0], 2)
+        && has_at_least(&call, "values", 1, in_values->shape[1], 35)
+        && has_at_least(&call, "slopes", 1, in_slopes->shape[1], 35)
+        && has_at_least(&call, "starts", 1, in_starts->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
+        && has_at_least(&call, "slopes", 0, in_slopes->shape[0], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
+        && has_at_least(&call, "newton", 0, in_newton->shape[0], (2 * ((double *)in_search->buf)[0 * in_search->shape[1] + 1]))
+        && has_at_least(&call, "newton", 1, in_newton->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
+        answer = PyBool_FromLong(segfmu_next_limits(
+            in_duration,
+            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
+            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
+            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}},
+            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}},
+            (array_double_2d){in_slopes->buf, {in_slopes->shape[0], in_slopes->shape[1]}},
+            (array_double_2d){in_newton->buf, {in_newton->shape[0], in_newton->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -2730,289 +3025,29 @@ static PyObject *call_write_passing(
     Py_buffer *in_positions;
     Py_buffer *in_kinds;
     Py_buffer *in_axes;
+    Py_buffer *in_heading;
     Py_buffer *in_start;
     (void)self;
-    if (take_count(&call, count, 4)
+    if (take_count(&call, count, 5)
         && (in_positions = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
         && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_start = take_array(&call, 3, 1, 'd', true)) != NULL
+        && (in_heading = take_array(&call, 3, 1, 'd', false)) != NULL
+        && (in_start = take_array(&call, 4, 1, 'd', true)) != NULL
         && has_at_least(&call, "positions", 0, in_positions->shape[0], 1)
         && has_at_least(&call, "positions", 1, in_positions->shape[1], 3)
         && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
+        && has_at_least(&call, "heading", 0, in_heading->shape[0], 5)
         && has_at_least(&call, "start", 0, in_start->shape[0], (18 + (6 * (in_positions->shape[0] - 2))))) {
         segfmu_write_passing(
             (array_double_2d){in_positions->buf, {in_positions->shape[0], in_positions->shape[1]}},
             (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
+            (array_double_1d){in_heading->buf, {in_heading->shape[0]}},
             (array_double_1d){in_start->buf, {in_start->shape[0]}});
         answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_unite_waypoints(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "unite_waypoints", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_place;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
-        && (in_place = take_array(&call, 1, 1, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
-        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)) {
-        segfmu_unite_waypoints(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_1d){in_place->buf, {in_place->shape[0]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_free(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_free", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_place;
-    Py_buffer *in_dwells;
-    Py_buffer *in_kinds;
-    Py_buffer *in_led;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
-        && (in_place = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_dwells = take_array(&call, 2, 1, 'd', false)) != NULL
-        && (in_kinds = take_array(&call, 3, 1, 'd', true)) != NULL
-        && (in_led = take_array(&call, 4, 2, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
-        && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
-        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
-        && has_extent(&call, "led", 0, in_led->shape[0], in_states->shape[0])
-        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "led", 1, in_led->shape[1], 3)
-        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_states->shape[0] - 1)] - 1))))) {
-        segfmu_write_free(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_1d){in_place->buf, {in_place->shape[0]}},
-            (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
-            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
-            (array_double_2d){in_led->buf, {in_led->shape[0], in_led->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_states(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_states", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_unknowns;
-    Py_buffer *in_kinds;
-    Py_buffer *in_table;
-    Py_buffer *in_place;
-    Py_buffer *in_states;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_unknowns = take_array(&call, 0, 1, 'd', false)) != NULL
-        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_table = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_place = take_array(&call, 3, 1, 'd', false)) != NULL
-        && (in_states = take_array(&call, 4, 3, 'd', true)) != NULL
-        && has_at_least(&call, "place", 0, in_place->shape[0], 1)
-        && has_extent(&call, "states", 0, in_states->shape[0], in_place->shape[0])
-        && has_at_least(&call, "table", 0, in_table->shape[0], 3)
-        && has_at_least(&call, "table", 1, in_table->shape[1], 6)
-        && has_at_least(&call, "states", 1, in_states->shape[1], 3)
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "unknowns", 0, in_unknowns->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_place->shape[0] - 1)] - 1))))
-        && has_at_least(&call, "kinds", 0, in_kinds->shape[0], (18 + (6 * (((double *)in_place->buf)[(in_place->shape[0] - 1)] - 1))))) {
-        segfmu_write_states(
-            (array_double_1d){in_unknowns->buf, {in_unknowns->shape[0]}},
-            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
-            (array_double_2d){in_table->buf, {in_table->shape[0], in_table->shape[1]}},
-            (array_double_1d){in_place->buf, {in_place->shape[0]}},
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_is_judged(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "is_judged", .values = values};
-    PyObject *answer = NULL;
-    double in_duration;
-    Py_buffer *in_uses;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && take_float(&call, 0, &in_duration)
-        && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_search = take_array(&call, 2, 2, 'd', false)) != NULL
-        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
-        answer = PyBool_FromLong(segfmu_is_judged(
-            in_duration,
-            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_cap_best(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "cap_best", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_axes;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && (in_axes = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
-        && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
-        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
-        segfmu_cap_best(
-            (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_write_best(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "write_best", .values = values};
-    PyObject *answer = NULL;
-    double in_pace;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_pace)
-        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
-        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
-        segfmu_write_best(
-            in_pace,
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_keep_best(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "keep_best", .values = values};
-    PyObject *answer = NULL;
-    double in_pace;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 2)
-        && take_float(&call, 0, &in_pace)
-        && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
-        && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
-        segfmu_keep_best(
-            in_pace,
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_begin_limits(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "begin_limits", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_starts;
-    Py_buffer *in_kinds;
-    Py_buffer *in_search;
-    (void)self;
-    if (take_count(&call, count, 3)
-        && (in_starts = take_array(&call, 0, 2, 'd', false)) != NULL
-        && (in_kinds = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_search = take_array(&call, 2, 2, 'd', true)) != NULL
-        && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
-        && has_at_least(&call, "starts", 1, in_starts->shape[1], 1)
-        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
-        && has_extent(&call, "kinds", 0, in_kinds->shape[0], in_starts->shape[1])
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
-        segfmu_begin_limits(
-            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
-            (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}});
-        answer = Py_NewRef(Py_None);
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_next_limits(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "next_limits", .values = values};
-    PyObject *answer = NULL;
-    double in_duration;
-    Py_buffer *in_uses;
-    Py_buffer *in_starts;
-    Py_buffer *in_search;
-    Py_buffer *in_values;
-    Py_buffer *in_slopes;
-    Py_buffer *in_newton;
-    (void)self;
-    if (take_count(&call, count, 7)
-        && take_float(&call, 0, &in_duration)
-        && (in_uses = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_starts = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_search = take_array(&call, 3, 2, 'd', true)) != NULL
-        && (in_values = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_slopes = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_newton = take_array(&call, 6, 2, 'd', true)) != NULL
-        && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
-        && has_at_least(&call, "search", 1, in_search->shape[1], 1)
-        && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
-        && has_at_least(&call, "values", 0, in_values->shape[0], 2)
-        && has_at_least(&call, "values", 1, in_values->shape[1], 35)
-        && has_at_least(&call, "slopes", 1, in_slopes->shape[1], 35)
-        && has_at_least(&call, "starts", 1, in_starts->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
-        && has_at_least(&call, "slopes", 0, in_slopes->shape[0], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])
-        && has_at_least(&call, "newton", 0, in_newton->shape[0], (2 * ((double *)in_search->buf)[0 * in_search->shape[1] + 1]))
-        && has_at_least(&call, "newton", 1, in_newton->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
-        answer = PyBool_FromLong(segfmu_next_limits(
-            in_duration,
-            (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
-            (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
-            (array_double_2d){in_search->buf, {in_search->shape[0], in_search->shape[1]}},
-            (array_double_2d){in_values->buf, {in_values->shape[0], in_values->shape[1]}},
-            (array_double_2d){in_slopes->buf, {in_slopes->shape[0], in_slopes->shape[1]}},
-            (array_double_2d){in_newton->buf, {in_newton->shape[0], in_newton->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -5427,15 +5462,9 @@ static PyMethodDef methods[] = {
     {"hook_load_motion", (PyCFunction)(void (*)(void))call_hook_load_motion, METH_FASTCALL, NULL},
     {"hook_outputs", (PyCFunction)(void (*)(void))call_hook_outputs, METH_FASTCALL, NULL},
     {"check_hook", (PyCFunction)(void (*)(void))call_check_hook, METH_FASTCALL, NULL},
+    {"write_heading", (PyCFunction)(void (*)(void))call_write_heading, METH_FASTCALL, NULL},
     {"begin_pace", (PyCFunction)(void (*)(void))call_begin_pace, METH_FASTCALL, NULL},
     {"next_pace", (PyCFunction)(void (*)(void))call_next_pace, METH_FASTCALL, NULL},
-    {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},
-    {"narrow_bounds", (PyCFunction)(void (*)(void))call_narrow_bounds, METH_FASTCALL, NULL},
-    {"write_kinds", (PyCFunction)(void (*)(void))call_write_kinds, METH_FASTCALL, NULL},
-    {"write_limits", (PyCFunction)(void (*)(void))call_write_limits, METH_FASTCALL, NULL},
-    {"write_shares", (PyCFunction)(void (*)(void))call_write_shares, METH_FASTCALL, NULL},
-    {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
-    {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
     {"unite_waypoints", (PyCFunction)(void (*)(void))call_unite_waypoints, METH_FASTCALL, NULL},
     {"write_free", (PyCFunction)(void (*)(void))call_write_free, METH_FASTCALL, NULL},
     {"write_states", (PyCFunction)(void (*)(void))call_write_states, METH_FASTCALL, NULL},
@@ -5445,6 +5474,13 @@ static PyMethodDef methods[] = {
     {"keep_best", (PyCFunction)(void (*)(void))call_keep_best, METH_FASTCALL, NULL},
     {"begin_limits", (PyCFunction)(void (*)(void))call_begin_limits, METH_FASTCALL, NULL},
     {"next_limits", (PyCFunction)(void (*)(void))call_next_limits, METH_FASTCALL, NULL},
+    {"write_axes", (PyCFunction)(void (*)(void))call_write_axes, METH_FASTCALL, NULL},
+    {"narrow_bounds", (PyCFunction)(void (*)(void))call_narrow_bounds, METH_FASTCALL, NULL},
+    {"write_kinds", (PyCFunction)(void (*)(void))call_write_kinds, METH_FASTCALL, NULL},
+    {"write_limits", (PyCFunction)(void (*)(void))call_write_limits, METH_FASTCALL, NULL},
+    {"write_shares", (PyCFunction)(void (*)(void))call_write_shares, METH_FASTCALL, NULL},
+    {"write_starts", (PyCFunction)(void (*)(void))call_write_starts, METH_FASTCALL, NULL},
+    {"write_passing", (PyCFunction)(void (*)(void))call_write_passing, METH_FASTCALL, NULL},
     {"check_range", (PyCFunction)(void (*)(void))call_check_range, METH_FASTCALL, NULL},
     {"begin_time", (PyCFunction)(void (*)(void))call_begin_time, METH_FASTCALL, NULL},
     {"ramp_duration", (PyCFunction)(void (*)(void))call_ramp_duration, METH_FASTCALL, NULL},

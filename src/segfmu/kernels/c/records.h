@@ -1223,6 +1223,13 @@ enum {
 };
 
 enum {
+    HEADING_LAST = 0,
+    HEADING_TIME = 1,
+    HEADING_AXIS = 2,
+    HEADING_SIZE = 5
+};
+
+enum {
     LOOKS_GIVEN = 2,
     LOOKS_FREE = 4
 };

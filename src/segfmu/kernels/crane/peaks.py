@@ -93,7 +93,8 @@ def demand_samples(
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
     while end < NEVER:
-        count = samples + int(64.0 * (end - begin) / duration)
+        # many intervals are halves and quarters of a plan: rounding must not decide
+        count = samples + int(64.0 * (end - begin) / duration + 1e-6)
         for j in range(count):
             note_value(
                 begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance,

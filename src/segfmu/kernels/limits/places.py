@@ -4,8 +4,8 @@ states: of the waypoints (points, axes, WaypointState), not a number where one i
 that follow each other and are equal are one place, in which the load may rest.
 """
 
+from segfmu.kernels.limits.heading import heading_sign, state_of
 from segfmu.kernels.limits.records import LimitRow, Unknown
-from segfmu.kernels.limits.starts import state_of
 from segfmu.kernels.planner.records import WaypointState
 
 
@@ -52,8 +52,8 @@ def take_states(every: bool, given: 'float[:,:]', found: 'float[:,:]') -> None:
 
 
 def write_free(
-    states: 'float[:,:,:]', place: 'float[:]', dwells: 'float[:]', kinds: 'float[:]',
-    led: 'float[:,:]',
+    states: 'float[:,:,:]', place: 'float[:]', dwells: 'float[:]', heading: 'float[:]',
+    kinds: 'float[:]', led: 'float[:,:]',
 ) -> None:
     """Put rest in place of free states, and write which of them are searched for.
 
@@ -71,7 +71,7 @@ def write_free(
                 for order in range(2):
                     if is_free(states[point, axis, WaypointState.VELOCITY + order]):
                         led[point, axis] = 1.0
-                        i = state_of(int(place[point]), order, axis)
+                        i = state_of(int(place[point]), order, axis, heading)
                         kinds[i] = Unknown.STATE
     for point in range(points):
         for axis in range(3):
@@ -104,7 +104,7 @@ def is_passed(
 
 def write_states(
     unknowns: 'float[:]', kinds: 'float[:]', table: 'float[:,:]', place: 'float[:]',
-    states: 'float[:,:,:]',
+    heading: 'float[:]', states: 'float[:,:,:]',
 ) -> None:
     """Write the states that unknowns stand for: shares of the limits (3, LimitRow.SIZE)."""
     points = states.shape[0]
@@ -112,8 +112,9 @@ def write_states(
         if 0.5 < place[point] < place[points - 1]:
             for axis in range(3):
                 for order in range(2):
-                    i = state_of(int(place[point]), order, axis)
+                    i = state_of(int(place[point]), order, axis, heading)
                     if int(kinds[i]) == Unknown.STATE:
                         limit = table[axis, LimitRow.VELOCITY + order]
                         share = min(max(unknowns[i], -1.0), 1.0)
-                        states[point, axis, WaypointState.VELOCITY + order] = share * limit
+                        value = heading_sign(order, axis, heading) * share * limit
+                        states[point, axis, WaypointState.VELOCITY + order] = value

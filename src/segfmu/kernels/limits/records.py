@@ -58,6 +58,14 @@ class AxisTask(Record):
     CAP = field("largest limits, 1e300: none", size=LimitRow.SIZE)
 
 
+class Heading(Record):
+    """Order and direction of the free states that are searched for."""
+
+    LAST = field("last place, counted from 0")
+    TIME = field("1: the first place comes first, -1: the last one")
+    AXIS = field("sign of an acceleration whose unknown is positive", size=3)
+
+
 class Looks(Codes):
     """Least samples of an interval between two joints in a look for peaks.
 

@@ -9,6 +9,7 @@ from math import exp, log, sqrt, tan
 from segfmu.kernels.crane.bounds import hanging_mass
 from segfmu.kernels.crane.records import Axes, Demand, DriveBounds, Resistance
 from segfmu.kernels.crane.uses import bound_magnitude
+from segfmu.kernels.limits.heading import heading_sign, state_of
 from segfmu.kernels.limits.records import AxisTask, LimitFault, LimitRow, LimitStatus
 from segfmu.kernels.limits.task import held_force
 from segfmu.kernels.numerics.numbers import NEVER
@@ -192,7 +193,8 @@ def rigid_mass(axis: int, resistance: 'float[:]') -> float:
 
 
 def write_passing(
-    positions: 'float[:,:]', kinds: 'float[:]', axes: 'float[:,:]', start: 'float[:]'
+    positions: 'float[:,:]', kinds: 'float[:]', axes: 'float[:,:]', heading: 'float[:]',
+    start: 'float[:]',
 ) -> None:
     """Let a start pass waypoints with free velocities, each as fast as its axis goes on average.
 
@@ -201,7 +203,7 @@ def write_passing(
     """
     for point in range(1, positions.shape[0] - 1):
         for axis in range(axes.shape[0]):
-            i = state_of(point, 0, axis)
+            i = state_of(point, 0, axis, heading)
             if kinds[i] > 1.5:
                 before = mean_velocity(point, axis, positions, axes, start)
                 after = mean_velocity(point + 1, axis, positions, axes, start)
@@ -210,12 +212,7 @@ def write_passing(
                     share = min(abs(before), abs(after)) / exp(start[axis * LimitRow.SIZE])
                 if before < 0.0:
                     share = -share
-                start[i] = share
-
-
-def state_of(point: int, order: int, axis: int) -> int:
-    """Place among the unknowns of a velocity (order 0) or acceleration of a waypoint."""
-    return 3 * LimitRow.SIZE + ((point - 1) * 2 + order) * 3 + axis
+                start[i] = share * heading_sign(0, axis, heading)
 
 
 def mean_velocity(

@@ -113,7 +113,7 @@ def shortest_between(
                 family[Family.FREE] = min(family[Family.FREE], total_duration(trial, count))
             if duration >= 0.0:
                 found = branch
-            if duration >= 0.0 and (best == 0 or duration < shortest):
+            if duration >= 0.0 and (best == 0 or duration < shortest * (1.0 - WORTH)):
                 copy_phases(trial, phases, count)
                 best = count
                 shortest = duration

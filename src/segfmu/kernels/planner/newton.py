@@ -18,8 +18,8 @@ DIFFERENCE = 1e-5
 LEAST_TIME = 1e-3
 # added to a matrix for a step, as a share of its largest entry
 SHIFT = 1e-12
-# a step in times of the whole duration that only a singular matrix gives
-SINGULAR = 1e12
+# a step in times of the whole duration that only a singular matrix gives: slopes have five digits
+SINGULAR = 1e4
 # of a level's time, what a step takes off or adds at most; of the whole, so that it changes its
 # sign; and of the pace
 LESS = 0.7

@@ -60,10 +60,11 @@ def shortest_ramps(
     begin_search(problem, axis, work)
     if is_done(asked):
         return 0
+    mirrored, turned = orient(asked, axis)
     count = shortest_between(0, phases, asked, axis, work)
     if count == 0:
         count = braked_ramps(0, asked, axis, phases, work)
-    return count
+    return as_asked(mirrored, turned, count, phases, asked, axis, work[PlanWork.PASSING, :])
 
 
 def shortest_profile(

@@ -63,20 +63,30 @@ def is_turning(lowest: float, highest: float) -> bool:
     return min(-lowest, highest) > EQUAL * max(-lowest, highest)
 
 
-def turns_back(v: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
-    """Whether one of the two profiles next to the distance goes both ways, from a velocity."""
+def turns_back(
+    problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> bool:
+    """Whether one of the profiles whose mean covers the distance goes both ways.
+
+    Where one of the two is enough the other one may be far away: it does not tell.
+    """
     nearest = work[PlanWork.NEAREST, :]
-    count = int(nearest[Nearest.BELOW_COUNT])
-    duration, y, end, lowest, highest = measure_phases(
-        cell[Cell.BELOW:Cell.ABOVE, :], count, v, 0.0, axis
-    )
-    if is_turning(lowest, highest):
-        return True
-    count = int(nearest[Nearest.ABOVE_COUNT])
-    duration, y, end, lowest, highest = measure_phases(
-        cell[Cell.ABOVE:Cell.PROBLEM, :], count, v, 0.0, axis
-    )
-    return is_turning(lowest, highest)
+    weight = nearest_weight(problem, axis, nearest)
+    v = problem[Problem.V]
+    if weight < 1.0:
+        count = int(nearest[Nearest.BELOW_COUNT])
+        duration, y, end, lowest, highest = measure_phases(
+            cell[Cell.BELOW:Cell.ABOVE, :], count, v, 0.0, axis
+        )
+        if is_turning(lowest, highest):
+            return True
+    if weight > 0.0:
+        count = int(nearest[Nearest.ABOVE_COUNT])
+        duration, y, end, lowest, highest = measure_phases(
+            cell[Cell.ABOVE:Cell.PROBLEM, :], count, v, 0.0, axis
+        )
+        return is_turning(lowest, highest)
+    return False
 
 
 def timed_gently(
@@ -152,7 +162,7 @@ def timed_slower(
                 nearest = work[PlanWork.NEAREST, :]
                 below = int(nearest[Nearest.BELOW_COUNT])
                 above = int(nearest[Nearest.ABOVE_COUNT])
-                if not turning and turns_back(rest[Problem.V], axis, cell, work):
+                if not turning and turns_back(rest, axis, cell, work):
                     return False
                 stretch_phases(cell[Cell.BELOW:Cell.ABOVE, :], below, 1.0 / factor)
                 stretch_phases(cell[Cell.ABOVE:Cell.PROBLEM, :], above, 1.0 / factor)

@@ -73,7 +73,7 @@ static bool pose_search(
     for (int k = 0; chooses && k < STARTS_COUNT; k++) {
         segfmu_write_passing(
             matrix(s->places_at, s->places, AXES), vector(s->kinds, s->unknowns), axes_of(s),
-            vector(s->starts + k * s->unknowns, s->unknowns));
+            vector(s->heading, HEADING_SIZE), vector(s->starts + k * s->unknowns, s->unknowns));
     }
     return !segfmu_limit_message(status, fault, message, MESSAGE);
 }
@@ -100,7 +100,7 @@ static void read_trial(limit_search *s, bool timed, request *r)
         memcpy(s->tried, s->states, (size_t)(s->points * POINT) * sizeof *s->tried);
         segfmu_write_states(
             trial, vector(s->kinds, s->unknowns), limits, vector(s->place, s->points),
-            cuboid(s->tried, s->points, AXES, WAYPOINT_STATE_SIZE));
+            vector(s->heading, HEADING_SIZE), cuboid(s->tried, s->points, AXES, WAYPOINT_STATE_SIZE));
         split_states(s->tried, s->points, r);
     }
 }

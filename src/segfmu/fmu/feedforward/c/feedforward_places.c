@@ -82,8 +82,9 @@ bool find_places(limit_search *s, feedforward *m)
                    AXES * sizeof *real);
         }
     }
+    segfmu_write_heading(matrix(s->places_at, s->places, AXES), vector(s->heading, HEADING_SIZE));
     segfmu_write_free(
-        states, place, vector(real + V_WAYPOINT_DWELL, s->points),
+        states, place, vector(real + V_WAYPOINT_DWELL, s->points), vector(s->heading, HEADING_SIZE),
         vector(s->kinds, most_unknowns(&m->base)), matrix(s->led, s->points, AXES));
     split_states(s->states, s->points, &s->base);
     bool chooses = false;

@@ -18,7 +18,7 @@ typedef struct {
 typedef struct {
     double bounds[DRIVE_BOUNDS_SIZE], known[RESISTANCE_SIZE], caps[LIMIT_UNKNOWNS];
     double axes[AXES * AXIS_TASK_SIZE], values[SEARCH_VALUES_SIZE * VALUES_SIZE];
-    double uses[2 * DEMAND_SIZE], most, least;
+    double uses[2 * DEMAND_SIZE], most, least, heading[HEADING_SIZE];
     seen_plan seen[SEEN];
     int64_t points, places, unknowns, looks;
     int64_t samples;   /* least ones of an interval in a look for peaks */
