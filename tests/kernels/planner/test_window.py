@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Problem
-from segfmu.kernels.planner.window import early_window
+from segfmu.kernels.planner.window import early_window, short_window
 from tests.problems import packed_axis
 
 TOP, JERK = 1.7, 2.3
@@ -79,3 +79,30 @@ def test_a_distance_out_of_reach_is_excluded() -> None:
     assert early_window(20.0, near, axis) == 0.0
     assert early_window(20.0, far, axis) > 1.5
     assert early_window(1.0, far, axis) == 0.0
+
+
+@pytest.mark.parametrize("turned", [np.copy, mirrored, reversed_in_time])
+def test_a_small_acceleration_of_unlike_sign_is_set_aside(turned) -> None:
+    axis = packed_axis(3, 1, [100.0, TOP, JERK, 0.0])
+    random = np.random.default_rng(4)
+    tried = 0
+    while tried < 500:
+        duration, problem = motion(random)
+        a, b = problem[[Problem.A, Problem.B]]
+        single, _ = ramp_duration(a, axis)
+        gain = problem[Problem.W] - problem[Problem.V]
+        if a == 0.0 or b > 0.0 or duration < single or gain < 0.5 * a * single:
+            continue
+        tried += 1
+        last = -random.uniform(0.01, 0.19) * a
+        spent, _ = ramp_duration(-last, axis)
+        w = problem[Problem.W]
+        problem[Problem.DISTANCE] += ramp_distance(w, 0.0, last, spent, spent, axis)
+        problem[[Problem.W, Problem.B]] = w + 0.5 * last * spent, last
+        problem = turned(problem)
+        assert early_window(9.0, problem, axis) == 0.0
+        whole = duration + spent
+        assert short_window(3.0 * whole, problem, axis, np.zeros_like(problem)) >= whole * 0.999999
+        # as large as the other one, it is not
+        problem[[Problem.A, Problem.B]] = a, -a
+        assert short_window(3.0 * whole, problem, axis, np.zeros_like(problem)) == 0.0

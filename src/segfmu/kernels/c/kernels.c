@@ -598,6 +598,7 @@ static int64_t cruise_form(int64_t* result_0, int64_t* result_1, double* result_
 static int64_t with_cruise(array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
 static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, array_double_1d axis);
+static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial);
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis);
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
@@ -612,6 +613,7 @@ static void note_near(double y, double duration, array_double_1d family, array_d
 static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis);
 static bool only_farther(array_double_1d family);
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis);
+static void note_near_gain(array_double_1d family, array_double_1d axis);
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis);
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis);
 static double canonical_search(array_double_1d family, array_double_1d axis);
@@ -680,18 +682,19 @@ static bool find_dips(double v, double a, double end, array_double_1d axis, arra
 static void find_deepest(array_double_1d axis, array_double_1d dips, array_double_2d work);
 static int64_t write_levels(array_double_2d phases, array_double_2d work);
 static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, double* result_3, double depth, array_double_1d axis, array_double_1d dips, array_double_2d phases, array_double_2d work);
+static double peak_past_zero(double v, double a, double level, array_double_1d axis);
+static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
+static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool nearly_brakes(double v, double a, array_double_1d axis);
+static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void note_known(array_double_2d work);
 static void clear_nearest(array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
-static double peak_past_zero(double v, double a, double level, array_double_1d axis);
-static double deep_level(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
-static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis);
-static int64_t brake(int64_t* result_0, double* result_1, double* result_2, double* result_3, double v, double a, array_double_1d axis, array_double_2d phases, array_double_2d work);
-static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double beyond_rounding(double value, double scale);
 static void mirror_problem(array_double_1d problem);
 static void mirror_search(array_double_1d problem, array_double_1d axis);
@@ -789,10 +792,12 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
 static int64_t touching_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double least_lever(double c, double gain, double top, array_double_1d axis);
 static double early_window(double duration, array_double_1d problem, array_double_1d axis);
+static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest);
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis);
 static bool may_last_longer(array_double_1d problem, array_double_1d axis);
 static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
@@ -18926,6 +18931,75 @@ static int64_t slower_cruise(array_double_2d phases, array_double_1d problem, ar
     result = vanishing_cruise(slowest, (*cspan_at(&axis, INT64_C(2))), start, phases, problem, axis);
     return result;
 }
+static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d trial)
+{
+    double distance;
+    double longest;
+    double fastest;
+    double backwards;
+    double before;
+    double e_before;
+    int64_t i;
+    double cruise;
+    int64_t used;
+    int64_t row;
+    double duration;
+    double y;
+    double error;
+    double short_0001;
+    double far;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    longest = 1e+300;
+    fastest = (*cspan_at(&axis, INT64_C(2)));
+    backwards = (*cspan_at(&axis, INT64_C(9)));
+    if (count > INT64_C(0))
+    {
+        longest = total_duration(phases, count);
+        fastest = speed_bound(1.0, longest, problem, axis);
+        backwards = speed_bound(-1.0, longest, problem, axis);
+    }
+    before = 0.0;
+    e_before = 0.0;
+    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    {
+        cruise = fastest * (1.0 - i / 6.0);
+        if (i > INT64_C(6))
+        {
+            cruise = backwards * (1.0 - i / 6.0);
+        }
+        cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
+        error = 0.0;
+        if (used >= INT64_C(0))
+        {
+            error = y - distance;
+        }
+        if (error * e_before < 0.0)
+        {
+            short_0001 = cruise;
+            far = before;
+            if (e_before < 0.0)
+            {
+                short_0001 = before;
+                far = cruise;
+            }
+            used = vanishing_cruise(short_0001, far, 0.5 * (short_0001 + far), trial, problem, axis);
+            duration = -1.0;
+            if (used > INT64_C(0))
+            {
+                duration = valid_duration(trial, used, problem, axis);
+            }
+            if ((duration >= 0.0) && (duration < longest * (1.0 - 1e-10)))
+            {
+                copy_phases(trial, phases, used);
+                count = used;
+                longest = duration;
+            }
+        }
+        before = cruise;
+        e_before = error;
+    }
+    return count;
+}
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family)
 {
     double v;
@@ -19416,6 +19490,22 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     }
     return -1.0;
 }
+static void note_near_gain(array_double_1d family, array_double_1d axis)
+{
+    double a;
+    double b;
+    double low;
+    double first;
+    double least;
+    a = (*cspan_at(&family, INT64_C(1)));
+    b = (*cspan_at(&family, INT64_C(3)));
+    low = span_max(0.0, span_max(a, b));
+    level_gain(&first, &least, low, a, b, axis);
+    if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
+    {
+        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
+    }
+}
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
 {
     double upper;
@@ -19480,6 +19570,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     canonical_value(&f_lower, &duration, 0.0, family, axis);
     if (duration < 0.0)
     {
+        note_near_gain(family, axis);
         return -1.0;
     }
     if (fabs(f_lower - target) <= 1e-14 * (fabs(target) + (fabs(v) + fabs(w)) * duration))
@@ -21813,119 +21904,6 @@ static int64_t write_dip(int64_t* result_0, double* result_1, double* result_2, 
     (*result_3) = v;
     return 0;
 }
-static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    array_double_1d family;
-    int64_t branch;
-    int64_t member;
-    int64_t count;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    family = span_row(&work, INT64_C(98));
-    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
-    {
-        if (same_members(branch, problem, family))
-        {
-            continue;
-        }
-        set_family(branch, problem, axis, family);
-        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
-        {
-            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
-            count = tempered_form(trial, family, axis);
-            if (count < INT64_C(0))
-            {
-                break;
-            }
-            keep_nearest(count, problem, axis, cell, work);
-        }
-    }
-}
-static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    array_double_2d trial;
-    double v;
-    double w;
-    double distance;
-    double middle;
-    int64_t count;
-    double y;
-    double hold;
-    double edge;
-    double y_edge;
-    trial = span_rows(&work, INT64_C(0), INT64_C(21));
-    v = (*cspan_at(&problem, INT64_C(0)));
-    w = (*cspan_at(&problem, INT64_C(2)));
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
-    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
-    if ((count >= INT64_C(0)) && (hold >= 0.0))
-    {
-        keep_nearest(count, problem, axis, cell, work);
-        edge = cruise_range(trial, middle, y, hold, problem, axis);
-        y_edge = keep_cruise(edge, problem, axis, cell, work);
-        if (is_enclosed(work))
-        {
-            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
-        }
-    }
-}
-static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
-{
-    usual_cruise(problem, axis, cell, work);
-    if (!is_enclosed(work))
-    {
-        scan_cruises(problem, axis, cell, work);
-    }
-    if (!is_enclosed(work))
-    {
-        timed_merged(problem, axis, cell, work);
-    }
-}
-static void note_known(array_double_2d work)
-{
-    array_double_1d nearest;
-    nearest = span_row(&work, INT64_C(58));
-    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
-    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
-    }
-    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
-    {
-        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
-    }
-}
-static void clear_nearest(array_double_2d work)
-{
-    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
-    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
-}
-static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
-{
-    double distance;
-    double below;
-    double above;
-    double target;
-    double speed;
-    double tiny;
-    distance = (*cspan_at(&problem, INT64_C(4)));
-    below = (*cspan_at(&nearest, INT64_C(1)));
-    above = (*cspan_at(&nearest, INT64_C(3)));
-    target = (*cspan_at(&problem, INT64_C(5)));
-    speed = speed_bound(1.0, target, problem, axis);
-    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
-    tiny = 1e-14 * (fabs(distance) + speed * target);
-    if (above - distance <= tiny)
-    {
-        return 1.0;
-    }
-    if (distance - below > tiny)
-    {
-        return (distance - below) / (above - below);
-    }
-    return 0.0;
-}
 static double peak_past_zero(double v, double a, double level, array_double_1d axis)
 {
     double duration;
@@ -22093,6 +22071,19 @@ static int64_t brake(int64_t* result_0, double* result_1, double* result_2, doub
     (*result_3) = 0.0;
     return 0;
 }
+static bool nearly_brakes(double v, double a, array_double_1d axis)
+{
+    double duration;
+    double slope;
+    double end;
+    double near;
+    bool result;
+    segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
+    end = v + 0.5 * a * duration;
+    near = v + (1.0 - saving(axis)) * (0.5 * a * duration);
+    result = is_beyond(end, end, 1.0, axis) && (!is_beyond(near, near, 1.0, axis));
+    return result;
+}
 static int64_t braked(int64_t* result_0_0001, double* result_1, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_2d trial;
@@ -22200,6 +22191,119 @@ static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, 
         count = join_phases(trial, last, phases, count);
     }
     return count;
+}
+static void timed_merged(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    array_double_1d family;
+    int64_t branch;
+    int64_t member;
+    int64_t count;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    family = span_row(&work, INT64_C(98));
+    for (branch = INT64_C(0); branch < INT64_C(4); branch += INT64_C(1))
+    {
+        if (same_members(branch, problem, family))
+        {
+            continue;
+        }
+        set_family(branch, problem, axis, family);
+        for (member = INT64_C(0); member < INT64_C(2); member += INT64_C(1))
+        {
+            set_member(member, (*cspan_at(&problem, INT64_C(5))), 1, family);
+            count = tempered_form(trial, family, axis);
+            if (count < INT64_C(0))
+            {
+                break;
+            }
+            keep_nearest(count, problem, axis, cell, work);
+        }
+    }
+}
+static void usual_cruise(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_2d trial;
+    double v;
+    double w;
+    double distance;
+    double middle;
+    int64_t count;
+    double y;
+    double hold;
+    double edge;
+    double y_edge;
+    trial = span_rows(&work, INT64_C(0), INT64_C(21));
+    v = (*cspan_at(&problem, INT64_C(0)));
+    w = (*cspan_at(&problem, INT64_C(2)));
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    middle = span_min(span_max(distance / (*cspan_at(&problem, INT64_C(5))), span_min(v, w)), span_max(v, w));
+    timed_cruise(&count, &y, &hold, trial, middle, problem, axis);
+    if ((count >= INT64_C(0)) && (hold >= 0.0))
+    {
+        keep_nearest(count, problem, axis, cell, work);
+        edge = cruise_range(trial, middle, y, hold, problem, axis);
+        y_edge = keep_cruise(edge, problem, axis, cell, work);
+        if (is_enclosed(work))
+        {
+            between_cruises(middle, edge, y - distance, y_edge - distance, problem, axis, cell, work);
+        }
+    }
+}
+static void timed_between(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    usual_cruise(problem, axis, cell, work);
+    if (!is_enclosed(work))
+    {
+        scan_cruises(problem, axis, cell, work);
+    }
+    if (!is_enclosed(work))
+    {
+        timed_merged(problem, axis, cell, work);
+    }
+}
+static void note_known(array_double_2d work)
+{
+    array_double_1d nearest;
+    nearest = span_row(&work, INT64_C(58));
+    (*cspan_at(&nearest, INT64_C(4))) = 0.0;
+    if ((*cspan_at(&nearest, INT64_C(0))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = -1.0;
+    }
+    else if ((*cspan_at(&nearest, INT64_C(2))) > 0.0)
+    {
+        (*cspan_at(&nearest, INT64_C(4))) = 1.0;
+    }
+}
+static void clear_nearest(array_double_2d work)
+{
+    (*cspan_at(&work, INT64_C(58), INT64_C(0))) = 0.0;
+    (*cspan_at(&work, INT64_C(58), INT64_C(2))) = 0.0;
+}
+static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest)
+{
+    double distance;
+    double below;
+    double above;
+    double target;
+    double speed;
+    double tiny;
+    distance = (*cspan_at(&problem, INT64_C(4)));
+    below = (*cspan_at(&nearest, INT64_C(1)));
+    above = (*cspan_at(&nearest, INT64_C(3)));
+    target = (*cspan_at(&problem, INT64_C(5)));
+    speed = speed_bound(1.0, target, problem, axis);
+    speed = span_max(speed, speed_bound(-1.0, target, problem, axis));
+    tiny = 1e-14 * (fabs(distance) + speed * target);
+    if (above - distance <= tiny)
+    {
+        return 1.0;
+    }
+    if (distance - below > tiny)
+    {
+        return (distance - below) / (above - below);
+    }
+    return 0.0;
 }
 static double beyond_rounding(double value, double scale)
 {
@@ -24971,6 +25075,53 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     }
     return span_min(most * (1.0 + 1e-09), duration);
 }
+static double short_window(double duration, array_double_1d problem, array_double_1d axis, array_double_1d rest)
+{
+    double a;
+    double b;
+    int64_t i;
+    double spent;
+    double slope;
+    double distance;
+    double longest;
+    double result;
+    a = (*cspan_at(&problem, INT64_C(1)));
+    b = (*cspan_at(&problem, INT64_C(3)));
+    if (a * b >= 0.0)
+    {
+        result = early_window(duration, problem, axis);
+        return result;
+    }
+    if (span_min(fabs(a), fabs(b)) > 0.2 * span_max(fabs(a), fabs(b)))
+    {
+        return 0.0;
+    }
+    for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
+    {
+        (*cspan_at(&rest, i)) = (*cspan_at(&problem, i));
+    }
+    if (fabs(a) < fabs(b))
+    {
+        segfmu_ramp_duration(&spent, &slope, fabs(a), axis);
+        distance = ramp_distance((*cspan_at(&problem, INT64_C(0))), a, 0.0, spent, spent, axis);
+        (*cspan_at(&rest, INT64_C(0))) = (*cspan_at(&problem, INT64_C(0))) + 0.5 * a * spent;
+        (*cspan_at(&rest, INT64_C(1))) = 0.0;
+    }
+    else
+    {
+        segfmu_ramp_duration(&spent, &slope, fabs(b), axis);
+        (*cspan_at(&rest, INT64_C(2))) = (*cspan_at(&problem, INT64_C(2))) - 0.5 * b * spent;
+        distance = ramp_distance((*cspan_at(&rest, INT64_C(2))), 0.0, b, spent, spent, axis);
+        (*cspan_at(&rest, INT64_C(3))) = 0.0;
+    }
+    (*cspan_at(&rest, INT64_C(4))) = (*cspan_at(&problem, INT64_C(4))) - distance;
+    longest = early_window(duration - spent, rest, axis);
+    if (longest > 0.0)
+    {
+        return longest + spent;
+    }
+    return 0.0;
+}
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
@@ -25037,7 +25188,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     }
     last = INT64_C(6);
     count = span_max_int(status, INT64_C(0));
-    window = early_window(longest, asked, axis);
+    window = short_window(longest, asked, axis, span_row(&work, INT64_C(60)));
     if (window > 0.0)
     {
         count = loop_form(last, count, window, phases, asked, axis, work);
@@ -25091,6 +25242,24 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     (*cspan_at(&work, INT64_C(98), INT64_C(21))) = total_duration(phases, status) > most;
     return status;
 }
+static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
+{
+    bool result;
+    if (duration > 1.3 * free)
+    {
+        return 1;
+    }
+    if (early_window(duration, asked, axis) > 0.0)
+    {
+        return 1;
+    }
+    if (nearly_brakes((*cspan_at(&asked, INT64_C(0))), (*cspan_at(&asked, INT64_C(1))), axis))
+    {
+        return 1;
+    }
+    result = nearly_brakes((*cspan_at(&asked, INT64_C(2))), -(*cspan_at(&asked, INT64_C(3))), axis);
+    return result;
+}
 static bool may_last_longer(array_double_1d problem, array_double_1d axis)
 {
     double fastest;
@@ -25104,6 +25273,8 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     array_double_1d asked;
     array_double_1d family;
     int64_t missed;
+    double free;
+    array_double_1d rest;
     double longest;
     int64_t count;
     asked = span_row(&work, INT64_C(59));
@@ -25117,15 +25288,21 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     missed = (int64_t)((*cspan_at(&family, INT64_C(20))));
     if (count == INT64_C(0))
     {
+        free = (*cspan_at(&family, INT64_C(19)));
         count = shortest_braked(asked, axis, phases, work);
         if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
         {
             missed = span_max_int(missed, INT64_C(1));
         }
+        if ((count > INT64_C(0)) && misses_little(free, total_duration(phases, count), asked, axis))
+        {
+            missed = INT64_C(2);
+        }
     }
     else
     {
-        longest = early_window(total_duration(phases, count), asked, axis);
+        rest = span_row(&work, INT64_C(60));
+        longest = short_window(total_duration(phases, count), asked, axis, rest);
         if (longest > 0.0)
         {
             count = loop_form(INT64_C(6), count, longest, phases, asked, axis, work);
@@ -25138,6 +25315,10 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
         {
             count = passing_either_way(count, phases, asked, axis, work);
         }
+    }
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14))) < 0.5))
+    {
+        count = shorter_cruise(count, phases, asked, axis, span_rows(&work, INT64_C(0), INT64_C(21)));
     }
     if ((count > INT64_C(0)) && may_last_longer(asked, axis))
     {

@@ -10,6 +10,7 @@ exists (docs/planner.md).
 from segfmu.kernels.numerics.numbers import EQUAL, GOLDEN, HALVINGS, NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.dip import find_dips, write_dip
+from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.phases import (
     append_change,
     copy_phases,
@@ -137,6 +138,14 @@ def brake(
     if find_dips(v, a, 0.0, axis, dips, work):
         return write_dip(0.0, axis, dips, phases, work)
     return -1, 0.0, 0.0, 0.0
+
+
+def nearly_brakes(v: float, a: float, axis: 'float[:]') -> bool:
+    """Whether one ramp to zero acceleration exceeds the limit, but may not with steeper rises."""
+    duration, slope = ramp_duration(abs(a), axis)
+    end = v + 0.5 * a * duration
+    near = v + (1.0 - saving(axis)) * (0.5 * a * duration)
+    return is_beyond(end, end, 1.0, axis) and not is_beyond(near, near, 1.0, axis)
 
 
 def braked(

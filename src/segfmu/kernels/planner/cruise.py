@@ -4,16 +4,20 @@ The cruise velocity is given, or such that the cruise has zero duration, or the 
 ramp to zero acceleration reaches from either end.
 """
 
-from segfmu.kernels.numerics.numbers import HALVINGS, NEVER, SAME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
     append_change,
     append_hold,
     append_ramp,
+    copy_phases,
     insert_hold,
     measure_phases,
     reverse_phases,
+    speed_bound,
+    total_duration,
+    valid_duration,
 )
 from segfmu.kernels.planner.records import Axis, Problem
 
@@ -143,3 +147,48 @@ def slower_cruise(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -
     start = max(problem[Problem.V], problem[Problem.W])
     slowest = -axis[Axis.LOWER]
     return vanishing_cruise(slowest, axis[Axis.VELOCITY], start, phases, problem, axis)
+
+
+def shorter_cruise(
+    count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', trial: 'float[:,:]'
+) -> int:
+    """Replace a profile of `count` phases by a shorter one whose cruise vanishes, if there is one.
+
+    Several cruise velocities can cover the distance. Returns the new number of phases.
+    """
+    distance = problem[Problem.DISTANCE]
+    longest = NEVER
+    fastest = axis[Axis.VELOCITY]
+    backwards = axis[Axis.LOWER]
+    if count > 0:
+        longest = total_duration(phases, count)
+        fastest = speed_bound(1.0, longest, problem, axis)
+        backwards = speed_bound(-1.0, longest, problem, axis)
+    before = 0.0
+    e_before = 0.0
+    for i in range(13):
+        cruise = fastest * (1.0 - i / 6.0)
+        if i > 6:
+            cruise = backwards * (1.0 - i / 6.0)
+        used, row, duration, y = cruise_form(trial, cruise, problem, axis)
+        error = 0.0
+        if used >= 0:
+            error = y - distance
+        if error * e_before < 0.0:
+            short = cruise
+            far = before
+            if e_before < 0.0:
+                short = before
+                far = cruise
+            used = vanishing_cruise(short, far, 0.5 * (short + far), trial, problem, axis)
+            duration = -1.0
+            if used > 0:
+                duration = valid_duration(trial, used, problem, axis)
+            # a gain by rounding is none
+            if duration >= 0.0 and duration < longest * (1.0 - GAINED):
+                copy_phases(trial, phases, used)
+                count = used
+                longest = duration
+        before = cruise
+        e_before = error
+    return count

@@ -10,6 +10,8 @@ levels next to a single ramp (arcs.py) and profiles that pass zero jerk with sna
 
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.arcs import loop_form
+from segfmu.kernels.planner.braking import nearly_brakes
+from segfmu.kernels.planner.cruise import shorter_cruise
 from segfmu.kernels.planner.dipped import shorter_dipped
 from segfmu.kernels.planner.forms import (
     braked_ramps,
@@ -33,7 +35,7 @@ from segfmu.kernels.planner.records import (
 )
 from segfmu.kernels.planner.sides import slowest_velocity
 from segfmu.kernels.planner.touching import touching_form
-from segfmu.kernels.planner.window import early_window
+from segfmu.kernels.planner.window import early_window, short_window
 
 # durations over those without the velocity limit: nothing is shorter. Of 16,000 random problems
 # dips shorten none below 1.09, and longer ones are searched for thoroughly; with levels of the jerk
@@ -41,6 +43,8 @@ from segfmu.kernels.planner.window import early_window
 NEARLY_FREE = 1.05
 NEARLY_FREE_JERK = 1.1
 FAR_FROM_FREE = 2.0
+# where the usual rises cost more than this, steeper ones may permit another profile
+MISSED = 1.3
 
 
 def begin_search(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
@@ -121,17 +125,24 @@ def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]')
     count = shortest_between(0, phases, asked, axis, work)
     missed = int(family[Family.MISSED])
     if count == 0:
+        free = family[Family.FREE]
         count = shortest_braked(asked, axis, phases, work)
         if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
             missed = max(missed, int(Rises.MODERATE))
+        if count > 0 and misses_little(free, total_duration(phases, count), asked, axis):
+            missed = int(Rises.STEEPEST)
     else:
-        longest = early_window(total_duration(phases, count), asked, axis)
+        rest = work[PlanWork.REST, :]
+        longest = short_window(total_duration(phases, count), asked, axis, rest)
         if longest > 0.0:
             count = loop_form(LoopArc.FOLD, count, longest, phases, asked, axis, work)
             if total_duration(phases, count) > longest:
                 missed = int(Rises.STEEPEST)
         if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
+    if count > 0 and axis[Axis.PLATEAU] < 0.5:
+        # a state of another profile may be followed by its rest, whose cruise vanishes
+        count = shorter_cruise(count, phases, asked, axis, work[PlanWork.TRIAL:PlanWork.BEST, :])
     if count > 0 and may_last_longer(asked, axis):
         count = braked_ramps(count, asked, axis, phases, work)
     # where the snap is not the highest limit, steeper rises are always tried
@@ -185,7 +196,7 @@ def usual_braked(
         return status
     last = int(LoopArc.FOLD)
     count = max(status, 0)
-    window = early_window(longest, asked, axis)
+    window = short_window(longest, asked, axis, work[PlanWork.REST, :])
     if window > 0.0:
         # the arcs are sampled over the time that is given
         count = loop_form(last, count, window, phases, asked, axis, work)
@@ -198,3 +209,18 @@ def usual_braked(
     if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):
         return passing_either_way(count, phases, asked, axis, work)
     return count
+
+
+def misses_little(
+    free: float, duration: float, asked: 'float[:]', axis: 'float[:]'
+) -> bool:
+    """Whether steeper rises may permit a profile that does not brake, or one whose acceleration
+    keeps its sign. The profile with the usual rises takes `duration` [s], without the velocity
+    limit `free`."""
+    if duration > MISSED * free:
+        return True
+    if early_window(duration, asked, axis) > 0.0:
+        return True
+    if nearly_brakes(asked[Problem.V], asked[Problem.A], axis):
+        return True
+    return nearly_brakes(asked[Problem.W], -asked[Problem.B], axis)

@@ -5,7 +5,7 @@ BY_TIME of a family (Family) selects one of them, TARGET is its value.
 
 from segfmu.kernels.numerics.numbers import GOLDEN, HALVINGS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
-from segfmu.kernels.planner.levels import canonical_member, has_member
+from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
@@ -217,6 +217,16 @@ def note_near(y: float, duration: float, family: 'float[:]', axis: 'float[:]') -
         family[Family.MISSED] = Rises.STEEPEST
 
 
+def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
+    """Note whether the first member may exist with steeper rises."""
+    a = family[Family.A]
+    b = family[Family.B]
+    low = max(0.0, max(a, b))
+    first, least = level_gain(low, a, b, axis)
+    if family[Family.W] - family[Family.V] >= (1.0 - saving(axis)) * least:
+        family[Family.MISSED] = Rises.STEEPEST
+
+
 def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter of the first canonical member that covers the target distance, or -1."""
     target = family[Family.TARGET]
@@ -224,6 +234,7 @@ def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
     w = family[Family.W]
     f_lower, duration = canonical_value(0.0, family, axis)
     if duration < 0.0:
+        note_near_gain(family, axis)
         return -1.0
     # the first member covers the target up to rounding
     if abs(f_lower - target) <= COVERED * (abs(target) + (abs(v) + abs(w)) * duration):

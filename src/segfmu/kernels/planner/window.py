@@ -7,10 +7,12 @@ So its distance lies between two lines in its duration.
 from math import sqrt
 
 from segfmu.kernels.numerics.numbers import EQUAL
-from segfmu.kernels.planner.ramp import ramp_duration
+from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
 
+# end accelerations on both sides of zero leave a window where one is this small beside the other
+SMALL = 0.2
 # distances and durations of a window differ by rounding within this share
 ROUNDED = 1e-9
 
@@ -91,3 +93,35 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     if most < least * (1.0 - ROUNDED):
         return 0.0
     return min(most * (1.0 + ROUNDED), duration)
+
+
+def short_window(
+    duration: float, problem: 'float[:]', axis: 'float[:]', rest: 'float[:]'
+) -> float:
+    """`early_window`, also where the accelerations at the ends have unlike signs, one being small.
+
+    One ramp brings that one to zero. `rest` becomes the problem that is left.
+    """
+    a = problem[Problem.A]
+    b = problem[Problem.B]
+    if a * b >= 0.0:
+        return early_window(duration, problem, axis)
+    if min(abs(a), abs(b)) > SMALL * max(abs(a), abs(b)):
+        return 0.0
+    for i in range(Problem.SIZE):
+        rest[i] = problem[i]
+    if abs(a) < abs(b):
+        spent, slope = ramp_duration(abs(a), axis)
+        distance = ramp_distance(problem[Problem.V], a, 0.0, spent, spent, axis)
+        rest[Problem.V] = problem[Problem.V] + 0.5 * a * spent
+        rest[Problem.A] = 0.0
+    else:
+        spent, slope = ramp_duration(abs(b), axis)
+        rest[Problem.W] = problem[Problem.W] - 0.5 * b * spent
+        distance = ramp_distance(rest[Problem.W], 0.0, b, spent, spent, axis)
+        rest[Problem.B] = 0.0
+    rest[Problem.DISTANCE] = problem[Problem.DISTANCE] - distance
+    longest = early_window(duration - spent, rest, axis)
+    if longest > 0.0:
+        return longest + spent
+    return 0.0
