@@ -24410,6 +24410,7 @@ static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int
     int64_t taken;
     double spent;
     int64_t count;
+    array_double_2d trial;
     double duration;
     candidate = span_rows(&work, INT64_C(21), INT64_C(42));
     rest = span_row(&work, INT64_C(60));
@@ -24427,6 +24428,11 @@ static int64_t braked_variant(int64_t* result_0_0001, double* result_1_0001, int
         return 0;
     }
     count = shortest_between(span_floor_div(variant, INT64_C(4)), candidate, rest, axis, work);
+    if ((count == INT64_C(0)) && (variant == INT64_C(4)))
+    {
+        trial = span_rows(&work, INT64_C(0), INT64_C(21));
+        count = shorter_cruise(INT64_C(0), candidate, rest, axis, trial);
+    }
     if ((count == INT64_C(0)) && (!(is_done(rest) && ((*cspan_at(&rest, INT64_C(1))) == 0.0))))
     {
         (*result_0_0001) = INT64_C(0);

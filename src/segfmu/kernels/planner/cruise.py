@@ -1,7 +1,6 @@
 """The paper's form (Fig. 3): a velocity change over one level, a cruise, a second velocity change.
 
-The cruise velocity is given, or such that the cruise has zero duration, or the velocity that one
-ramp to zero acceleration reaches from either end.
+The cruise velocity is given, or such that the cruise has zero duration.
 """
 
 from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME
@@ -21,9 +20,8 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.records import Axis, Problem
 
-# a root, and the distance that a profile has to cover, within these shares
+# a root within this share
 ROOT = 1e-15
-COVERED = 1e-14
 
 
 def append_velocity_change(

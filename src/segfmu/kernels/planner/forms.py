@@ -9,7 +9,7 @@ from math import sqrt
 
 from segfmu.kernels.numerics.numbers import GAINED, NEVER, SAME, WORTH
 from segfmu.kernels.planner.braking import braked, surround
-from segfmu.kernels.planner.cruise import slower_cruise, with_cruise
+from segfmu.kernels.planner.cruise import shorter_cruise, slower_cruise, with_cruise
 from segfmu.kernels.planner.merged import merged_form, same_members, set_family, tempered_form
 from segfmu.kernels.planner.orientation import reverse_search
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -145,6 +145,9 @@ def braked_variant(
     if taken < 0:
         return taken, 0.0
     count = shortest_between(variant // 4, candidate, rest, axis, work)
+    if count == 0 and variant == 4:
+        trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+        count = shorter_cruise(0, candidate, rest, axis, trial)
     if count == 0 and not (is_done(rest) and rest[Problem.A] == 0.0):
         return 0, 0.0
     # braking keeps the limit
