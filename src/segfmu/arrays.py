@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from math import inf, isfinite
 from operator import index
 from typing import Any, Self
@@ -23,7 +24,25 @@ SAME.flags.writeable = False
 
 
 class Frozen:
-    """Base of frozen classes whose arrays stay read-only in copies, also those by pickle."""
+    """Base of frozen data classes of arrays.
+
+    Arrays stay read-only in copies, also in those by pickle. Objects are equal if all values are:
+    NaN, which stands for a free state, equals NaN, and -0 equals 0.
+    """
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Frozen) or type(other) is not type(self):
+            return NotImplemented
+        return self is other or self._values() == other._values()
+
+    def __hash__(self) -> int:
+        return hash(self._values())
+
+    def _values(self) -> tuple[object, ...]:
+        given = (getattr(self, f.name) for f in fields(self))  # type: ignore[arg-type]
+        return tuple(
+            (v.shape, (v + 0.0).tobytes()) if isinstance(v, np.ndarray) else v for v in given
+        )
 
     def __deepcopy__(self, _: dict[int, Any]) -> Self:
         return self

@@ -139,6 +139,30 @@ def test_copies_are_frozen_as_well(given, copied) -> None:
                 getattr(other, name)[...] = 0.5
 
 
+VALUES = {
+    "Waypoint": lambda x: Waypoint([0.0, x], velocity="free", dwell=1.0),
+    "Limits": lambda x: Limits([1.0, x], 1.0, None, 3.0),
+    "Obstacle": lambda x: Obstacle("a", [0, 0, -x], [1, 1, -1]),
+    "Clearance": lambda x: Clearance([Obstacle("a", [0, 0, -2], [1, 1, -1])], [x, 0, 0]),
+    "ActuatorBounds": lambda x: ActuatorBounds(force=[1.0, x, None]),
+}
+
+
+@pytest.mark.parametrize("make", VALUES.values(), ids=VALUES)
+def test_objects_of_the_same_values_are_equal(make) -> None:
+    one, same, other = make(2.0), make(2.0), make(3.0)
+    assert one == same == copy.copy(one) == pickle.loads(pickle.dumps(one))
+    assert len({one, same, other}) == 2
+    assert one != other
+    assert one != "another type"
+
+
+def test_minus_zero_is_zero_and_another_number_of_axes_is_another_value() -> None:
+    assert len({Waypoint([-0.0]), Waypoint([0.0])}) == 1
+    assert Limits(1.0, 1.0) != Limits([1.0], [1.0])
+    assert Waypoint([0.0]) != Limits(1.0, 1.0)
+
+
 def test_copied_limits_hold() -> None:
     limits = Limits(np.array([1.0]), 1, 1, 1)
     first = plan(MOVE, limits)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -43,3 +45,19 @@ def test_waypoints_at_one_place_of_a_view_share_a_label() -> None:
     assert [text for text, _ in above] == ["1, 2", "3"]
     assert [text for text, _ in side] == ["1", "2", "3"]
     assert above[1][1] == pytest.approx([0.0, 1.0])
+
+
+@pytest.mark.parametrize("moved", [0.0, 1e-13])
+def test_a_load_that_rests_is_seen_in_a_view_of_a_metre(moved: float) -> None:
+    points = [Waypoint([100.0, 0.0, -2.0]), Waypoint([100.0 + moved, 0.0, -2.0])]
+    trajectory = plan(points, Limits(1.0, 1.0, 5.0, 50.0))
+    for panel in plot_path(trajectory, "rest", Clearance([])).axes:
+        assert np.diff(panel.get_xlim()) == pytest.approx(1.0)
+        assert np.diff(panel.get_ylim()) == pytest.approx(1.0)
+
+
+def test_titles_of_any_script_are_drawn_without_warnings(tmp_path: Path) -> None:
+    trajectory = plan([Waypoint([0.0, 0.0, -2.0]), Waypoint([1.0, 0.0, -2.0])],
+                      Limits(1.0, 1.0, 5.0))
+    plot_path(trajectory, "\u6b66\u6c49 \U0001f3d7", Clearance([])).savefig(tmp_path / "path.png")
+    assert (tmp_path / "path.png").stat().st_size > 0

@@ -15,6 +15,9 @@ from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, panels_of
 
 # share of a motion across it, below which it is along an axis, or waypoints share a label
 STRAIGHT = 0.02
+# a motion below this share of the places is none, and drawn as one of this size [m]
+NOISE = 1e-9
+STANDING = 5.0
 NEXT_TO: dict[str, Any] = {"xytext": (5, 6), "textcoords": "offset points"}
 
 
@@ -76,11 +79,18 @@ def _view(
     path, marks = points @ view.T, stops @ view.T
     panel.plot(*path.T, color=COLOURS[0])
     panel.plot(*marks.T, "o", color=COLOURS[1])
-    for text, (x, y) in labels(marks, float(np.ptp(points, axis=0).max())):
+    size = _size(points)
+    for text, (x, y) in labels(marks, size):
         panel.annotate(text, (x, y), **NEXT_TO)
     for limits, values in ((panel.set_xlim, path[:, 0]), (panel.set_ylim, path[:, 1])):
         middle = 0.5 * float(values.min() + values.max())
         # a motion across the view is not enlarged to noise
-        half = max(0.55 * float(np.ptp(values)), 0.1 * float(np.ptp(points, axis=0).max()))
+        half = max(0.55 * float(np.ptp(values)), 0.1 * size)
         limits(middle - half, middle + half)
     grid(panel)
+
+
+def _size(points: FloatArray) -> float:
+    """Greatest extent of a path (n, 3) along an axis, or that of the view of a load that rests."""
+    size = float(np.ptp(points, axis=0).max())
+    return size if size > NOISE * float(np.abs(points).max()) else STANDING

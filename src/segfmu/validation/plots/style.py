@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
@@ -25,6 +26,12 @@ def save(figure: Figure, path: Path) -> None:
 
 class Picture(Figure):
     """A figure that notebooks show and that no window is opened for."""
+
+    def savefig(self, *args: Any, **options: Any) -> None:
+        """As of any figure; characters that its font does not have are boxes, without a warning."""
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", r"Glyph \d+", UserWarning)
+            super().savefig(*args, **options)
 
     def _repr_png_(self) -> bytes:
         data = BytesIO()
