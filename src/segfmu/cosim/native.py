@@ -80,7 +80,7 @@ class NativeLoop:
         self._program = program
         for name in ("advance", "refresh", "exchange", "point"):
             setattr(program, name, self._sequence(getattr(schedule, name)))
-        self._fixed = len(self._calls)
+        self._fixed = [_call(c, tape) for c in self._calls]
         self._states = _packed(CUnit, [_unit(u) for u in units])
         self._lasts = np.zeros(len(units))
         self._tape = tape
@@ -118,7 +118,7 @@ class NativeLoop:
 
     def _a_step(self) -> int:
         """Bytes that a step puts on the tape."""
-        own = sum(c.values.nbytes for c in self._calls[:self._fixed] if self._tape.has(c.unit))
+        own: int = sum(c.taped for c in self._fixed)
         return own + len(self._units) * STEP
 
     def _sequence(self, operations: Operations) -> CSequence:
@@ -146,7 +146,7 @@ class NativeLoop:
 
     def _changes(self, changes: Sequence[Due]) -> list[Any]:
         """Lay out the changes of a run; returns what has to be kept until its end."""
-        del self._calls[self._fixed:]
+        del self._calls[len(self._fixed):]
         places: dict[int, int] = {}
         sets: list[CAssignment] = []
         entries: list[CChange] = []
@@ -158,8 +158,9 @@ class NativeLoop:
                     self._calls.append(channel.write)
                 start, _ = values.__array_interface__["data"]
                 sets.append(CAssignment(place, start, values.nbytes))
-        kept = [_packed(CCall, [_call(c, self._tape) for c in self._calls]),
-                _packed(CAssignment, sets), _packed(CChange, entries)]
+        own = [_call(c, self._tape) for c in self._calls[len(self._fixed):]]
+        kept = [_packed(CCall, [*self._fixed, *own]), _packed(CAssignment, sets),
+                _packed(CChange, entries)]
         program = self._program
         program.calls, program.assignments, program.changes = map(ctypes.addressof, kept)
         program.change_count = len(entries)

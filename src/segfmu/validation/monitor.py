@@ -192,8 +192,8 @@ def _reference(name: str, signal: str, rows: NDArray[np.void]) -> FloatArray:
 
 
 def _column(rows: NDArray[np.void], name: str) -> FloatArray:
-    names = [n for n in rows.dtype.names or () if n != "time"]
-    if name not in names:
+    if name == "time" or name not in (rows.dtype.fields or {}):
+        names = [n for n in rows.dtype.names or () if n != "time"]
         near = get_close_matches(name, names, n=1)
         hint = f"; did you mean {near[0]}?" if near else ""
         raise InputError(f"no variable {name} in the run{hint}")

@@ -245,11 +245,13 @@ class Runner:
         """Parameters and start values of all FMUs."""
         file, mission = scenario.file, scenario.mission
         lead = {LEAD: mission.simulation.step} if file.lead else {}
-        source, sink, gains = self._pairs.values(mission, trajectory, file.fmi)
-        planned = mission.model_dump_json(exclude=DISTURBED)
-        source = source | self._sources.get(
-            planned, lambda: feedforward_values(mission, trajectory)
-        )
+        changed, sink, gains = self._pairs.values(mission, trajectory, file.fmi)
+        interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
+        passed = with_arrays if file.fmi == 3 else without_starts
+        planned = mission.model_dump_json(exclude=DISTURBED), file.fmi
+        source = self._sources.get(planned, lambda: passed(
+            interfaces[0], changed | feedforward_values(mission, trajectory)
+        ))
         # weights are those of the build
         sink = sink | {
             n: v for n, v in crane_values(mission).items() if not n.startswith(AT_BUILD)
@@ -257,11 +259,7 @@ class Runner:
         if file.method == "pd":
             driven = sink["drive.mode"] == "velocity"
             sink |= NO_REJECTION | position_gains(mission, driven, gains)
-        interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
-        if file.fmi == 3:
-            source, sink = map(with_arrays, interfaces, (source, sink))
-        else:
-            source, sink = map(without_starts, interfaces, (source, sink))
+        sink = passed(interfaces[1], sink)
         own = models(mission.crane)
         values: dict[str, dict[str, Any]] = {
             own.feedforward: source | lead, own.crane: sink | lead,

@@ -65,9 +65,17 @@ def test_states_start_from_the_given_one_and_scale_with_the_step() -> None:
     _, rows = coefficients()
     for stage in range(1, 7):
         trial = np.full(4, 9.0)
-        stage_state(stage, 0.3, 3, state, k, trial)
+        size = stage_state(stage, 0.3, 3, state, k, trial)
         np.testing.assert_allclose(trial[:3], (state + 0.3 * rows[stage] @ k)[:3], rtol=1e-14)
         assert trial[3] == 9.0
+        assert size == pytest.approx(np.abs(trial[:3]).sum(), rel=1e-14)
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf, -np.inf, -1e200])
+def test_a_state_beyond_all_bounds_is_told_by_its_size(wrong: float) -> None:
+    for stage in range(1, 7):
+        state = np.array([1.0, wrong, -2.0])
+        assert not stage_state(stage, 0.3, 3, state, np.zeros((7, 3)), np.zeros(3)) < 1e100
 
 
 def test_next_step_aims_at_the_tolerance_within_bounds() -> None:

@@ -77,6 +77,12 @@ void copy_values(const copy *c, char *to)
         memcpy(to, c->from, (size_t)c->count * in);
         return;
     }
+    if (c->from_type == F64 && c->to_type == F64) {
+        for (int64_t i = 0; i < c->count; i++, to += sizeof(double)) {
+            memcpy(to, c->from + (size_t)c->index[i] * sizeof(double), sizeof(double));
+        }
+        return;
+    }
     for (int64_t i = 0; i < c->count; i++, to += out) {
         const char *from = c->from + (size_t)(c->index ? c->index[i] : i) * in;
         if (is_real(c->from_type)) {

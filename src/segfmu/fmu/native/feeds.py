@@ -35,20 +35,41 @@ def source(spec: Spec, records: Sequence[type[Record]]) -> str:
 
 def _table(spec: Spec, record: type[Record], placed: Layout) -> str:
     kinds = {v.name: v.kind for v in spec.variables}
-    rows = []
-    for place, variable, base in record.feeds():
+    rows, places = [], []
+    reals_first = sorted(record.feeds(), key=lambda f: kinds.get(f[1].format(1)) != "Real")
+    for place, variable, base in reals_first:
         first = variable.format(1)
         if first not in kinds:
             raise BuildError(f"{record.__name__}: {spec.name} has no variable {first}")
         whole = "false" if kinds[first] == "Real" else "true"
         step = _step(variable, placed)
         rows.append(f"    {{{place}, {placed.offsets[first]}, {step}, {base}, {whole}}}")
+        if kinds[first] == "Real":
+            places.append((place, placed.offsets[first]))
     name = _name(record)
     lines = ",\n".join(rows)
+    # C has no arrays of no size
+    runs = _runs(places) or [(0, 0, 0)]
+    spans = ", ".join(f"{{{place}, {offset}, {count}}}" for place, offset, count in runs)
     return (
         f"static const feed {name}_rows[] = {{\n{lines}\n}};\n"
-        f"static const feeds {name} = {{{name}_rows, {len(rows)}}};\n"
+        f"static const feed_run {name}_runs[] = {{{spans}}};\n"
+        f"static const feeds {name} = {{\n"
+        f"    {name}_rows, {len(rows)}, {len(places)}, {name}_runs, {len(runs)}\n}};\n"
     )
+
+
+def _runs(places: Sequence[tuple[int, int]]) -> list[tuple[int, int, int]]:
+    """Places and offsets that grow together: the first ones, and their number."""
+    found: list[tuple[int, int, int]] = []
+    for place, offset in places:
+        if found:
+            first, begin, count = found[-1]
+            if (place, offset) == (first + count, begin + count):
+                found[-1] = first, begin, count + 1
+                continue
+        found.append((place, offset, 1))
+    return found
 
 
 def _step(variable: str, placed: Layout) -> int:

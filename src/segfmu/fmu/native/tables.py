@@ -86,7 +86,7 @@ def header(spec: Spec, version: int) -> str:
     sizes = {
         "VARIABLES": len(described), "NAME": 1 + max(len(e.name) for e in described),
         "RANGES": len(_ranges(described)),
-        "DIFFERENTIABLE": len(_differentiable_places(described)),
+        "RUNS": len(_differentiable_runs(described, placed)),
         "REALS": len(placed.reals),
         # C has no arrays of no size
         "INTEGERS": max(1, len(placed.integers)), "INPUTS": len(spec.signals),
@@ -129,14 +129,15 @@ def source(spec: Spec, version: int) -> str:
     )
     ranges = ",\n".join(f"    {{{low}, {high}}}" for low, high in known)
     # C has no arrays of no size
-    places = ", ".join(map(str, [*_differentiable_places(described), 0]))
+    runs = [*_differentiable_runs(described, placed), (0, 0)]
+    places = ", ".join(f"{{{first}, {count}}}" for first, count in runs)
     return (
         f'{BANNER}#include <math.h>\n\n#include "model.h"\n\n'
         f'static const char model_name[] = "{spec.name}";\n\n'
         f"static const variable model_variables[MODEL_VARIABLES] = {{\n{rows}\n}};\n\n"
         f"static const label model_labels[MODEL_VARIABLES] = {{\n{labels}\n}};\n\n"
         f"static const range model_ranges[MODEL_RANGES] = {{\n{ranges}\n}};\n\n"
-        "static const uint16_t model_differentiable[MODEL_DIFFERENTIABLE + 1] = "
+        "static const run model_differentiable[MODEL_RUNS + 1] = "
         f"{{{places}}};\n"
     )
 
@@ -178,8 +179,12 @@ def _range(v: Variable) -> tuple[str, str]:
     )
 
 
-def _differentiable_places(described: Sequence[Entry]) -> list[int]:
-    return [i for i, e in enumerate(described) if _differentiable(e.variable)]
+def _differentiable_runs(described: Sequence[Entry], placed: Layout) -> list[tuple[int, int]]:
+    """Values of differentiable variables that follow each other: the first place, their number."""
+    places = {placed.offsets[e.variable.name] for e in described if _differentiable(e.variable)}
+    firsts = sorted(p for p in places if p - 1 not in places)
+    ends = sorted(p + 1 for p in places if p + 1 not in places)
+    return [(first, end - first) for first, end in zip(firsts, ends, strict=True)]
 
 
 def _differentiable(v: Variable) -> bool:

@@ -281,17 +281,18 @@ static double drag_slope(array_double_1d plant, array_double_1d air, int64_t i, 
 static void add_rate(array_double_1d component, double time, int64_t first, array_double_1d total);
 static void wind_rates(array_double_1d plant, array_double_2d components, double time, array_double_1d air);
 static double stage_node(int64_t stage);
-static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
+static double stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial);
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k);
 static double next_step(double error, double tolerance);
 static bool all_finite(array_double_1d values, int64_t count);
 static void plant_powers(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void plant_derivative(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work, array_double_1d derivative);
-static void reuse_last_stage(array_double_2d work);
+static int64_t changing_components(array_double_1d plant);
+static void reuse_last_stage(array_double_1d plant, array_double_2d work);
 static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work);
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work);
 static int64_t plant_status(array_double_1d plant, array_double_1d state, array_double_1d action);
-static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
+static void accept_step(array_double_1d plant, array_double_1d state, array_double_2d work, double elapsed, array_double_1d report);
 static bool has_own_bound(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_magnitude(int64_t i, int64_t side, array_double_1d bounds);
 static double bound_origin(int64_t i, int64_t side, array_double_1d bounds);
@@ -10421,22 +10422,26 @@ static double stage_node(int64_t stage)
     }
     return 1.0;
 }
-static void stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
+static double stage_state(int64_t stage, double h, int64_t count, array_double_1d state, array_double_2d k, array_double_1d trial)
 {
     double a0;
     int64_t i;
+    double part;
     double a1;
     double a2;
     double a3;
-    double part;
     double a4;
     double a5;
+    double size;
+    size = 0.0;
     if (stage == INT64_C(1))
     {
         a0 = h * (1.0 / 5.0);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i));
+            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i));
+            (*cspan_at(&trial, i)) = part;
+            size = size + fabs(part);
         }
     }
     else if (stage == INT64_C(2))
@@ -10445,7 +10450,9 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         a1 = h * (9.0 / 40.0);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i));
+            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i));
+            (*cspan_at(&trial, i)) = part;
+            size = size + fabs(part);
         }
     }
     else if (stage == INT64_C(3))
@@ -10455,7 +10462,9 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         a2 = h * (32.0 / 9.0);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&trial, i)) = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
+            part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
+            (*cspan_at(&trial, i)) = part;
+            size = size + fabs(part);
         }
     }
     else if (stage == INT64_C(4))
@@ -10467,7 +10476,9 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
-            (*cspan_at(&trial, i)) = part + a3 * (*cspan_at(&k, INT64_C(3), i));
+            part = part + a3 * (*cspan_at(&k, INT64_C(3), i));
+            (*cspan_at(&trial, i)) = part;
+            size = size + fabs(part);
         }
     }
     else if (stage == INT64_C(5))
@@ -10480,7 +10491,9 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a1 * (*cspan_at(&k, INT64_C(1), i)) + a2 * (*cspan_at(&k, INT64_C(2), i));
-            (*cspan_at(&trial, i)) = part + a3 * (*cspan_at(&k, INT64_C(3), i)) + a4 * (*cspan_at(&k, INT64_C(4), i));
+            part = part + a3 * (*cspan_at(&k, INT64_C(3), i)) + a4 * (*cspan_at(&k, INT64_C(4), i));
+            (*cspan_at(&trial, i)) = part;
+            size = size + fabs(part);
         }
     }
     else
@@ -10493,9 +10506,12 @@ static void stage_state(int64_t stage, double h, int64_t count, array_double_1d 
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             part = (*cspan_at(&state, i)) + a0 * (*cspan_at(&k, INT64_C(0), i)) + a2 * (*cspan_at(&k, INT64_C(2), i)) + a3 * (*cspan_at(&k, INT64_C(3), i));
-            (*cspan_at(&trial, i)) = part + a4 * (*cspan_at(&k, INT64_C(4), i)) + a5 * (*cspan_at(&k, INT64_C(5), i));
+            part = part + a4 * (*cspan_at(&k, INT64_C(4), i)) + a5 * (*cspan_at(&k, INT64_C(5), i));
+            (*cspan_at(&trial, i)) = part;
+            size = size + fabs(part);
         }
     }
+    return size;
 }
 static double step_error(double h, int64_t count, array_double_1d start, array_double_1d end, array_double_2d k)
 {
@@ -10594,22 +10610,26 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     array_double_1d rate;
     int64_t i;
     double slope;
+    double demand;
     double velocity;
     double deflection;
     double resistance;
+    double deflecting;
     double torque;
     rate = span_row(&work, INT64_C(1));
     wind_force(plant, components, time, elapsed, state, work);
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         slope = command_slope(i, elapsed, rate);
-        (*cspan_at(&work, INT64_C(18), i)) = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
+        demand = (*cspan_at(&work, INT64_C(0), i)) + elapsed * slope;
         velocity = axis_velocity(state, i);
         deflection = (*cspan_at(&state, INT64_C(10) + i));
         resistance = buffer_force(plant, i, axis_position(state, i), velocity);
         resistance = resistance + friction_force(plant, i, velocity, deflection);
+        deflecting = deflection_rate(plant, i, velocity, deflection);
+        (*cspan_at(&work, INT64_C(18), i)) = demand;
         (*cspan_at(&work, INT64_C(19), i)) = resistance;
-        (*cspan_at(&derivative, INT64_C(10) + i)) = deflection_rate(plant, i, velocity, deflection);
+        (*cspan_at(&derivative, INT64_C(10) + i)) = deflecting;
         (*cspan_at(&work, INT64_C(14), INT64_C(3) + i)) = 0.0;
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
@@ -10635,12 +10655,20 @@ static void plant_derivative(array_double_1d plant, array_double_2d components, 
     }
     plant_powers(plant, state, work, derivative);
 }
-static void reuse_last_stage(array_double_2d work)
+static int64_t changing_components(array_double_1d plant)
+{
+    if (may_slacken(plant) || has_tackle(plant))
+    {
+        return INT64_C(23);
+    }
+    return INT64_C(16);
+}
+static void reuse_last_stage(array_double_1d plant, array_double_2d work)
 {
     array_double_1d action;
     int64_t i;
     action = span_row(&work, INT64_C(14));
-    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+    for (i = INT64_C(0); i < changing_components(plant); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(4), i)) = (*cspan_at(&work, INT64_C(4) + INT64_C(6), i));
     }
@@ -10652,32 +10680,33 @@ static void reuse_last_stage(array_double_2d work)
 static void first_stage(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, array_double_2d work)
 {
     plant_derivative(plant, components, time, elapsed, state, work, span_row(&work, INT64_C(4) + INT64_C(6)));
-    reuse_last_stage(work);
+    reuse_last_stage(plant, work);
 }
 static double try_step(array_double_1d plant, array_double_2d components, double time, double elapsed, array_double_1d state, double h, array_double_2d work)
 {
     array_double_2d stages;
     array_double_1d trial;
+    int64_t last;
     int64_t stage;
     int64_t count;
     double result;
     stages = span_rows(&work, INT64_C(4), INT64_C(4) + INT64_C(7));
     trial = span_row(&work, INT64_C(11));
+    last = changing_components(plant);
     for (stage = INT64_C(1); stage < INT64_C(7); stage += INT64_C(1))
     {
-        count = INT64_C(13);
-        if ((stage == INT64_C(6)) || may_slacken(plant) || has_tackle(plant))
+        count = last;
+        if ((stage != INT64_C(6)) && (last < INT64_C(23)))
         {
-            count = INT64_C(23);
+            count = INT64_C(13);
         }
-        stage_state(stage, h, count, state, stages, trial);
-        if (!all_finite(trial, count))
+        if (!(stage_state(stage, h, count, state, stages, trial) < 1e+100))
         {
             return 1e+100;
         }
         plant_derivative(plant, components, time, elapsed + stage_node(stage) * h, trial, work, span_row(&work, INT64_C(4) + stage));
     }
-    result = step_error(h, INT64_C(23), state, trial, stages);
+    result = step_error(h, last, state, trial, stages);
     return result;
 }
 static int64_t plant_status(array_double_1d plant, array_double_1d state, array_double_1d action)
@@ -10723,13 +10752,13 @@ static int64_t plant_status(array_double_1d plant, array_double_1d state, array_
     }
     return INT64_C(0);
 }
-static void accept_step(array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
+static void accept_step(array_double_1d plant, array_double_1d state, array_double_2d work, double elapsed, array_double_1d report)
 {
     array_double_1d action;
     int64_t i;
     double saturated;
     action = span_row(&work, INT64_C(14));
-    for (i = INT64_C(0); i < INT64_C(23); i += INT64_C(1))
+    for (i = INT64_C(0); i < changing_components(plant); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&work, INT64_C(11), i));
     }
@@ -10810,13 +10839,13 @@ int64_t segfmu_plant_advance(array_double_1d plant, array_double_2d components, 
         }
         t = t + h;
         h = h * next_step(error, tolerance);
-        accept_step(state, work, t, report);
+        accept_step(plant, state, work, t, report);
         if (last)
         {
             (*cspan_at(&work, INT64_C(12), INT64_C(0))) = span_max(h, planned);
             return INT64_C(0);
         }
-        reuse_last_stage(work);
+        reuse_last_stage(plant, work);
     }
     return INT64_C(3);
 }

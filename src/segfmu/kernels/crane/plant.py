@@ -57,13 +57,16 @@ def plant_derivative(
     wind_force(plant, components, time, elapsed, state, work)
     for i in range(3):
         slope = command_slope(i, elapsed, rate)
-        work[Work.DEMAND, i] = work[Work.COMMAND, i] + elapsed * slope
+        demand = work[Work.COMMAND, i] + elapsed * slope
         velocity = axis_velocity(state, i)
         deflection = state[PlantState.DEFLECTION + i]
         resistance = buffer_force(plant, i, axis_position(state, i), velocity)
         resistance = resistance + friction_force(plant, i, velocity, deflection)
+        deflecting = deflection_rate(plant, i, velocity, deflection)
+        # what is read before anything is written is read once
+        work[Work.DEMAND, i] = demand
         work[Work.FRICTION, i] = resistance
-        derivative[PlantState.DEFLECTION + i] = deflection_rate(plant, i, velocity, deflection)
+        derivative[PlantState.DEFLECTION + i] = deflecting
         work[Work.ACTION, Action.SATURATED + i] = 0.0
     for i in range(2):
         derivative[PlantState.SLING_ANGLE + i] = 0.0
@@ -109,10 +112,17 @@ def plant_powers(
         derivative[PlantState.DISSIPATED] = derivative[PlantState.DISSIPATED] + lost
 
 
-def reuse_last_stage(work: 'float[:,:]') -> None:
+def changing_components(plant: 'float[:]') -> int:
+    """First components of the state that change: the last ones only with a sling or slack rope."""
+    if may_slacken(plant) or has_tackle(plant):
+        return PlantState.SIZE
+    return PlantState.SLING_ANGLE
+
+
+def reuse_last_stage(plant: 'float[:]', work: 'float[:,:]') -> None:
     """Use the last stage of a step, at its end, as the first stage of the next step."""
     action = work[Work.ACTION, :]
-    for i in range(PlantState.SIZE):
+    for i in range(changing_components(plant)):
         work[Work.STAGES, i] = work[Work.STAGES + Stages.K7, i]
     for i in range(3):
         action[StageAction.SATURATED_BEFORE + i] = action[Action.SATURATED + i]
@@ -130,7 +140,7 @@ def first_stage(
     plant_derivative(
         plant, components, time, elapsed, state, work, work[Work.STAGES + Stages.K7, :]
     )
-    reuse_last_stage(work)
+    reuse_last_stage(plant, work)
 
 
 def try_step(
@@ -148,20 +158,20 @@ def try_step(
     """
     stages = work[Work.STAGES:Work.STAGES + Stages.SIZE, :]
     trial = work[Work.TRIAL, :]
+    last = changing_components(plant)
     for stage in range(1, Stages.SIZE):
-        # the derivatives do not depend on the work
-        count = PlantState.DRIVE_WORK
-        if stage == Stages.K7 or may_slacken(plant) or has_tackle(plant):
-            count = PlantState.SIZE
-        stage_state(stage, h, count, state, stages, trial)
+        count = last
+        if stage != Stages.K7 and last < PlantState.SIZE:
+            # the derivatives do not depend on the work
+            count = PlantState.DRIVE_WORK
         # values beyond all bounds: the step was much too long
-        if not all_finite(trial, count):
+        if not stage_state(stage, h, count, state, stages, trial) < 1e100:
             return 1e100
         plant_derivative(
             plant, components, time, elapsed + stage_node(stage) * h, trial, work,
             work[Work.STAGES + stage, :],
         )
-    return step_error(h, PlantState.SIZE, state, trial, stages)
+    return step_error(h, last, state, trial, stages)
 
 
 def plant_advance(
@@ -219,21 +229,21 @@ def plant_advance(
             continue
         t = t + h
         h = h * next_step(error, tolerance)
-        accept_step(state, work, t, report)
+        accept_step(plant, state, work, t, report)
         if last:
             # a step shortened by the interval's end is a worse guess than the step planned before
             work[Work.STEP, 0] = max(h, planned)
             return PlantStatus.DONE
-        reuse_last_stage(work)
+        reuse_last_stage(plant, work)
     return PlantStatus.STEP_TOO_SMALL
 
 
 def accept_step(
-    state: 'float[:]', work: 'float[:,:]', elapsed: float, report: 'float[:]'
+    plant: 'float[:]', state: 'float[:]', work: 'float[:,:]', elapsed: float, report: 'float[:]'
 ) -> None:
     """Accept the trial state, and report the forces in it."""
     action = work[Work.ACTION, :]
-    for i in range(PlantState.SIZE):
+    for i in range(changing_components(plant)):
         state[i] = work[Work.TRIAL, i]
     for i in range(3):
         saturated = max(action[Action.SATURATED + i], action[StageAction.SATURATED_BEFORE + i])

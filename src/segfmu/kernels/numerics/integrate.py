@@ -24,27 +24,35 @@ def stage_node(stage: int) -> float:
 
 def stage_state(
     stage: int, h: float, count: int, state: 'float[:]', k: 'float[:,:]', trial: 'float[:]'
-) -> None:
+) -> float:
     """First components of the state at a stage after the first: state + h sum a_ij k_j.
 
     k: one row per stage (`Stages`); trial: the result. Every sum is written out, so that its terms
-    stay in registers. The last stage is the end of the step.
+    stay in registers. The last stage is the end of the step. Returns the sum of the magnitudes,
+    which is not a number, or very large, if one of them is.
     """
+    size = 0.0
     if stage == Stages.K2:
         a0 = h * (1.0 / 5.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[Stages.K1, i]
+            part = state[i] + a0 * k[Stages.K1, i]
+            trial[i] = part
+            size = size + abs(part)
     elif stage == Stages.K3:
         a0 = h * (3.0 / 40.0)
         a1 = h * (9.0 / 40.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i]
+            part = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i]
+            trial[i] = part
+            size = size + abs(part)
     elif stage == Stages.K4:
         a0 = h * (44.0 / 45.0)
         a1 = h * (-56.0 / 15.0)
         a2 = h * (32.0 / 9.0)
         for i in range(count):
-            trial[i] = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
+            part = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
+            trial[i] = part
+            size = size + abs(part)
     elif stage == Stages.K5:
         a0 = h * (19372.0 / 6561.0)
         a1 = h * (-25360.0 / 2187.0)
@@ -52,7 +60,9 @@ def stage_state(
         a3 = h * (-212.0 / 729.0)
         for i in range(count):
             part = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
-            trial[i] = part + a3 * k[Stages.K4, i]
+            part = part + a3 * k[Stages.K4, i]
+            trial[i] = part
+            size = size + abs(part)
     elif stage == Stages.K6:
         a0 = h * (9017.0 / 3168.0)
         a1 = h * (-355.0 / 33.0)
@@ -61,7 +71,9 @@ def stage_state(
         a4 = h * (-5103.0 / 18656.0)
         for i in range(count):
             part = state[i] + a0 * k[Stages.K1, i] + a1 * k[Stages.K2, i] + a2 * k[Stages.K3, i]
-            trial[i] = part + a3 * k[Stages.K4, i] + a4 * k[Stages.K5, i]
+            part = part + a3 * k[Stages.K4, i] + a4 * k[Stages.K5, i]
+            trial[i] = part
+            size = size + abs(part)
     else:
         a0 = h * (35.0 / 384.0)
         a2 = h * (500.0 / 1113.0)
@@ -70,7 +82,10 @@ def stage_state(
         a5 = h * (11.0 / 84.0)
         for i in range(count):
             part = state[i] + a0 * k[Stages.K1, i] + a2 * k[Stages.K3, i] + a3 * k[Stages.K4, i]
-            trial[i] = part + a4 * k[Stages.K5, i] + a5 * k[Stages.K6, i]
+            part = part + a4 * k[Stages.K5, i] + a5 * k[Stages.K6, i]
+            trial[i] = part
+            size = size + abs(part)
+    return size
 
 
 def step_error(

@@ -30,14 +30,14 @@ static segment follow_derivatives(const model *base, int i, double time)
     return s;
 }
 
-/* Follow an input, by its place in `real`, to a time within the step. */
-static segment follow_input(crane *m, int i, double time)
+/* Follow an input, by its place in `real`, to a time within the step, which is at a share of the rest
+   of the step. */
+static segment follow_input(crane *m, int i, double time, double share)
 {
     const model *base = &m->base;
-    double now = base->real[V_TIME], share = (time - now) / (base->step_end - now);
     double start = m->input[i];
     double end = time < base->step_end ? start + (base->real[i] - start) * share : base->real[i];
-    segment s = {start, end, (end - start) / (time - now), 0.0, 0.0};
+    segment s = {start, end, (end - start) / (time - base->real[V_TIME]), 0.0, 0.0};
     if (base->sloped) {
         s = follow_derivatives(base, i, time);
     }
@@ -48,16 +48,16 @@ static segment follow_input(crane *m, int i, double time)
 
 void crane_follow_inputs(crane *m, double time)
 {
-    crane_read_inputs(m);
+    const double now = m->base.real[V_TIME], share = (time - now) / (m->base.step_end - now);
     for (int64_t k = 0; k < feeds_setpoints.count; k++) {
         int place = feeds_setpoints.rows[k].place;
-        segment s = follow_input(m, feeds_setpoints.rows[k].offset, time);
+        segment s = follow_input(m, feeds_setpoints.rows[k].offset, time, share);
         row(m, MEMORY_LAST)[place] = s.start;
         m->setpoints[place] = s.end;
         row(m, MEMORY_SQUARE)[place] = s.square;
         row(m, MEMORY_CUBE)[place] = s.cube;
     }
     for (int64_t k = 0; k < feeds_target.count; k++) {
-        follow_input(m, feeds_target.rows[k].offset, time);
+        follow_input(m, feeds_target.rows[k].offset, time, share);
     }
 }

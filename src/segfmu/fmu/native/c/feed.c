@@ -1,6 +1,8 @@
 /* Records of the kernels from variables, and variables from records. */
 #include "feed.h"
 
+#include <string.h>
+
 void feed_row(const feeds *table, const model *m, int64_t row, double record[])
 {
     for (int64_t i = 0; i < table->count; i++) {
@@ -12,7 +14,14 @@ void feed_row(const feeds *table, const model *m, int64_t row, double record[])
 
 void feed_record(const feeds *table, const model *m, double record[])
 {
-    feed_row(table, m, 0, record);
+    for (int64_t i = 0; i < table->run_count; i++) {
+        const feed_run *r = &table->runs[i];
+        memcpy(record + r->place, m->real + r->offset, r->count * sizeof *record);
+    }
+    for (int64_t i = table->reals; i < table->count; i++) {
+        const feed *f = &table->rows[i];
+        record[f->place] = (double)(m->integer[f->offset] - f->base);
+    }
 }
 
 bool feed_same(const feeds *table, const model *m, int64_t rows, const double real[])
@@ -29,13 +38,13 @@ bool feed_same(const feeds *table, const model *m, int64_t rows, const double re
 
 void show_record(const feeds *table, const double record[], model *m)
 {
-    for (int64_t i = 0; i < table->count; i++) {
+    for (int64_t i = 0; i < table->run_count; i++) {
+        const feed_run *r = &table->runs[i];
+        memcpy(m->real + r->offset, record + r->place, r->count * sizeof *record);
+    }
+    for (int64_t i = table->reals; i < table->count; i++) {
         const feed *f = &table->rows[i];
-        if (f->whole) {
-            m->integer[f->offset] = record[f->place] > 0.0;
-        } else {
-            m->real[f->offset] = record[f->place];
-        }
+        m->integer[f->offset] = record[f->place] > 0.0;
     }
 }
 

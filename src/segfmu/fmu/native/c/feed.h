@@ -12,9 +12,17 @@ typedef struct {
     bool whole;       /* the variable is in `integer` */
 } feed;
 
+/* Values that follow each other in the record and in `real`. */
+typedef struct {
+    uint16_t place, offset, count;
+} feed_run;
+
+/* The rows of `real` come first; the runs are the same rows. */
 typedef struct {
     const feed *rows;
-    int64_t count;
+    int64_t count, reals;
+    const feed_run *runs;
+    int64_t run_count;
 } feeds;
 
 /* Fill a record; what no variable feeds stays. */

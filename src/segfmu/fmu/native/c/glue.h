@@ -35,6 +35,8 @@ typedef struct {
     size_t count, size;
     int64_t rows;
     int kinds, all;
+    bool scalar;  /* all variables have one value, at these places of `real` or `integer` */
+    uint16_t places[MODEL_VARIABLES];
     uint32_t references[MODEL_VARIABLES];
 } known_list;
 

@@ -52,11 +52,16 @@ typedef struct {
     double least, most;
 } range;
 
-/* of variables.c: variables, their labels and ranges, and the places of those that are differentiable */
+/* Values of `real` that follow each other. */
+typedef struct {
+    uint16_t first, count;
+} run;
+
+/* of variables.c: variables, their labels and ranges, and where those that are differentiable lie */
 static const variable model_variables[MODEL_VARIABLES];
 static const label model_labels[MODEL_VARIABLES];
 static const range model_ranges[MODEL_RANGES];
-static const uint16_t model_differentiable[MODEL_DIFFERENTIABLE + 1];
+static const run model_differentiable[MODEL_RUNS + 1];
 
 /* The beginning of every model's block. */
 typedef struct {

@@ -51,15 +51,28 @@ static int trial_status(const instance *c)
     return c->model->mode == MODE_CONTINUOUS ? STATUS_DISCARD : STATUS_ERROR;
 }
 
+/* The first differentiable variable at a place of `real`; there has to be one. */
+static const variable *calculated_at(uint32_t place)
+{
+    const variable *v = model_variables;
+    while (!v->differentiable || v->offset != place) {
+        v++;
+    }
+    return v;
+}
+
 /* Whether the outputs are numbers: parameters at the edge of their range can overflow. */
 static bool finite_outputs(instance *c)
 {
-    for (size_t i = 0; i < MODEL_DIFFERENTIABLE; i++) {
-        const variable *v = &model_variables[model_differentiable[i]];
-        if (!isfinite(c->model->real[v->offset])) {
-            glue_log(c, trial_status(c), "at %.9g s: %s is not finite; check the size of parameters "
-                     "and inputs", c->model->real[V_TIME], glue_label(v)->name);
-            return false;
+    const double *real = c->model->real;
+    for (size_t i = 0; i < MODEL_RUNS; i++) {
+        const run r = model_differentiable[i];
+        for (uint32_t k = r.first; k < (uint32_t)(r.first + r.count); k++) {
+            if (!isfinite(real[k])) {
+                glue_log(c, trial_status(c), "at %.9g s: %s is not finite; check the size of "
+                         "parameters and inputs", real[V_TIME], glue_label(calculated_at(k))->name);
+                return false;
+            }
         }
     }
     return true;

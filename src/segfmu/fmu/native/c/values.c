@@ -58,8 +58,22 @@ static void keep_last(const instance *c, known_list *last, const uint32_t refere
         last->kinds = kinds;
         last->rows = c->start.rows;
         last->all = all;
+        last->scalar = true;
         memcpy(last->references, references, count * sizeof *references);
+        for (size_t i = 0; i < count; i++) {
+            const variable *v = glue_variable(references[i]);
+            last->places[i] = v->offset;
+            last->scalar = last->scalar && v->elements == 1;
+        }
     }
+}
+
+/* Places of the values of a list that was checked just now; NULL where it was not kept, and where it
+   has arrays. */
+static const uint16_t *known_places(const instance *c, int list, size_t count)
+{
+    const known_list *last = &c->known[list];
+    return count > SHORT_LIST && count <= MODEL_VARIABLES && last->scalar ? last->places : NULL;
 }
 
 /* Checks for both reading and setting; `all` tells what is among the variables. */
@@ -147,6 +161,13 @@ bool glue_settable(instance *c, const char *function, const uint32_t references[
 void glue_get_reals(const instance *c, const uint32_t references[], size_t count, double values[])
 {
     const double *real = c->model->real;
+    const uint16_t *places = known_places(c, READ_LIST, count);
+    if (places != NULL) {
+        for (size_t i = 0; i < count; i++) {
+            values[i] = real[places[i]];
+        }
+        return;
+    }
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
         if (v->elements == 1) {
@@ -243,11 +264,22 @@ static void set_states(instance *c, const uint32_t references[], size_t count, c
 bool glue_set_reals(instance *c, const uint32_t references[], size_t count, const double values[],
                     size_t size)
 {
-    if (!finite_values(c, references, values, size) || !all_in_range(c, references, count, values)) {
-        return false;
-    }
+    const uint16_t *places = known_places(c, SET_LIST, count);
     double *real = c->model->real;
     int settings = 0;
+    if (!finite_values(c, references, values, size)) {
+        return false;
+    }
+    if (places != NULL && c->known[SET_LIST].all == 1 << SET_INPUT) {
+        for (size_t i = 0; i < count; i++) {
+            real[places[i]] = values[i];
+        }
+        touch(c, 1 << SET_INPUT);
+        return true;
+    }
+    if (!all_in_range(c, references, count, values)) {
+        return false;
+    }
     if (MODEL_STATES > 0 && (c->model->mode & glue_state_modes) != 0) {
         set_states(c, references, count, values);
     }
