@@ -117,6 +117,8 @@ def test_bounds_of_drives_are_no_rounding_errors(key: str, tmp_path: Path) -> No
 
 SCENARIO = 'name = "s"\nmission = "mission.toml"\n'
 CRITERION = '[[criteria]]\nname = "c"\nsignal = "sway.x.angle"\nbound = 1.0\n'
+PROFILE = '[[profiles]]\nvariable = "a"\ntimes = [0, 1]\nvalues = [1, 2]\n'
+RECORDED = '[[profiles]]\nfile = "r.csv"\n'
 SCENARIOS = {
     "twice": (SCENARIO + 2 * CRITERION, "sc.toml: criteria: two of them are called c"),
     "lead": (SCENARIO + "lead = true\n" + CRITERION, 'sc.toml: lead is for coupling = "parallel"'),
@@ -135,6 +137,19 @@ SCENARIOS = {
                 "must have at least 1 character, got ''"),
     "no text": (SCENARIO + CRITERION + "[[events]]\ntime = 1\nvalues = { 'a.b' = [1] }", "sc.toml: "
                 "events.1.values.a.b: must be a number, true, false, or the name of an item"),
+    "no number": (SCENARIO + CRITERION + "[[events]]\ntime = 1\nvalues = { a = nan }",
+                  "sc.toml: events.1.values.a: must be finite, got nan"),
+    "endless sample": (SCENARIO + CRITERION + PROFILE.replace("2]", "-inf]"),
+                       "sc.toml: profiles.1.values.2: must be finite, got -inf"),
+    "two profiles": (SCENARIO + CRITERION + 2 * PROFILE,
+                     "sc.toml: profiles: two of them have a; join their samples"),
+    "profile and file": (SCENARIO + CRITERION + PROFILE + RECORDED,
+                         "sc.toml: profiles: two of them have a; join their samples"),
+    "no recording": (SCENARIO + CRITERION + RECORDED.replace("r.csv", "no.csv"),
+                     "no.csv: cannot be read: No such file or directory"),
+    "base of another kind": ('base = "mission.toml"\n' + CRITERION,
+                             "mission.toml: this is a mission file, not a scenario file; segfmu "
+                             "plan, build and simulate take it"),
     **{
         f"times {times}": (
             f'{SCENARIO}{CRITERION}[[profiles]]\nvariable = "a"\ntimes = {times}\n'
@@ -153,8 +168,10 @@ def test_a_bad_scenario_names_its_key(name: str, tmp_path: Path) -> None:
     text, words = SCENARIOS[name]
     files(tmp_path)
     (tmp_path / "sc.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "r.csv").write_text("time,a\n0,1\n", encoding="utf-8")
     with pytest.raises(InputError) as info:
         load_scenario(tmp_path / "sc.toml")
+    assert str(info.value).startswith(f"{tmp_path / 'sc.toml'}: ")
     assert str(info.value).endswith(words)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
 from math import isfinite
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any
 
 from segfmu.arrays import as_tuple, shown
 from segfmu.errors import InputError
+from segfmu.planning.rows import read_rows
 from segfmu.planning.waypoint import Waypoint
 
 # before an underscore and the name of an axis
@@ -17,9 +17,6 @@ STATES = ("velocity", "acceleration")
 DWELL = "dwell"
 USUAL = ("x", "y", "z")
 FREE = "free"
-# between columns, what the first line has
-DELIMITERS = (";", "\t", ",")
-LARGEST = 64_000_000
 
 
 def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[Waypoint]:
@@ -49,7 +46,9 @@ def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[
         number. The message names file, line, column and value.
     """
     file = _path(path)
-    lines = _lines(file)
+    lines = read_rows(file)
+    if not lines:
+        raise InputError(f"{file}: empty; the first line names the columns, such as x,y,z,dwell")
     number, names = lines[0]
     where = f"{file}, line {number}"
     found = _axes(where, names) if axes is None else as_tuple("axes", axes)
@@ -69,32 +68,6 @@ def _path(path: str | Path) -> Path:
     if not isinstance(path, str | Path):
         raise InputError(f"a table of waypoints is a file, got {shown(path)}")
     return Path(path)
-
-
-def _lines(file: Path) -> list[tuple[int, list[str]]]:
-    """Numbers and cells of the lines that are not empty; the first one names the columns."""
-    try:
-        if file.stat().st_size > LARGEST:
-            raise InputError(f"{file}: larger than {LARGEST // 1_000_000} MB")
-        text = file.read_text(encoding="utf-8-sig")
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "it is not text in UTF-8"
-        raise InputError(f"{file}: {reason}") from None
-    rows = [
-        (number, line) for number, line in enumerate(text.splitlines(), 1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if not rows:
-        raise InputError(f"{file}: empty; the first line names the columns, such as x,y,z,dwell")
-    delimiter = next((d for d in DELIMITERS if d in rows[0][1]), ",")
-    found = []
-    for number, line in rows:
-        try:
-            cells = next(csv.reader([line], delimiter=delimiter, strict=True))
-        except csv.Error as error:
-            raise InputError(f"{file}, line {number}: {error}") from None
-        found.append((number, [cell.strip() for cell in cells]))
-    return found
 
 
 def _axes(where: str, names: list[str]) -> tuple[str, ...]:

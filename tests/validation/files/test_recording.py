@@ -34,17 +34,19 @@ def test_a_row_is_held_and_only_what_changes_is_set(tmp_path: Path) -> None:
 
 
 WRONG = {
-    "": "no table of commas and rows",
+    "": "empty; the first line names the columns",
     "wind.x\n0\n": "has no column time",
     "time\n0\n": "has no column beside time",
     "time,a,a\n0,1,2\n": "two columns are called 'a'",
     "time,a\n": "has no rows below its header",
-    "time,a\n0\n": "row 1 has 1 values, the header 2",
-    "time,a\n0,\n": "row 1: a is empty; repeat the value before",
-    "time,a\n0,1\nnow,1\n": "row 2: time must be a time >= 0 s, got 'now'",
-    "time,a\n-1,1\n": "row 1: time must be a time >= 0 s, got '-1'",
-    "time,a\nnan,1\n": "row 1: time must be a time >= 0 s, got 'nan'",
-    "time,a\n1,1\n1,2\n": "row 2: time must increase, got 1 after 1",
+    "time,a\n0\n": "line 2: 1 values for 2 columns",
+    "time,a\n0,\n": "line 2: a is empty; repeat the value before",
+    "time,a\n0,1\nnow,1\n": "line 3: time must be a time >= 0 s, got 'now'",
+    "time,a\n-1,1\n": "line 2: time must be a time >= 0 s, got -1.0",
+    "time,a\nnan,1\n": "line 2: time must be finite, got nan",
+    "time,a\n1,1\n1,2\n": "line 3: time must increase, got 1 after 1",
+    "# a\n\ntime,a\n0,1\n1,inf\n": "line 5: a must be finite, got inf",
+    "time,a\n0,1e400\n": "line 2: a must be finite, got 1e400",
     "time,a\n0,\0\n": "r.csv: ",
 }
 
@@ -55,7 +57,7 @@ def test_what_is_no_recording_is_told(tmp_path: Path, text: str) -> None:
     try:
         load_recording(path)
     except InputError as error:
-        assert str(error).startswith(f"{path}: ")
+        assert str(error).startswith(str(path))
         assert WRONG[text] in str(error)
     else:
         # some versions of csv take a zero byte for text
@@ -66,5 +68,16 @@ def test_a_file_that_is_missing_is_told(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"none\.csv: cannot be read: No such file"):
         load_recording(tmp_path / "none.csv")
     (tmp_path / "bytes.csv").write_bytes(b"\xff\xfe\x00time")
-    with pytest.raises(InputError, match=r"bytes\.csv: cannot be read: no table"):
+    with pytest.raises(InputError, match=r"bytes\.csv: cannot be read: it is not text in UTF-8"):
         load_recording(tmp_path / "bytes.csv")
+
+
+@pytest.mark.parametrize("separator", [";", "\t", ","])
+def test_columns_are_separated_as_in_tables_of_waypoints(tmp_path: Path, separator: str) -> None:
+    found = load_recording(written(tmp_path, "# by hand\n\ntime,a\n0,1\n".replace(",", separator)))
+    assert (found.times, found.columns) == ((0.0,), {"a": (1.0,)})
+
+
+def test_a_file_without_an_end_is_refused() -> None:
+    with pytest.raises(InputError, match=r"zero: larger than 64 MB"):
+        load_recording(Path("/dev/zero"))

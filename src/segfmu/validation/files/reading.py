@@ -116,7 +116,8 @@ def _finding(kind: type[Table], problem: ErrorDetails) -> str:
     if problem["type"] == "extra_forbidden":
         return f"{_short(key)}: unknown key{_suggestion(kind, problem['loc'])}"
     text = _text(problem, entry)
-    if problem["type"] == "value_error" and not (entry is not None and entry.kind is None):
+    single = isinstance(problem["input"], str | int | float) or (entry and entry.kind is None)
+    if problem["type"] == "value_error" and not single:
         # of a table: the text names the keys that do not fit each other
         return f"{key}: {text}" if key else text
     return f"{key or 'file'}: {text}, got {_short(repr(problem['input']))}"

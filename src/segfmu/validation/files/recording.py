@@ -1,19 +1,20 @@
 """Recordings: CSV files of variables that change during a run, such as an operator's commands.
 
-The column "time" has times [s]; the others are variables. A row is held until the next one.
+The column "time" has times [s]; the others are variables. A row is held until the next one. Columns
+are separated by commas, semicolons or tabs.
 """
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from math import isfinite
 from pathlib import Path
 
+from segfmu.arrays import shown
 from segfmu.cosim import Change
 from segfmu.errors import InputError
+from segfmu.planning.rows import read_rows
 
 TIME = "time"
 Cell = float | bool | str
@@ -83,26 +84,22 @@ def load_recording(path: Path) -> Recording:
     InputError
         One line with the file, the row, and what is wrong.
     """
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            header, *rows = [row for row in csv.reader(file) if row]
-    except (OSError, UnicodeError, csv.Error, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "no table of commas and rows"
-        raise InputError(f"{path}: cannot be read: {reason}") from None
-    names = [name.strip() for name in header]
+    lines = read_rows(path)
+    if not lines:
+        raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
+    (_, names), *rows = lines
     _require_header(path, names)
     if not rows:
         raise InputError(f"{path}: has no rows below its header")
-    for number, row in enumerate(rows, 1):
+    columns: dict[str, list[Cell]] = {name: [] for name in names}
+    for number, row in rows:
+        where = f"{path}, line {number}"
         if len(row) != len(names):
-            raise InputError(f"{path}: row {number} has {len(row)} values, the header {len(names)}")
+            raise InputError(f"{where}: {len(row)} values for {len(names)} columns")
         for name, text in zip(names, row, strict=True):
-            if not text.strip():
-                raise InputError(f"{path}: row {number}: {name} is empty; repeat the value before")
-    cells = {
-        name: tuple(_cell(row[k]) for row in rows) for k, name in enumerate(names) if name != TIME
-    }
-    return Recording(path, _times(path, [row[names.index(TIME)] for row in rows]), cells)
+            columns[name].append(_cell(f"{where}: {name}", text))
+    times = _times(path, [number for number, _ in rows], columns.pop(TIME))
+    return Recording(path, times, {name: tuple(cells) for name, cells in columns.items()})
 
 
 def _require_header(path: Path, names: Sequence[str]) -> None:
@@ -115,26 +112,28 @@ def _require_header(path: Path, names: Sequence[str]) -> None:
         raise InputError(f"{path}: has no column beside {TIME}; each is a variable of an FMU")
 
 
-def _cell(text: str) -> Cell:
+def _cell(where: str, text: str) -> Cell:
     """A number, true, false, or a name."""
-    text = text.strip()
+    if not text:
+        raise InputError(f"{where} is empty; repeat the value before")
     if text.lower() in ("true", "false"):
         return text.lower() == "true"
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
         return text
+    if not isfinite(number):
+        raise InputError(f"{where} must be finite, got {text}")
+    return number
 
 
-def _times(path: Path, texts: Sequence[str]) -> tuple[float, ...]:
-    cells = [_cell(text) for text in texts]
-    for number, (cell, text) in enumerate(zip(cells, texts, strict=True), 1):
-        if not isinstance(cell, float) or not isfinite(cell) or cell < 0.0:
-            raise InputError(f"{path}: row {number}: {TIME} must be a time >= 0 s, got {text!r}")
-    times = tuple(float(cell) for cell in cells)
-    for number, (first, second) in enumerate(pairwise(times), 2):
-        if second <= first:
-            raise InputError(
-                f"{path}: row {number}: {TIME} must increase, got {second:g} after {first:g}"
-            )
-    return times
+def _times(path: Path, lines: Sequence[int], cells: Sequence[Cell]) -> tuple[float, ...]:
+    times: list[float] = []
+    for line, cell in zip(lines, cells, strict=True):
+        where = f"{path}, line {line}: {TIME}"
+        if isinstance(cell, bool | str) or cell < 0.0:
+            raise InputError(f"{where} must be a time >= 0 s, got {shown(cell)}")
+        if times and cell <= times[-1]:
+            raise InputError(f"{where} must increase, got {cell:g} after {times[-1]:g}")
+        times.append(cell)
+    return tuple(times)

@@ -13,7 +13,7 @@ from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission import Mission, build_mission, read_mission
 from segfmu.validation.files.reading import checked, merged, read
 from segfmu.validation.files.recording import Recording, load_recording
-from segfmu.validation.files.scenario_tables import ScenarioFile
+from segfmu.validation.files.scenario_tables import CRANE, ScenarioFile
 
 # keys whose lists are merged by the names of their tables
 NAMED = ("criteria", "fmus")
@@ -117,12 +117,29 @@ def build_scenario(source: Source, changes: Mapping[str, Any] | None = None) -> 
     for unit in file.fmus:
         if not Path(unit.path).is_file():
             raise InputError(f"{path}: fmus: {unit.path} of {unit.name} is no file")
-    recordings = tuple(
-        None if p.file is None else load_recording(Path(p.file)) for p in file.profiles
-    )
+    recordings = _recordings(path, file)
     if any(r is not None and r.commands for r in recordings):
         require_gantry(mission.build_crane(), "commands")
     return Scenario(path, file, mission, recordings)
+
+
+def _recordings(path: Path, file: ScenarioFile) -> tuple[Recording | None, ...]:
+    """The files of profiles; InputError where two profiles have a variable."""
+    found: list[Recording | None] = []
+    owners: list[tuple[str, str | None]] = []
+    for profile in file.profiles:
+        try:
+            recording = None if profile.file is None else load_recording(Path(profile.file))
+        except InputError as error:
+            raise InputError(f"{path}: profiles: {error}") from None
+        names = [str(profile.variable)] if recording is None else list(recording.columns)
+        fmu = profile.fmu or (CRANE if recording is None else None)
+        for name in names:
+            if any(name == n and (None in (fmu, f) or fmu == f) for n, f in owners):
+                raise InputError(f"{path}: profiles: two of them have {name}; join their samples")
+        owners += [(name, fmu) for name in names]
+        found.append(recording)
+    return tuple(found)
 
 
 def find(paths: Iterable[Path]) -> list[Path]:
@@ -153,8 +170,7 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     place = path.resolve()
     if place in below:
         raise InputError(f"{path} inherits from itself")
-    if not below:
-        require_kind("scenario", data, path)
+    require_kind("scenario", data, path)
     data = located(path, data)
     base = data.pop("base", None)
     if base is None:

@@ -63,6 +63,9 @@ def scalar(value: Any) -> Any:
     """Refuse what is no value of a variable."""
     if not isinstance(value, bool | int | float | str):
         raise ValueError("must be a number, true, false, or the name of an item")
+    # neither NaN nor an integer that is too large for a float
+    if isinstance(value, int | float) and not abs(value) <= float_info.max:
+        raise ValueError("must be finite")
     return value
 
 

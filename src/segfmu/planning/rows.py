@@ -1,0 +1,44 @@
+"""Cells of a CSV file, as spreadsheets of all countries write it."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+from segfmu.errors import InputError
+
+# between columns, what the first line has
+DELIMITERS = (";", "\t", ",")
+LARGEST = 64_000_000
+
+
+def read_rows(file: Path) -> list[tuple[int, list[str]]]:
+    """Numbers and cells of the lines that are neither empty nor begin with #.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is too large, or is not text in UTF-8.
+    """
+    try:
+        with file.open("rb") as stream:
+            data = stream.read(LARGEST + 1)
+        text = "" if len(data) > LARGEST else data.decode("utf-8-sig")
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "it is not text in UTF-8"
+        raise InputError(f"{file}: cannot be read: {reason}") from None
+    if len(data) > LARGEST:
+        raise InputError(f"{file}: larger than {LARGEST // 1_000_000} MB")
+    rows = [
+        (number, line) for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    delimiter = next((d for d in DELIMITERS if rows and d in rows[0][1]), ",")
+    found = []
+    for number, line in rows:
+        try:
+            cells = next(csv.reader([line], delimiter=delimiter, strict=True))
+        except csv.Error as error:
+            raise InputError(f"{file}, line {number}: {error}") from None
+        found.append((number, [cell.strip() for cell in cells]))
+    return found
