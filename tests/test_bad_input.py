@@ -71,6 +71,10 @@ MISSIONS = {
     "no obstacles": ("crane =", "obstacles = 5\ncrane =", "obstacles: must be a list, got 5"),
     "misspelt table": ("[limits.x]", "[limit.x]", "limit: unknown key; did you mean limits?"),
     "key of a crane": ("crane =", "rope_max = 1.0\ncrane =", "a key elsewhere: crane.rope_max"),
+    "as in Python": ("[limits.x]", "[limits]\nvelocity = 1.0\n[limits.x]", "limits.velocity: "
+                     "unknown key; it is a key elsewhere: limits.x.velocity, limits.y.vel"),
+    "only misplaced": (GOOD[GOOD.index("[limits.x]"):], "[limits]\nvelocity = 1.0\n",
+                       "limits.velocity: unknown key; it is a key elsewhere: limits.x.velocity"),
     "wrong type": ("[0.0, 0.0, -0.5]", '"origin"', "waypoints.1.position: "),
 }
 

@@ -48,7 +48,9 @@ def _describe(path: Path, folder: Path) -> Any:
     try:
         description = read_model_description(str(path))
         extract(str(path), unzipdir=str(folder), include=_runs)
-    except (OSError, zipfile.BadZipFile) as error:
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except zipfile.BadZipFile as error:
         raise InputError(f"{path}: not a readable FMU: {error}") from None
     except Exception as error:
         # fmpy raises bare exceptions for descriptions it refuses

@@ -6,11 +6,13 @@ import json
 import subprocess
 import sys
 import tomllib
+from collections import deque
 from pathlib import Path
 
 import jsonschema
 import pytest
 
+from segfmu import Crane, InputError, Limits, Waypoint
 from segfmu.validation.files import reference, template
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import entries
@@ -140,3 +142,20 @@ def test_files_are_never_overwritten(name: str, tmp_path: Path) -> None:
 def test_other_kinds_have_no_schema(tmp_path: Path) -> None:
     done = segfmu("schema", "house", cwd=tmp_path)
     assert done.returncode == 2 and done.stderr.count("\n") == 1
+
+
+def test_what_was_read_does_not_change_and_says_how_to_change_it() -> None:
+    mission = load_mission(ROOT / "models" / "paper.toml")
+    assert mission.crane.payload_mass != 5.0
+    for table, name in ((mission, "smoothness"), (mission.crane, "payload_mass"), (mission, "x")):
+        with pytest.raises(InputError, match=rf"^{name} cannot be set: .*load_mission\(mission"):
+            setattr(table, name, 5)
+    assert load_mission(mission, {"crane": {"payload_mass": 5.0}}).crane.payload_mass == 5.0
+
+
+def test_waypoints_of_a_dict_are_any_sequence() -> None:
+    points = [Waypoint([0.0, 0.0, -0.5]), Waypoint([0.3, 0.2, -0.5])]
+    data = {"crane": Crane(2.0, 1.0, 1.0), "limits": Limits(1.0, 1.0, 2.0)}
+    listed = load_mission({**data, "waypoints": points})
+    for given in (iter(points), dict.fromkeys(points).keys(), deque(points)):
+        assert load_mission({**data, "waypoints": given}) == listed

@@ -16,6 +16,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema
 
 from segfmu.crane.checks import LARGEST_SEED
+from segfmu.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -60,6 +61,15 @@ class Table(BaseModel):
     """A table of a file: unknown keys, infinity and NaN are refused."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name.startswith("_"):
+            super().__setattr__(name, value)
+            return
+        raise InputError(
+            f"{name} cannot be set: what was read does not change; "
+            "segfmu.load_mission(mission, changes) makes another mission"
+        )
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from os import fspath
 from pathlib import Path
@@ -36,14 +36,16 @@ def plain(value: Any) -> Any:
         return {str(name): plain(entry) for name, entry in value.items()}
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
-    if isinstance(value, list | tuple):
-        return [plain(entry) for entry in value]
     if isinstance(value, Path):
         return fspath(value)
     if isinstance(value, Table):
         return value.model_dump(exclude_unset=True)
     made = next((make for kind, make in MAKERS if isinstance(value, kind)), None)
-    return value if made is None else made(value)
+    if made is not None:
+        return made(value)
+    if isinstance(value, Iterable) and not isinstance(value, str | bytes):
+        return [plain(entry) for entry in value]
+    return value
 
 
 def _crane(crane: Crane) -> dict[str, Any]:

@@ -83,14 +83,19 @@ def merged(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any
 
 
 def _problem(kind: type[Table], data: Mapping[str, Any], error: ValidationError) -> str:
-    """The first finding as `key: what is wrong, got value`; a misspelt key before a missing one."""
+    """The first finding as `key: what is wrong, got value`.
+
+    A misspelt key, or one of another table, is before a missing one.
+    """
     problems = error.errors(include_url=False)
     for problem in problems:
         problem["loc"] = _keys(data, problem["loc"])
-    misspelt = [p for p in problems if p["type"] == "extra_forbidden" and _similar(kind, p["loc"])]
+    unknown = [p for p in problems if p["type"] == "extra_forbidden"]
+    misspelt = [p for p in unknown if _similar(kind, p["loc"])]
+    misplaced = [p for p in unknown if _suggestion(kind, p["loc"])]
     others = len({p["loc"] for p in problems}) - 1
     more = f" (and {others} more)" if others else ""
-    return f"{_finding(kind, [*misspelt, *problems][0])}{more}".replace("\n", " ")
+    return f"{_finding(kind, [*misspelt, *misplaced, *problems][0])}{more}".replace("\n", " ")
 
 
 def _keys(data: Any, place: tuple[int | str, ...]) -> tuple[int | str, ...]:
@@ -162,8 +167,12 @@ def _suggestion(kind: type[Table], place: tuple[int | str, ...]) -> str:
     near = _similar(kind, place)
     if near:
         return f"; did you mean {near[0]}?"
-    elsewhere = [".".join(e.path) for e in entries(kind) if e.path[-1] == place[-1]]
-    return f"; it is a key elsewhere: {', '.join(elsewhere[:4])}" if elsewhere else ""
+    table = tuple(p for p in place[:-1] if isinstance(p, str))
+    elsewhere = [e.path for e in entries(kind) if e.path[-1] == place[-1]]
+    # those of tables within this one first
+    elsewhere.sort(key=lambda path: path[: len(table)] != table)
+    names = ", ".join(".".join(path) for path in elsewhere[:4])
+    return f"; it is a key elsewhere: {names}" if names else ""
 
 
 def _similar(kind: type[Table], place: tuple[int | str, ...]) -> list[str]:

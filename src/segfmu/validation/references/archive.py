@@ -102,7 +102,9 @@ def read_references(path: Path) -> References:
     try:
         with zipfile.ZipFile(path) as archive:
             found = _Reader(path, archive).references()
-    except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError) as error:
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError) as error:
         raise InputError(f"{path}: not a readable FMU: {error}") from None
     if not found.cases:
         lacking = "".join(f"; {text}" for text in found.missing)
