@@ -102,6 +102,14 @@ def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
         raise InputError(f"{name} must be a sequence, got {shown(value)}") from None
 
 
+def as_names(name: str, value: Any) -> tuple[str, ...]:
+    """Return a sequence of names as a tuple; a single name is none."""
+    found = () if isinstance(value, str) else as_tuple(name, value)
+    if isinstance(value, str) or not all(isinstance(v, str) for v in found):
+        raise InputError(f"{name} must be a sequence of names, got {shown(value)}")
+    return found
+
+
 def as_index(name: str, value: Any, most: float = inf, *, least: int = 0) -> int:
     """Return `value` as an integer from `least` to `most`."""
     try:

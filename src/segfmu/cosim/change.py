@@ -8,7 +8,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from segfmu.arrays import finite_number, require_mapping
+from segfmu.arrays import as_tuple, finite_number, require_mapping, shown
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
@@ -51,8 +51,17 @@ class Due:
 def profile(
     fmu: str, name: str, times: Iterable[float], values: Iterable[Any]
 ) -> list[Change]:
-    """Changes that make a variable follow samples, each held until the next one."""
-    return [Change(t, fmu, {name: v}) for t, v in zip(times, values, strict=True)]
+    """Changes that make a variable follow samples, each held until the next one.
+
+    Raises
+    ------
+    InputError
+        For other numbers of times than of values.
+    """
+    when, what = as_tuple("times", times), as_tuple("values", values)
+    if len(when) != len(what):
+        raise InputError(f"{name} has {len(when)} times but {len(what)} values")
+    return [Change(t, fmu, {name: v}) for t, v in zip(when, what, strict=True)]
 
 
 def due(
@@ -70,8 +79,10 @@ def due(
     names = list(units)
     found = []
     right: set[tuple[str, tuple[str, ...]]] = set()
-    for change in changes:
-        if change.fmu not in units:
+    for change in as_tuple("changes", changes):
+        if not isinstance(change, Change):
+            raise InputError(f"changes must be segfmu.cosim.Change, got {shown(change)}")
+        if not isinstance(change.fmu, str) or change.fmu not in units:
             raise InputError(f"no FMU {change.fmu} in the system; it has {', '.join(names)}")
         time = finite_number(f"{change.fmu}: the time of a change", change.time)
         if not span[0] <= time <= span[1]:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from segfmu.arrays import as_names, as_tuple
 from segfmu.cosim.channel import Call, Copy, gathered
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
@@ -88,8 +89,8 @@ def checked(units: Mapping[str, Unit], given: Iterable[Sequence[str]]) -> list[C
     """
     found: list[Connection] = []
     taken: set[tuple[str, str]] = set()
-    for words in given:
-        if len(words) != 4:
+    for words in as_tuple("connections", given):
+        if len(as_names("a connection", words)) != 4:
             raise InputError(f"a connection has source, output, sink and input, got {words!r}")
         one = Connection(*words)
         for owner, name, causality in ((one.source, one.output, "output"),

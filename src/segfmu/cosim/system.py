@@ -11,7 +11,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import require_mapping
+from segfmu.arrays import as_names, as_tuple, require_mapping, shown
 from segfmu.cosim import native
 from segfmu.cosim.change import Change, Due, due
 from segfmu.cosim.connection import Link, by_name, checked
@@ -99,9 +99,8 @@ class System:
         repeatable: Collection[str] = (),
         engine: Engine = "auto",
     ) -> None:
-        if coupling is not None and coupling not in get_args(Coupling):
-            allowed = " or ".join(get_args(Coupling))
-            raise InputError(f"coupling must be {allowed}, got {coupling!r}")
+        if coupling is not None:
+            _require_one("coupling", coupling, get_args(Coupling))
         require_step(step)
         self.engine = _engine(engine)
         self._step, self._events = step, events
@@ -118,12 +117,12 @@ class System:
             self.connections = checked(self._units, given)
             self._recorded = chosen(self._units, record)
             self._observe()
-            self._every = self._counts(steps or {}, coupling)
+            self._every = self._counts({} if steps is None else steps, coupling)
             if coupling is None:
                 derivatives = all(link.has_slopes for link in self._links) and not steps
                 coupling = "derivatives" if derivatives else "sequential"
             self._coupling: Coupling = coupling
-            self._require_units({owner: {} for owner in repeatable})
+            self._require_units({owner: {} for owner in as_names("repeatable", repeatable)})
             sinks = {c.sink for c in self.connections}
             self._tape = Tape(set(repeatable) - sinks if self.engine == "c" else ())
             self._loop = self._prepared()
@@ -173,7 +172,7 @@ class System:
         """
         values = {} if values is None else values
         self._require_units(values)
-        changes = list(changes)
+        changes = as_tuple("changes", changes)
         times = communication_points(start_time, stop_time, self._step)
         if not self._running.acquire(blocking=False):
             raise InputError("the system is running; make one for each thread")
@@ -234,10 +233,12 @@ class System:
 
         if isinstance(fmus, str | Path):
             raise InputError(f"a system takes a mapping or a sequence of files, got {fmus!r}")
-        named = dict(fmus) if isinstance(fmus, Mapping) else dict(enumerate(fmus))
+        named = fmus if isinstance(fmus, Mapping) else dict(enumerate(as_tuple("fmus", fmus)))
         if not named:
             raise InputError("a system needs at least one FMU")
         for key, path in named.items():
+            if not isinstance(path, str | Path):
+                raise InputError(f"fmus must be paths of files, got {shown(path)}")
             given = key if isinstance(key, str) else None
             unit = load(Path(path), leads=not self._units and self._events, name=given)
             if unit.name in self._units:
@@ -372,9 +373,13 @@ def _all(calls: Iterable[Callable[[], None]]) -> None:
         raise errors[0]
 
 
+def _require_one(name: str, given: Any, allowed: tuple[str, ...]) -> None:
+    if not (isinstance(given, str) and given in allowed):
+        raise InputError(f"{name} must be {' or '.join(allowed)}, got {shown(given)}")
+
+
 def _engine(wanted: Engine) -> Engine:
-    if wanted not in get_args(Engine):
-        raise InputError(f"engine must be {' or '.join(get_args(Engine))}, got {wanted!r}")
+    _require_one("engine", wanted, get_args(Engine))
     if wanted == "c" and not native.COMPILED:
         raise InputError(
             "the step loop in C was not compiled when segfmu was installed, or is turned off by "

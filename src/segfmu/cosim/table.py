@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import require_mapping
+from segfmu.arrays import as_names, require_mapping
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError
 
@@ -56,19 +56,21 @@ def chosen(
     if record is None:
         return {owner: unit.outputs() for owner, unit in units.items()}
     require_mapping("record", record)
+    found: dict[str, list[str]] = {owner: [] for owner in units}
     for owner, names in record.items():
         if owner not in units:
             raise InputError(f"no FMU {owner} in the system; it has {', '.join(units)}")
-        for name in names or ():
+        if names is None:
+            found[owner] = units[owner].outputs()
+            continue
+        found[owner] = list(dict.fromkeys(as_names(f"record of {owner}", names)))
+        for name in found[owner]:
             variable = units[owner].variables.get(name)
             if variable is None:
                 raise InputError(f"{owner} has no variable {name}")
             if variable.type not in units[owner].COLUMNS or variable.dimensions:
                 raise InputError(f"{owner}: {name} is no number, only numbers can be recorded")
-    return {
-        owner: unit.outputs() if owner in record and record[owner] is None
-        else list(dict.fromkeys(record.get(owner) or ())) for owner, unit in units.items()
-    }
+    return found
 
 
 def row_type(found: Sequence[Column]) -> np.dtype[np.void]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import shown
 from segfmu.cosim.channel import Channel
 from segfmu.errors import InputError
 
@@ -136,24 +137,26 @@ class Setter:
             items = {i.name: int(i.value) for i in getattr(variable.declaredType, "items", [])}
             if value not in items:
                 allowed = ", ".join(items) or "a number"
-                raise InputError(f"{owner}: {variable.name} takes {allowed}, got {value!r}")
+                raise InputError(f"{owner}: {variable.name} takes {allowed}, got {shown(value)}")
             return items[value]
         if isinstance(value, bool | np.bool_) and kind is not bool:
-            raise InputError(f"{owner}: {variable.name} takes a number, got {value!r}")
+            raise InputError(f"{owner}: {variable.name} takes a number, got {shown(value)}")
         try:
             number = float(value)
-        except (TypeError, ValueError):
-            raise InputError(f"{owner}: {variable.name} takes a number, got {value!r}") from None
+        except (TypeError, ValueError, OverflowError):
+            raise InputError(
+                f"{owner}: {variable.name} takes a number, got {shown(value)}"
+            ) from None
         if kind is float:
             return number
         if not isfinite(number) or number != int(number):
-            raise InputError(f"{owner}: {variable.name} takes an integer, got {value!r}")
+            raise InputError(f"{owner}: {variable.name} takes an integer, got {shown(value)}")
         # exact where a float is not
         return value if isinstance(value, int) else int(number)
 
     def _text(self, variable: Any, value: Any) -> int:
         if not isinstance(value, str):
-            raise InputError(f"{self._unit.name}: {variable.name} takes a text, got {value!r}")
+            raise InputError(f"{self._unit.name}: {variable.name} takes a text, got {shown(value)}")
         if "\0" in value:
             raise InputError(f"{self._unit.name}: {variable.name} takes no text with a zero byte")
         # texts of a change are needed until its time, by their addresses

@@ -1,0 +1,72 @@
+"""Arguments of a system and its runs, with values of every kind: one InputError, or a result."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from segfmu.cosim import Change, System, profile
+from segfmu.errors import InputError, SegfmuError
+from tests.test_nonsense import NONSENSE
+
+MADE = ("fmus", "step", "steps", "connections", "coupling", "record", "repeatable", "engine")
+RUN = ("values", "stop_time", "start_time", "changes")
+INNER: dict[str, Any] = {
+    "fmus": lambda v: [v], "steps": lambda v: {"a": v}, "connections": lambda v: [v],
+    "record": lambda v: {"a": v}, "repeatable": lambda v: [v], "values": lambda v: {"a": {"x": v}},
+    "changes": lambda v: [v],
+}
+
+
+def one_line(error: SegfmuError) -> bool:
+    return bool(str(error)) and "\n" not in str(error)
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_nonsense_for_a_system_is_one_error(probes: dict[int, Path], name: str) -> None:
+    usual: dict[str, Any] = {"fmus": {"a": probes[2]}, "step": 0.1}
+    for value in [*NONSENSE, *map(INNER.get(name, lambda v: v), NONSENSE)]:
+        try:
+            System(**{**usual, name: value}).close()
+        except SegfmuError as error:
+            assert one_line(error), value
+
+
+@pytest.mark.parametrize("name", RUN)
+def test_nonsense_for_a_run_is_one_error(probes: dict[int, Path], name: str) -> None:
+    changes = [Change(v, "a", {"x": 1.0}) for v in NONSENSE]
+    changes += [Change(0.1, v, {"x": 1.0}) for v in NONSENSE]
+    changes += [Change(0.1, "a", v) for v in NONSENSE]
+    changes += [Change(0.1, "a", {"x": v}) for v in NONSENSE]
+    more = [[change] for change in changes] if name == "changes" else []
+    with System({"a": probes[2]}, step=0.1) as system:
+        for value in [*NONSENSE, *map(INNER.get(name, lambda v: v), NONSENSE), *more]:
+            try:
+                system.run(**{"stop_time": 0.2, name: value})
+            except SegfmuError as error:
+                assert one_line(error), value
+        assert system.run(stop_time=0.2).size == 3
+
+
+@pytest.mark.parametrize(("argument", "words"), [
+    ({"record": {"a": "y"}}, "record of a must be a sequence of names, got 'y'"),
+    ({"repeatable": "a"}, "repeatable must be a sequence of names, got 'a'"),
+    ({"connections": ["abcd"]}, "a connection must be a sequence of names, got 'abcd'"),
+    ({"fmus": [None]}, "fmus must be paths of files, got None"),
+])
+def test_a_name_is_no_sequence_of_names(
+    probes: dict[int, Path], argument: dict[str, Any], words: str
+) -> None:
+    with pytest.raises(InputError) as info:
+        System(**{"fmus": {"a": probes[2]}, "step": 0.1, **argument})
+    assert str(info.value) == words
+
+
+def test_a_profile_has_a_value_for_each_time() -> None:
+    assert profile("a", "x", iter([0.0, 1.0]), [1, 2]) == [
+        Change(0.0, "a", {"x": 1}), Change(1.0, "a", {"x": 2})
+    ]
+    with pytest.raises(InputError, match=r"^x has 2 times but 1 values$"):
+        profile("a", "x", [0.0, 1.0], [1])
