@@ -359,6 +359,9 @@ def test_numbers_that_are_none_stop_the_load() -> None:
     (lambda o: o.command("velocity", velocity=[1.0]), "velocity must have 3 values"),
     (lambda o: o.command("velocity", scale=2.0), "scale must be from 0 to 1"),
     (lambda o: o.command("target", target=[0.0, np.nan, 0.0]), "target"),
+    (lambda o: o.command("target", [0.5, 0.3, -0.4]), r"mode target needs a target \[m\]: give it "
+     "once, as target="),
+    (lambda o: o.command("inching", [1.0, 0.0, 0.0]), r"mode inching needs a distance \[m\]"),
     (lambda o: o.step(0.0), "duration must be a time > 0 s"),
     (lambda o: free(hold=0.0), "hold must be a time > 0 s"),
     (lambda o: free(bounds=3), "bounds"),
@@ -374,6 +377,21 @@ def test_numbers_that_are_none_stop_the_load() -> None:
 def test_wrong_arguments_are_told(call, words: str) -> None:
     with pytest.raises(InputError, match=words):
         call(free())
+
+
+def test_a_command_that_is_refused_changes_nothing() -> None:
+    refused, untouched = free(), free()
+    for operator in (refused, untouched):
+        operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    for wrong in (
+        {"mode": "velocity", "velocity": [0.1, np.nan, 0.0], "scale": 0.5},
+        {"mode": "target", "velocity": [0.0, 0.3, 0.0], "scale": 0.1},
+    ):
+        with pytest.raises(InputError):
+            refused.command(**wrong)
+    follow(refused, 1.0)
+    follow(untouched, 1.0)
+    assert np.array_equal(refused.load, untouched.load)
 
 
 def test_it_tells_what_it_does() -> None:

@@ -53,6 +53,8 @@ UNBOUNDED = ActuatorBounds()
 FREE = Clearance()
 # how long a velocity is held beyond the next command [s]
 HOLD = 0.1
+# what a mode does not do without
+NEEDED = {"target": ("target", Command.TARGET), "inching": ("distance", Command.DISTANCE)}
 
 
 @dataclass(frozen=True)
@@ -165,6 +167,8 @@ class Operator:
         self._masses = np.array(crane.masses)
         self._time, self._lost = 0.0, 0.0
         self._motion.command[Command.HOLD], self._motion.command[Command.SCALE] = given, 1.0
+        for _, place in NEEDED.values():
+            self._motion.command[place : place + 3] = np.nan
         self._motion.command[Command.TRIES] = as_index("tries", tries, Tries.MOST, least=1)
         self._begin(start, smoothness)
 
@@ -259,14 +263,15 @@ class Operator:
         Raises
         ------
         InputError
-            For invalid arguments, and for an emergency stop of a drive whose acceleration has no
-            bound.
+            For invalid arguments, a target or a push without one or without a distance, and for an
+            emergency stop of a drive whose acceleration has no bound. Nothing is changed then.
         """
         if not isinstance(mode, str) or mode not in MODES:
             raise InputError(f"mode must be one of {', '.join(MODES)}, got {shown(mode)}")
         if MODES.index(mode) == OperationMode.EMERGENCY:
             self._require_brakes("an emergency stop")
-        command = self._motion.command
+        # a command that is refused changes nothing
+        command = self._motion.command.copy()
         if scale is not None:
             given = finite_number("scale", scale)
             if not 0.0 <= given <= 1.0:
@@ -278,8 +283,13 @@ class Operator:
         ):
             if value is not None:
                 command[place : place + 3] = triple(name, value, alike=name == "distance")
+        if mode in NEEDED:
+            needed, place = NEEDED[mode]
+            if np.isnan(command[place : place + 3]).any():
+                raise InputError(f"mode {mode} needs a {needed} [m]: give it once, as {needed}=")
         command[Command.MODE] = MODES.index(mode)
         command[Command.GO] = float(mode == "target")
+        self._motion.command[:] = command
 
     def step(self, duration: float) -> FloatArray:
         """Follow the command for a time [s].
