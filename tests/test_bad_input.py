@@ -343,7 +343,10 @@ def test_the_user_chooses_the_rows(tmp_path: Path) -> None:
     assert "plan.csv has a row every 0.1 s" in done.stdout
 
 
-FOLDERS = {"": "output is empty", "taken": "File exists", "taken/below": "Not a directory"}
+FOLDERS = {
+    "": "output is empty", "taken": "output taken: this is no folder, but a file",
+    "taken/below": "Not a directory",
+}
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
@@ -355,6 +358,17 @@ def test_folders_that_cannot_be(folder: str, tmp_path: Path) -> None:
         line = refused(tmp_path, command, "mission.toml", "-o", folder)
         assert FOLDERS[folder] in line
     assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_folder_that_is_there_and_takes_no_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files(tmp_path)
+    (tmp_path / "shut").mkdir()
+    # who runs as root can write everywhere
+    monkeypatch.setattr("os.access", lambda path, _: Path(path) != Path("shut"))
+    line = refused(tmp_path, "plan", "mission.toml", "-o", "shut")
+    assert line.endswith("output shut: cannot write into this folder: Permission denied\n")
 
 
 def test_names_and_files_that_are_none(tmp_path: Path) -> None:
@@ -390,7 +404,7 @@ def test_places_of_output_are_checked_first(tmp_path: Path) -> None:
     # a scenario that cannot be run: what is said of the output comes before
     for words, said in (
         (("plan", "mission.toml", "-o", "dir"), "dir/plan.csv: cannot be written: Is a directory"),
-        (("validate", "nowhere.toml", "-o", "afile"), "output afile: cannot create this folder"),
+        (("validate", "nowhere.toml", "-o", "afile"), "output afile: this is no folder, but a"),
         (("validate", "nowhere.toml", "-o", "dir"), "dir/results.json: cannot be written"),
         (("validate", "nowhere.toml", "--junit", "dir"), "dir: cannot be written: Is a directory"),
         (("validate", "nowhere.toml", "--junit", "afile/x"), "afile/x: cannot be written: Not a"),

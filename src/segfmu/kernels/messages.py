@@ -243,7 +243,7 @@ SPACE = Messages(
 
 
 def _out_of_range(reason: str) -> str:
-    return f"at {{TIME:.3f}} s: {reason}; check the setpoints, the masses and the friction"
+    return f"at {{TIME:.3f}} s: {reason}; check setpoints, wind, masses and friction"
 
 
 def _stopped(kind: str) -> str:

@@ -51,11 +51,11 @@ def require_folder(name: str | Path, *files: str) -> None:
     there = next((p for p in (path, *path.parents) if os.path.lexists(p)), Path())
     reason = None
     if not there.is_dir():
-        reason = os.strerror(errno.EEXIST if there == path else errno.ENOTDIR)
+        reason = os.strerror(errno.ENOTDIR)
     elif not os.access(there, os.W_OK | os.X_OK):
         reason = os.strerror(errno.EACCES)
     if reason is not None:
-        raise InputError(f"output {name}: cannot create this folder: {reason}")
+        raise _refusal(path, reason)
     for file in files:
         require_file(path / file)
 
@@ -101,9 +101,22 @@ def folder(name: str | Path) -> Path:
         path.mkdir(parents=True, exist_ok=True)
         remove_folder(make_folder(path))
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else error
-        raise InputError(f"output {name}: cannot create this folder: {reason}") from None
+        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        raise _refusal(path, reason) from None
     return path
+
+
+def _refusal(path: Path, reason: str) -> InputError:
+    """Why a path is no folder for the output."""
+    try:
+        if path.is_dir():
+            return InputError(f"output {path}: cannot write into this folder: {reason}")
+        if os.path.lexists(path):
+            return InputError(f"output {path}: this is no folder, but a file; name another one")
+    except ValueError:
+        # a zero byte
+        pass
+    return InputError(f"output {path}: cannot create this folder: {reason}")
 
 
 def _named(name: Any) -> Path:

@@ -464,38 +464,35 @@ bool segfmu_plant_message(
     switch (status) {
     case 1:
         snprintf(text, size,
-            "at %.3f s: a sway angle reached 90 degrees; check the setpoints, the masses "
-            "and the friction",
+            "at %.3f s: a sway angle reached 90 degrees; check setpoints, wind, masses "
+            "and friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 2:
         snprintf(text, size,
-            "at %.3f s: the rope length reached zero; check the setpoints, the masses "
-            "and the friction",
+            "at %.3f s: the rope length reached zero; check setpoints, wind, masses and "
+            "friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 3:
         snprintf(text, size,
-            "at %.3f s: the integration steps became too small; check the setpoints, the "
-            "masses and the friction",
+            "at %.3f s: the integration steps became too small; check setpoints, wind, "
+            "masses and friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 4:
         snprintf(text, size,
-            "at %.3f s: a value is not finite; check the setpoints, the masses and the "
-            "friction",
+            "at %.3f s: a value is not finite; check setpoints, wind, masses and friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 5:
         snprintf(text, size,
-            "at %.3f s: the rope went slack; check the setpoints, the masses and the "
-            "friction",
+            "at %.3f s: the rope went slack; check setpoints, wind, masses and friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 12:
         snprintf(text, size,
-            "at %.3f s: the sling went slack; check the setpoints, the masses and the "
-            "friction",
+            "at %.3f s: the sling went slack; check setpoints, wind, masses and friction",
             report[PLANT_FAULT_TIME]);
         return true;
     case 6:
