@@ -209,6 +209,11 @@ def test_the_load_rests_at_both_ends(state: str, tmp_path: Path) -> None:
 CRANES = {
     "gravity": ("gravity = 1e9\n", "gravity: must be at most 1000 m/s2, got 1000000000.0"),
     "lag": ("bridge = { lag = -1 }\n", "bridge.lag: must be at least 0 s, got -1"),
+    "short lag": ('drive = "velocity"\nhoist = { lag = 1e-6 }\n',
+                  "hoist.lag must be 0 or at least 1e-05 s, got 1e-06 s; 0 is an ideal drive"),
+    "long delay": ("bridge = { dead_time = 1e3 }\ncontroller = { sample_time = 1e-3 }\n",
+                   "bridge.dead_time 1000 s is longer than 100000 periods of 0.001 s; lower it or "
+                   "raise controller.sample_time"),
     "place": ("lag = 1\n", "lag: unknown key; it is a key elsewhere: bridge.lag, trolley.lag"),
     "stops": ("travel = { trolley = [3, 1] }\n", "travel.trolley: min 3 m must be below max 1 m"),
     "broken": ("gravity = = 1\n", "not valid TOML"),

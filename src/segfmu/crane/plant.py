@@ -21,7 +21,7 @@ from segfmu.crane.failures import failure
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
-from segfmu.crane.rig import Rig
+from segfmu.crane.rig import Rig, require_fitting
 from segfmu.crane.setpoints import Setpoints
 from segfmu.crane.tracking import FADE, TrackingController
 from segfmu.errors import InputError, SimulationError
@@ -37,7 +37,6 @@ from segfmu.kernels.crane.records import (
     Vector,
 )
 from segfmu.kernels.crane.records import Plant as Parameters
-from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import (
     Balance,
     Clock,
@@ -48,8 +47,6 @@ from segfmu.kernels.rig.records import (
     RigStatus,
     Sensors,
     Settings,
-    SetupFault,
-    SetupStatus,
 )
 
 TOLERANCE = 1e-10
@@ -124,7 +121,7 @@ class Plant:
             known = self._settings[Settings.TRACKING]
             known[Tracking.PERIOD] = controller.sample_time
             backend.set_drives(self._settings[Settings.PLANT], known)
-        self._check_plant()
+        require_fitting(self._settings[Settings.PLANT], controller.sample_time)
         model = model_of(crane)
         self._places = model.places
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
@@ -325,16 +322,6 @@ class Plant:
             raise SimulationError(
                 failure(status, time, memory[Memory.STATE], memory[Memory.PLANT])
             )
-
-    def _check_plant(self) -> None:
-        fault, plant = np.zeros(SetupFault.SIZE), self._settings[Settings.PLANT]
-        status = backend.check_lags(plant, 0, fault)
-        if status == SetupStatus.FITS:
-            status = backend.check_slack(plant, 0, fault)
-        if status == SetupStatus.FITS:
-            status = backend.check_delays(plant, float(self._loop[Loop.PERIOD]), 0, fault)
-        if status != SetupStatus.FITS:
-            raise InputError(SETUP.text(status, fault.tolist()))
 
     def _sample(self) -> None:
         """Get the correction of a controller written in Python."""

@@ -12,7 +12,11 @@ from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, Tra
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
 from segfmu.crane.variables import Value, build, filled, kept, values
+from segfmu.errors import InputError
+from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DriveMode, Plant
+from segfmu.kernels.messages import SETUP
+from segfmu.kernels.rig.records import SetupFault, SetupStatus
 
 
 @dataclass(frozen=True)
@@ -76,6 +80,24 @@ class Rig:
             kept(TravelLimits, TRAVEL, value), kept(Sensors, SENSORS, value), Wind.of(value),
             tuple(_change(value, i) for i in range(1, int(value("payload.count")) + 1)),
         )
+
+
+def require_fitting(plant: FloatArray, period: float) -> None:
+    """Check what `Plant` needs to be integrated with a controller's period [s].
+
+    Raises
+    ------
+    InputError
+        For lags, dead times and a slack rope that cannot be.
+    """
+    fault = np.zeros(SetupFault.SIZE)
+    status = backend.check_lags(plant, 0, fault)
+    if status == SetupStatus.FITS:
+        status = backend.check_slack(plant, 0, fault)
+    if status == SetupStatus.FITS:
+        status = backend.check_delays(plant, period, 0, fault)
+    if status != SetupStatus.FITS:
+        raise InputError(SETUP.text(status, fault.tolist()))
 
 
 def _change(value: Value, row: int) -> PayloadChange:

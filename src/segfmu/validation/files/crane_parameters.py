@@ -16,6 +16,8 @@ from segfmu.crane import ActuatorBounds, Crane, Friction, Rig
 from segfmu.crane.bounds import DIRECTED
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.linear import usual_sample_time
+from segfmu.crane.rig import require_fitting
+from segfmu.crane.variables import Value
 from segfmu.errors import InputError
 from segfmu.fmu.pair import ModelPair
 from segfmu.fmu.standard.spec import start_values
@@ -193,9 +195,11 @@ def check(crane: CraneFile, where: str) -> None:
     if text in _right:
         return
     with with_keys(where):
-        nominal(crane)
+        own = nominal(crane)
         model_of(crane).check_crane(crane)
-        Rig.of(start_values(models(crane).plant(), parameters(crane)).__getitem__)
+        value: Value = start_values(models(crane).plant(), parameters(crane)).__getitem__
+        plant = Rig.of(value).parameters(own, crane.drive == "velocity")
+        require_fitting(plant, value("feedback.sample_time"))
     allowed = crane.load.mass_range
     if allowed is not None:
         if allowed[0] > allowed[1]:
