@@ -603,7 +603,7 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
 static double set_loop(array_double_1d problem, array_double_1d axis, array_double_1d family);
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis);
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
-static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static double loop_radius(int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis);
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
@@ -637,8 +637,9 @@ static double keep_cruise(double cruise, array_double_1d problem, array_double_1
 static void between_cruises(double lower, double upper, double e_lower, double e_upper, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis);
 static void scan_cruises(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
+static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis);
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis);
+static int64_t scanned_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis);
 static int64_t loop_form(int64_t last, int64_t count, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void timed_loop(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -979,8 +980,9 @@ static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t co
 static void write_scales(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d square);
 static void write_node_shares(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square);
 static double largest_node_share(bool bounded, array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
-static double barrier_of(double share);
+static double room_of(double share);
 static double state_offset(array_double_2d spot, int64_t row, int64_t field, array_double_1d track);
+static int64_t gathered(double* result_0_0001, double* result_1_0001, double total, double room);
 static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static double path_total(int64_t column, array_double_2d spans);
 static bool band_solve(array_double_2d band);
@@ -19154,7 +19156,7 @@ static double set_point(double place, double radius, array_double_1d family, arr
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
     return result;
 }
-static double loop_radius(int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+static double loop_radius(int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double lower;
     double e_lower;
@@ -19166,6 +19168,7 @@ static double loop_radius(int64_t arc, double place, double missing, double larg
     double e_other;
     double e_before;
     double scale;
+    double most;
     int64_t i;
     double share;
     double radius;
@@ -19197,9 +19200,10 @@ static double loop_radius(int64_t arc, double place, double missing, double larg
     e_other = e_lower;
     e_before = e_lower;
     scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
+    most = span_max(1e-16 * scale, accuracy * missing);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((fabs(e_newest) <= 1e-16 * scale) || (fabs(other - newest) <= 4e-16 * newest))
+        if ((fabs(e_newest) <= most) || (fabs(other - newest) <= 4e-16 * newest))
         {
             break;
         }
@@ -20455,7 +20459,7 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
         h_before = hold;
     }
 }
-static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
     double part;
     double side;
@@ -20467,7 +20471,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     (*cspan_at(&family, INT64_C(33))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
-        if (loop_radius(arc, place, missing, largest, family, axis) < 0.0)
+        if (loop_radius(arc, place, accuracy, missing, largest, family, axis) < 0.0)
         {
             (*result_0) = -1.0;
             (*result_1) = 0.0;
@@ -20549,7 +20553,7 @@ static double loop_root(int64_t arc, double lower, double upper, double e_lower,
         {
             place = lower;
         }
-        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
+        loop_excess(&duration, &error, arc, place, 0.0, missing, largest, family, axis);
         return duration;
     }
     newest = upper;
@@ -20567,7 +20571,7 @@ static double loop_root(int64_t arc, double lower, double upper, double e_lower,
         {
             break;
         }
-        loop_excess(&duration, &error, arc, place, missing, largest, family, axis);
+        loop_excess(&duration, &error, arc, place, 0.0, missing, largest, family, axis);
         if (duration < 0.0)
         {
             return -1.0;
@@ -20581,6 +20585,34 @@ static double loop_root(int64_t arc, double lower, double upper, double e_lower,
         }
     }
     return duration;
+}
+static int64_t scanned_excess(double* result_0, double* result_1, int64_t arc, double place, double missing, double largest, array_double_1d family, array_double_1d axis)
+{
+    double duration;
+    double error;
+    double small;
+    double speed;
+    loop_excess(&duration, &error, arc, place, 0.001, missing, largest, family, axis);
+    if ((duration < 0.0) || ((arc != INT64_C(0)) && (arc != INT64_C(6))))
+    {
+        (*result_0) = duration;
+        (*result_1) = error;
+        return 0;
+    }
+    small = 0.02 * duration;
+    if ((*cspan_at(&family, INT64_C(15))) < 0.5)
+    {
+        speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
+        small = small * speed;
+    }
+    if (fabs(error) <= small)
+    {
+        loop_excess(result_0, result_1, arc, place, 0.0, missing, largest, family, axis);
+        return 0;
+    }
+    (*result_0) = duration;
+    (*result_1) = error;
+    return 0;
 }
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
@@ -20603,7 +20635,7 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
     double error;
     samples = INT64_C(48);
     place = 4.0 * sample / samples;
-    loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
+    scanned_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
     known = duration >= 0.0;
     for (i = sample + INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
@@ -20611,7 +20643,7 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
         e_before = e_place;
         was_known = known;
         place = 4.0 * i / samples;
-        loop_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
+        scanned_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
         known = duration >= 0.0;
         if ((!known) && (!was_known))
         {
@@ -20637,7 +20669,7 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
             for (j = INT64_C(0); j < INT64_C(12); j += INT64_C(1))
             {
                 middle = 0.5 * (inside + outside);
-                loop_excess(&duration, &error, arc, middle, missing, largest, family, axis);
+                scanned_excess(&duration, &error, arc, middle, missing, largest, family, axis);
                 if (duration < 0.0)
                 {
                     outside = middle;
@@ -30484,13 +30516,13 @@ static double largest_node_share(bool bounded, array_double_1d path, array_doubl
     }
     return largest;
 }
-static double barrier_of(double share)
+static double room_of(double share)
 {
     if (!(fabs(share) < 1.0))
     {
-        return 1e+300;
+        return 0.0;
     }
-    return -log((1.0 - share) * (1.0 + share));
+    return (1.0 - share) * (1.0 + share);
 }
 static double state_offset(array_double_2d spot, int64_t row, int64_t field, array_double_1d track)
 {
@@ -30500,18 +30532,38 @@ static double state_offset(array_double_2d spot, int64_t row, int64_t field, arr
     result = (*cspan_at(&spot, row, field)) - middle;
     return result;
 }
+static int64_t gathered(double* result_0_0001, double* result_1_0001, double total, double room)
+{
+    if (room > 1e-200)
+    {
+        (*result_0_0001) = total;
+        (*result_1_0001) = room;
+        return 0;
+    }
+    if (room > 0.0)
+    {
+        (*result_0_0001) = total - log(room);
+        (*result_1_0001) = 1.0;
+        return 0;
+    }
+    (*result_0_0001) = 1e+300;
+    (*result_1_0001) = 1.0;
+    return 0;
+}
 static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
 {
     int64_t axes;
+    double total;
+    double room;
     int64_t i;
     int64_t axis;
     int64_t field;
     double share;
     double time;
     int64_t row;
-    double total;
     axes = (int64_t)((*cspan_at(&path, INT64_C(3))));
     total = 0.0;
+    room = 1.0;
     for (i = INT64_C(0); i < spans.shape[INT64_C(0)]; i += INT64_C(1))
     {
         total = total + theta * exp((*cspan_at(&spans, i, INT64_C(2))));
@@ -30524,7 +30576,7 @@ static double barrier_value(double theta, array_double_1d path, array_double_2d 
             if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
             {
                 share = state_offset(span_matrix(&spots, i), INT64_C(5), field, span_row(&tracks, axis));
-                total = total + barrier_of(share);
+                gathered(&total, &room, total, room * room_of(share));
             }
         }
     }
@@ -30535,14 +30587,14 @@ static double barrier_value(double theta, array_double_1d path, array_double_2d 
         write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
         for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
         {
-            total = total + barrier_of((*cspan_at(&grid, row, INT64_C(15))));
+            gathered(&total, &room, total, room * room_of((*cspan_at(&grid, row, INT64_C(15)))));
         }
         if (!(total < 1e+300))
         {
             return 1e+300;
         }
     }
-    return total;
+    return total - log(room);
 }
 static double path_total(int64_t column, array_double_2d spans)
 {
@@ -32293,7 +32345,7 @@ static double gap_of(int64_t place)
     {
         return 0.1;
     }
-    return 0.03;
+    return 0.06;
 }
 static bool may_beat(double known, int64_t place, double total)
 {
@@ -32319,6 +32371,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     array_double_3d best;
     bool smoothstep;
     double start;
+    int64_t first;
     double theta;
     int64_t fewest;
     int64_t place;
@@ -32337,9 +32390,11 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     smoothstep = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1)))) == INT64_C(0);
     write_scales_of(smoothstep, given, path, axes, spots, links, spans);
     start = (*cspan_at(&path, INT64_C(9)));
+    first = INT64_C(0);
     if ((*cspan_at(&path, INT64_C(10))) > 0.5)
     {
-        start = gap_of(INT64_C(0));
+        first = INT64_C(2);
+        start = gap_of(INT64_C(2));
         if (!slow_path(path, axes, spots, links, spans, grid, square))
         {
             return 0;
@@ -32351,7 +32406,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     }
     theta = (*cspan_at(&path, INT64_C(7))) / (start * path_total(INT64_C(0), spans));
     fewest = spans.shape[INT64_C(0)] + INT64_C(1);
-    for (place = INT64_C(0); place < INT64_C(2) + INT64_C(1); place += INT64_C(1))
+    for (place = first; place < INT64_C(2) + INT64_C(1); place += INT64_C(1))
     {
         theta = follow_path(theta, gap_of(place), path, axes, spots, links, spans, grid, square, band);
         if (theta < 0.0)
@@ -32411,7 +32466,7 @@ static bool tighten_path(array_double_2d spans)
         if (retried)
         {
             changed = 1;
-            (*cspan_at(&spans, j, INT64_C(5))) = 1.0 + 1.25 * failed;
+            (*cspan_at(&spans, j, INT64_C(5))) = 0.5 + 1.4 * failed;
             if ((*cspan_at(&spans, j, INT64_C(7))) < 1e+300)
             {
                 (*cspan_at(&spans, j, INT64_C(5))) = 0.5 * (failed + (*cspan_at(&spans, j, INT64_C(7))));

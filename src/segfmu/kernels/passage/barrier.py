@@ -20,6 +20,9 @@ from segfmu.kernels.passage.records import (
     Track,
 )
 
+# a product of what shares leave has its logarithm taken below this
+LEAST_ROOM = 1e-200
+
 
 def write_variables(
     step: bool, path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]'
@@ -99,17 +102,26 @@ def largest_node_share(
     return largest
 
 
-def barrier_of(share: float) -> float:
-    """A term of the barrier; NEVER outside."""
+def room_of(share: float) -> float:
+    """What a share leaves, whose logarithm is in the barrier; 0 outside."""
     if not abs(share) < 1.0:
-        return NEVER
-    return -log((1.0 - share) * (1.0 + share))
+        return 0.0
+    return (1.0 - share) * (1.0 + share)
 
 
 def state_offset(spot: 'float[:,:]', row: int, field: int, track: 'float[:]') -> float:
     """A state counted from the middle of its range, over half of that."""
     middle = track[Track.MIDDLE + field] / track[Track.LIMIT + field]
     return spot[row, field] - middle
+
+
+def gathered(total: float, room: float) -> 'tuple[float, float]':
+    """A barrier and the product that its logarithm is still to take: one does for many factors."""
+    if room > LEAST_ROOM:
+        return total, room
+    if room > 0.0:
+        return total - log(room), 1.0
+    return NEVER, 1.0
 
 
 def barrier_value(
@@ -119,6 +131,7 @@ def barrier_value(
     """The barrier of the tried point plus theta times its duration; NEVER outside the limits."""
     axes = int(path[Path.AXES])
     total = 0.0
+    room = 1.0
     for i in range(spans.shape[0]):
         total = total + theta * exp(spans[i, Stretch.TRIAL])
     for i in range(spots.shape[0]):
@@ -126,16 +139,16 @@ def barrier_value(
         for field in range(Free.SIZE):
             if spots[i, Spot.CHOSEN, field] > 0.5:
                 share = state_offset(spots[i, :, :], Spot.TRIAL, field, tracks[axis, :])
-                total = total + barrier_of(share)
+                total, room = gathered(total, room * room_of(share))
     for i in range(links.shape[0]):
         axis = i % axes
         time = spans[i // axes, Stretch.TRIAL]
         write_node_shares(path, tracks[axis, :], time, links[i, :, :], grid, square)
         for row in range(int(path[Path.ROWS])):
-            total = total + barrier_of(grid[row, GridRow.SHARE])
+            total, room = gathered(total, room * room_of(grid[row, GridRow.SHARE]))
         if not total < NEVER:
             return NEVER
-    return total
+    return total - log(room)
 
 
 def path_total(column: int, spans: 'float[:,:]') -> float:

@@ -163,7 +163,7 @@ def gap_of(place: int) -> float:
         return 0.3
     if place == 1:
         return 0.1
-    return 0.03
+    return 0.06
 
 
 def may_beat(known: float, place: int, total: float) -> bool:
@@ -178,7 +178,8 @@ def try_path(
 ) -> bool:
     """Offer the states on a path; writes the intervals in which the best of them are slow.
 
-    False if the path has none, or none that can be faster.
+    Of a path that follows another one, the last point alone. False if the path has none, or none
+    that can be faster.
     """
     path = tools[Tools.PATH, :]
     grid = tools[Tools.GRID:Tools.SQUARE, :]
@@ -192,15 +193,17 @@ def try_path(
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
     start = path[Path.START]
+    first = 0
     if path[Path.FOLLOWED] > 0.5:
-        start = gap_of(0)
+        first = LAST_POINT
+        start = gap_of(LAST_POINT)
         if not slow_path(path, axes, spots, links, spans, grid, square):
             return False
     elif not begin_path(path, axes, spots, links, spans, grid, square, band):
         return False
     theta = path[Path.TERMS] / (start * path_total(int(Stretch.TIME), spans))
     fewest = spans.shape[0] + 1
-    for place in range(LAST_POINT + 1):
+    for place in range(first, LAST_POINT + 1):
         theta = follow_path(
             theta, gap_of(place), path, axes, spots, links, spans, grid, square, band
         )
@@ -276,7 +279,7 @@ def tighten_path(spans: 'float[:,:]') -> bool:
             retried = failed >= 0.0 and spans[j, Stretch.GOOD] - failed > 0.4
         if retried:
             changed = True
-            spans[j, Stretch.DEGREE] = 1.0 + 1.25 * failed
+            spans[j, Stretch.DEGREE] = 0.5 + 1.4 * failed
             if spans[j, Stretch.GOOD] < NEVER:
                 spans[j, Stretch.DEGREE] = 0.5 * (failed + spans[j, Stretch.GOOD])
     return changed

@@ -10,18 +10,25 @@ from segfmu.kernels.planner.records import Family, LoopArc, PlanWork, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
 from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
+# between samples of an arc the velocity is met within this share of what is missing, and up to
+# rounding where the excess is below this share of what the velocities cover
+SCANNED = 1e-3
+NEAR = 0.02
+
 
 def loop_excess(
-    arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
+    arc: int, place: float, accuracy: float, missing: float, largest: float, family: 'float[:]',
+    axis: 'float[:]',
 ) -> 'tuple[float, float]':
     """Duration of the member at a place (-1: none), and what it goes too far [m] or lasts too long.
 
     On an arc with a slow ramp, places are 0 .. 4 from the largest downward to upward change.
+    accuracy: of its velocity, see `loop_radius`.
     """
     family[Family.STRETCH] = 1.0
     family[Family.FLATNESS] = 0.0
     if arc == LoopArc.LOOP or arc == LoopArc.FOLD:
-        if loop_radius(arc, place, missing, largest, family, axis) < 0.0:
+        if loop_radius(arc, place, accuracy, missing, largest, family, axis) < 0.0:
             return -1.0, 0.0
     elif arc == LoopArc.SINGLE:
         family[Family.FLATNESS] = 0.25 * place
@@ -68,7 +75,7 @@ def loop_root(
         place = upper
         if e_lower == 0.0:
             place = lower
-        duration, error = loop_excess(arc, place, missing, largest, family, axis)
+        duration, error = loop_excess(arc, place, 0.0, missing, largest, family, axis)
         return duration
     newest = upper
     other = lower
@@ -82,7 +89,7 @@ def loop_root(
         place = newest + share * (other - newest)
         if place == newest or place == other:
             break
-        duration, error = loop_excess(arc, place, missing, largest, family, axis)
+        duration, error = loop_excess(arc, place, 0.0, missing, largest, family, axis)
         if duration < 0.0:
             return -1.0
         other, before, e_other, e_before = next_bracket(
@@ -95,6 +102,22 @@ def loop_root(
     return duration
 
 
+def scanned_excess(
+    arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
+) -> 'tuple[float, float]':
+    """`loop_excess`, accurate where it is small: elsewhere its sign is enough."""
+    duration, error = loop_excess(arc, place, SCANNED, missing, largest, family, axis)
+    if duration < 0.0 or (arc != LoopArc.LOOP and arc != LoopArc.FOLD):
+        return duration, error
+    small = NEAR * duration
+    if family[Family.BY_TIME] < 0.5:
+        speed = abs(family[Family.V]) + abs(family[Family.W]) + missing
+        small = small * speed
+    if abs(error) <= small:
+        return loop_excess(arc, place, 0.0, missing, largest, family, axis)
+    return duration, error
+
+
 def arc_root(
     arc: int, sample: int, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[int, float]':
@@ -105,14 +128,14 @@ def arc_root(
     """
     samples = 48
     place = 4.0 * sample / samples
-    duration, e_place = loop_excess(arc, place, missing, largest, family, axis)
+    duration, e_place = scanned_excess(arc, place, missing, largest, family, axis)
     known = duration >= 0.0
     for i in range(sample + 1, samples + 1):
         before = place
         e_before = e_place
         was_known = known
         place = 4.0 * i / samples
-        duration, e_place = loop_excess(arc, place, missing, largest, family, axis)
+        duration, e_place = scanned_excess(arc, place, missing, largest, family, axis)
         known = duration >= 0.0
         if not known and not was_known:
             continue
@@ -133,7 +156,7 @@ def arc_root(
             e_inside = e_other
             for j in range(12):
                 middle = 0.5 * (inside + outside)
-                duration, error = loop_excess(arc, middle, missing, largest, family, axis)
+                duration, error = scanned_excess(arc, middle, missing, largest, family, axis)
                 if duration < 0.0:
                     outside = middle
                 else:

@@ -114,11 +114,13 @@ def set_point(place: float, radius: float, family: 'float[:]', axis: 'float[:]')
 
 
 def loop_radius(
-    arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
+    arc: int, place: float, accuracy: float, missing: float, largest: float, family: 'float[:]',
+    axis: 'float[:]',
 ) -> float:
     """The radius at which the velocity is reached at a place, and that member; -1: none.
 
-    arc: LOOP for the least such radius, FOLD for the next one.
+    arc: LOOP for the least such radius, FOLD for the next one. accuracy: of the velocity, as a
+    share of what is missing; 0: up to rounding.
     """
     lower = 0.0
     e_lower = -missing
@@ -140,8 +142,9 @@ def loop_radius(
     e_other = e_lower
     e_before = e_lower
     scale = abs(family[Family.V]) + abs(family[Family.W]) + missing
+    most = max(GAIN * scale, accuracy * missing)
     for i in range(HALVINGS):
-        if abs(e_newest) <= GAIN * scale or abs(other - newest) <= RADIUS * newest:
+        if abs(e_newest) <= most or abs(other - newest) <= RADIUS * newest:
             break
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         radius = newest + share * (other - newest)
