@@ -32,7 +32,7 @@ def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
     return CC
 
 
-@campaign(200, 20_000)
+@campaign(100, 20_000)
 # every source is in one of these; the command makes all, of both versions
 @pytest.mark.parametrize(
     ("fmi", "spec"),
