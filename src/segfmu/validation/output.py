@@ -46,7 +46,7 @@ def require_folder(name: str | Path, *files: str) -> None:
     InputError
         For the first thing that is in the way.
     """
-    path = _named(name)
+    path = folder_path(name)
     # the part that there is
     there = next((p for p in (path, *path.parents) if os.path.lexists(p)), Path())
     reason = None
@@ -96,7 +96,7 @@ def folder(name: str | Path) -> Path:
     InputError
         If there is no name, or no folder of this name can be made or written to.
     """
-    path = _named(name)
+    path = folder_path(name)
     try:
         path.mkdir(parents=True, exist_ok=True)
         remove_folder(make_folder(path))
@@ -119,7 +119,14 @@ def _refusal(path: Path, reason: str) -> InputError:
     return InputError(f"output {path}: cannot create this folder: {reason}")
 
 
-def _named(name: Any) -> Path:
+def folder_path(name: Any) -> Path:
+    """The path of a folder for the output, or with it.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
     if not isinstance(name, str | os.PathLike):
         raise InputError(f"output must be the path of a folder, got {shown(name)}")
     if not str(name).strip():

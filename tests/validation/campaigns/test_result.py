@@ -7,7 +7,8 @@ from pathlib import Path
 import pyarrow
 import pytest
 
-from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.errors import InputError
+from segfmu.validation.campaigns.result import CampaignResult, load_result
 
 
 @pytest.mark.parametrize(("margins", "worst"), [
@@ -25,3 +26,9 @@ def test_a_margin_that_is_no_number_is_the_worst(
     (found,) = CampaignResult("n", Path(), (), ("c",), table).summaries
     assert (found.run, found.judged) == (worst, sum(m is not None for m in margins))
     assert found.held == sum(bool(h) for h in held)
+
+
+@pytest.mark.parametrize("folder", [1, None, [], 0.5, "", " "])
+def test_what_is_no_folder_has_no_result(folder: object) -> None:
+    with pytest.raises(InputError, match=r"^output (must be the path of a folder|is empty)"):
+        load_result(folder)

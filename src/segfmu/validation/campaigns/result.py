@@ -18,6 +18,7 @@ from segfmu.validation.campaigns.replay import run_name
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
 from segfmu.validation.campaigns.store import TABLE, about, read_probabilities, read_table
 from segfmu.validation.frames import frame
+from segfmu.validation.output import folder_path
 from segfmu.validation.requirements import Evidence, Requirement, gathered
 from segfmu.validation.units import pretty
 
@@ -276,7 +277,7 @@ def load_result(folder: str | Path) -> CampaignResult:
     InputError
         If there is none.
     """
-    folder = Path(folder)
+    folder = folder_path(folder)
     found = about(folder)
     if not (folder / TABLE).exists():
         raise InputError(f"{folder}: the campaign is not complete; the same command goes on")
