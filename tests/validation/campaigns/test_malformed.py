@@ -98,7 +98,8 @@ CAMPAIGNS = {
 }
 SCENARIOS = {
     "no toml": ("[[criteria]]", "[[criteria]", "s.toml: not valid TOML"),
-    "no mission": ('mission = "', 'base = "', "mission: this key is missing"),
+    "no mission": ('mission = "', '# mission = "', "mission: this key is missing"),
+    "mission as base": ('mission = "', 'base = "', "this is a mission file, not a scenario file"),
     "no criteria": ("[[criteria]]", "[[criterion]]", "criterion: unknown key"),
     "unknown kind": ('"settled"', '"settling"', "criteria.2.kind: must be 'always'"),
     "signal that is not there": ("error.load.norm", "error.load.norn", "did you mean error.load"),
