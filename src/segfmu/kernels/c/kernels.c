@@ -32345,7 +32345,7 @@ static double gap_of(int64_t place)
     {
         return 0.1;
     }
-    return 0.06;
+    return 0.03;
 }
 static bool may_beat(double known, int64_t place, double total)
 {

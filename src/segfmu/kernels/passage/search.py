@@ -163,7 +163,7 @@ def gap_of(place: int) -> float:
         return 0.3
     if place == 1:
         return 0.1
-    return 0.06
+    return 0.03
 
 
 def may_beat(known: float, place: int, total: float) -> bool:
