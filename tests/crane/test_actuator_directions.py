@@ -121,6 +121,21 @@ def test_a_trolley_that_brakes_harder_arrives_sooner(crane, way, rope, fast, ris
 
 
 @SIZES
+def test_a_trolley_that_goes_both_ways_is_faster_one_way(crane, way, rope, fast, rise) -> None:
+    start, end = moved(1, way, rope)
+    bounds = ActuatorBounds(
+        velocity=only(1, fast), velocity_min=only(1, -0.2 * fast), acceleration=only(1, rise)
+    )
+    slow = ActuatorBounds(velocity=only(1, 0.2 * fast), acceleration=only(1, rise))
+    found, same = (plan_actuated(crane, [start, end, start], None, b) for b in (bounds, slow))
+    assert found.passed
+    assert largest_use(crane, found.trajectory, bounds, 20001) <= 1.0 + 1e-9
+    ahead, back = np.diff(found.trajectory.waypoint_times)
+    assert ahead < 0.8 * back
+    assert found.trajectory.duration < 0.9 * same.trajectory.duration
+
+
+@SIZES
 def test_a_hoist_lowers_faster_than_it_lifts(crane, way, rope, fast, rise) -> None:
     bounds = ActuatorBounds(
         velocity=only(2, 0.5 * fast), velocity_min=only(2, -0.2 * fast), acceleration=only(2, rise)
