@@ -124,6 +124,15 @@ def test_bad_designs_are_refused() -> None:
         )
 
 
+@pytest.mark.parametrize("factor", [1e-9, 1e9])
+def test_gains_of_all_masses_are_in_proportion(factor: float) -> None:
+    # (1, 1, 1) kg at lengths where a solver found none for 1e9 times as much
+    given = {"sample_time": 0.01, "shortest": 0.1, "longest": 2.5}
+    one = design(Crane(1.0, 1.0, 1.0), **given).gains
+    found = design(Crane(factor, factor, factor), **given).gains
+    np.testing.assert_allclose(found / factor, one, rtol=1e-6, atol=1e-6 * np.abs(one).max())
+
+
 @pytest.mark.parametrize(("masses", "weights", "words"), [
     (LAB, {"position": 1e300}, "feedback.weight.position 1e[+]300 is too far from 1; choose one"),
     (LAB, {"position": 1e-300}, "feedback.weight.position 1e-300 is too far from 1"),

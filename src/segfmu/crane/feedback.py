@@ -138,7 +138,9 @@ def gain(
     if strongest is not None:
         weak = strongest[: Axes.ROPE] / (weak_drive() * unit[: Axes.ROPE] * crane.gravity)
         largest[: Axes.ROPE] *= np.minimum(weak, 1.0)
-    effort = np.diag(w.effort * patience / largest**2)
+    # corrections as shares of the largest: a solver finds no gain where N are large and m small
+    bd = bd * largest
+    effort = np.diag(w.effort * patience)
     try:
         riccati = solve_discrete_are(ad, bd, state_cost, effort)
         solved = np.linalg.solve(effort + bd.T @ riccati @ bd, bd.T @ riccati @ ad)
@@ -146,6 +148,7 @@ def gain(
         raise _without_gain(crane, length, dead_time, weights) from None
     if not np.isfinite(solved).all():
         raise _without_gain(crane, length, dead_time, weights)
+    solved *= largest[:, np.newaxis]
     found = np.zeros((Axes.SIZE, GainInputs.SIZE))
     found[:, : State.SIZE] = solved[:, : State.SIZE]
     for column, axis in enumerate(lagging, State.SIZE):
@@ -164,10 +167,10 @@ def _without_gain(crane: Crane, length: float, dead_time: float, weights: Weight
     elif most > FAR * least:
         cause = f"{heavy} {most:g} kg is too far from {light} {least:g} kg; check both"
     else:
-        given = ", ".join(f"{n} {v:g} kg" for n, v in masses.items())
+        given = ", ".join(f"{v:g}" for v in masses.values())
         cause = (
-            f"{given}, a dead time of {dead_time:g} s and {weights}; check masses and dead times, "
-            "or raise the weights of angle and rate"
+            f"check the masses ({given} kg) and dead times ({dead_time:g} s), or raise the weights "
+            "of angle and rate"
         )
     return InputError(f"the feedback has no gain at {length:.6g} m of rope: {cause}")
 
