@@ -11,14 +11,18 @@ from segfmu.validation.signal_table import read_table
 
 
 @pytest.mark.parametrize(("text", "told"), [
-    ("", "no column time"),
+    ("", "no column time; the first line has ''"),
+    ("x,y\n1,2\n", "no column time; the first line has 'x, y'"),
+    ("time;a\n0,0;1,5\n",
+     ", line 2: time must be a number, got '0,0'; numbers have a decimal point"),
     ("time,a\n", "there is no row of numbers"),
-    ("time,a\n0,1\n1,2\n2\n", "no table of numbers: the number of columns changed"),
-    ("time,a\n0,1\n1,fast\n", "no table of numbers: could not convert string 'fast'"),
+    ("time,a\n0,1\n1,2\n2\n", ", line 4: 1 values for 2 columns"),
+    ("time,a\n0,1\n1,fast\n", ", line 3: a must be a number, got 'fast'"),
     ("time,a\n0,1,2\n", "2 names but rows of 3 numbers"),
-    ("time,a,a\n0,1,2\n", "two columns have one name"),
-    ("time,a\n1,1\n1,2\n", "time does not increase"),
-    ("time,a\nnan,1\n1,2\n", "time does not increase"),
+    ("time,a,a\n0,1,2\n", "two columns have one name, 'a'"),
+    ("time,a\n0,1\n1,1\n1,2\n",
+     "time does not increase: 1.0 s behind 1.0 s in row 3 of the numbers"),
+    ("time,a\nnan,1\n1,2\n", "time does not increase: 1.0 s behind nan s"),
 ])
 def test_a_table_is_refused_in_one_line(tmp_path: Path, text: str, told: str) -> None:
     path = tmp_path / "log.csv"
@@ -26,5 +30,26 @@ def test_a_table_is_refused_in_one_line(tmp_path: Path, text: str, told: str) ->
     with pytest.raises(InputError) as error:
         read_table(path)
     message = str(error.value)
-    assert message.startswith(f"{path}: {told}")
+    assert message.startswith(f"{path}{told if told.startswith(',') else f': {told}'}")
     assert "\n" not in message and "usecols" not in message
+
+
+@pytest.mark.parametrize("text", [
+    "time,a [m]\n0,1\n1,2\n", "time;a\n0;1\n1;2\n", "time\ta [m]\r\n0\t1\r\n1\t2\r\n",
+    ' time , "a" \r0 , 1\r1 , 2\r', "\ufefftime, a\n0, 1\n\n1, 2",
+])
+def test_tables_are_read_as_spreadsheets_write_them(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text(text, encoding="utf-8", newline="")
+    table = read_table(path)
+    assert {name: values.tolist() for name, values in table.items()} == {
+        "time": [0.0, 1.0], "a": [1.0, 2.0],
+    }
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "latin-1"])
+def test_other_encodings_are_named(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text("time,Länge\n0,1\n", encoding=encoding)
+    with pytest.raises(InputError, match=r"cannot be read: it is not text in UTF-8$"):
+        read_table(path)

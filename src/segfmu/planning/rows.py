@@ -12,6 +12,11 @@ DELIMITERS = (";", "\t", ",")
 LARGEST = 64_000_000
 
 
+def delimiter_of(line: str) -> str:
+    """What is between the columns of a first line."""
+    return next((d for d in DELIMITERS if d in line), ",")
+
+
 def read_rows(file: Path) -> list[tuple[int, list[str]]]:
     """Numbers and cells of the lines that are neither empty nor begin with #.
 
@@ -33,11 +38,12 @@ def read_rows(file: Path) -> list[tuple[int, list[str]]]:
         (number, line) for number, line in enumerate(text.splitlines(), 1)
         if line.strip() and not line.lstrip().startswith("#")
     ]
-    delimiter = next((d for d in DELIMITERS if rows and d in rows[0][1]), ",")
+    delimiter = delimiter_of(rows[0][1] if rows else "")
     found = []
     for number, line in rows:
         try:
-            cells = next(csv.reader([line], delimiter=delimiter, strict=True))
+            reader = csv.reader([line], delimiter=delimiter, strict=True, skipinitialspace=True)
+            cells = next(reader)
         except csv.Error as error:
             raise InputError(f"{file}, line {number}: {error}") from None
         found.append((number, [cell.strip() for cell in cells]))

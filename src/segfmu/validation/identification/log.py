@@ -15,7 +15,7 @@ from segfmu.arrays import FloatArray, numbers
 from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
 from segfmu.validation.files.keys import DRIVES
-from segfmu.validation.signal_table import read_table
+from segfmu.validation.signal_table import read_table, require_increasing
 
 # m and rad
 OUTPUTS = tuple(f"measured.{signal}" for signal in SIGNALS)
@@ -159,8 +159,7 @@ def _require_times(table: Mapping[str, FloatArray], name: str) -> None:
     for own, values in table.items():
         if values.ndim != 1 or values.shape != table["time"].shape:
             raise InputError(f"{name}: {own} must have as many numbers as time")
-    if not np.all(np.diff(table["time"]) > 0.0):
-        raise InputError(f"{name}: time does not increase")
+    require_increasing(table["time"], name)
 
 
 def _require_angles(name: str, table: Mapping[str, FloatArray]) -> None:
