@@ -55,6 +55,9 @@ def files(folder: Path, mission: str = GOOD, crane: str = CRANE) -> None:
 
 # what is written in place of what, and what the line says
 MISSIONS = {
+    "no rope": ("0.2, -0.5", "0.2, -6e-17",
+                "waypoints.2.position: z -6e-17 m must be below the trolley, z <= -1e-06"),
+    "no name": ("crane =", 'name = ""\ncrane =', "name: must not be empty, got ''"),
     "far": ("[0.3,", "[1e300,", "waypoints.2.position, x: must be at most 1e+06 m, got 1e+300"),
     "slow": ("velocity = 1.0", "velocity = 1e-12", "limits.x.velocity: must be at least 1e-06 m/s"),
     "fast": ("velocity = 1.0", "velocity = 1e300", "limits.x.velocity: must be at most 1e+06 m/s"),
@@ -219,6 +222,10 @@ CRANES = {
     "broken": ("gravity = = 1\n", "not valid TOML"),
     "misspelt": ("payload_mas = 1.0  # ", "payload_mas: unknown key; did you mean payload_mass?"),
     "missing": ("# ", "payload_mass: this key is missing"),
+    "no name": ('name = ""\n', "name: must not be empty, got ''"),
+    "blank name": ('name = "  "\n', "name: must not be empty, got ' '"),
+    "two changes": ("load.changes = [{ time = 2, mass = 1.0 }, { time = 2.0, mass = 2.0 }]\n",
+                    "load: two changes are at 2 s; leave one out, or move it"),
 }
 
 
@@ -228,6 +235,58 @@ def test_a_bad_crane_is_one_line_with_both_files(name: str, tmp_path: Path) -> N
     files(tmp_path, crane=CRANE.replace("payload", f"{new}payload", 1))
     line = refused(tmp_path, "plan", "mission.toml")
     assert line.startswith("segfmu: mission.toml: crane: crane.toml: ") and words in line
+
+
+@pytest.mark.parametrize("table", ["crane", "true_crane"])
+def test_a_crane_is_told_with_the_drives_of_the_run(table: str, tmp_path: Path) -> None:
+    driven = f'[simulation]\ndrive = "velocity"\n[{table}]\nbridge = {{ lag = 1e-6 }}\n'
+    mission = GOOD.replace('crane = "crane.toml"\n', "")
+    head = "" if table == "crane" else f"[crane]\n{CRANE}"
+    own = CRANE if table == "crane" else ""
+    files(tmp_path, f"{head}{mission}{driven}{own}")
+    words = f"{table}: bridge.lag must be 0 or at least 1e-05 s, got 1e-06 s"
+    assert words in refused(tmp_path, "plan", "mission.toml")
+
+
+def test_a_trolley_that_the_load_moves_as_it_likes_is_refused(tmp_path: Path) -> None:
+    light = CRANE.replace("1.155", "9.9e-4")
+    files(tmp_path, crane=light)
+    words = "trolley_mass: 0.00099 kg swings against a load of 1 kg too fast to be followed; give "
+    assert f"{words}it 0.001 kg or more" in refused(tmp_path, "simulate", "mission.toml")
+    # no mass acts on the motion of velocity drives
+    files(tmp_path, crane=f'{light}drive = "velocity"\n')
+    load_mission(tmp_path / "mission.toml")
+
+
+# what is written in place of the crane's name, and what the line says
+LONG = {
+    "decimal": ("9" * 5000, "not valid TOML: a number of 5000 digits (at line 1)"),
+    "parted": ("9_" * 4500 + "9", "not valid TOML: a number of 9001 digits (at line 1)"),
+    "hexadecimal": ("0x" + "f" * 5000, "not valid TOML: crane has more than the 64 bits of an"),
+    "less": (str(2**63), "not valid TOML: crane has more than the 64 bits of an integer"),
+    "in lists": (f"[[1], [{2**63}]]", "not valid TOML: crane has more than the 64 bits"),
+    "deep": ("[" * 5000, "not valid TOML: tables or lists in each other too deep"),
+}
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_integers_and_depths_that_nothing_reads(name: str, tmp_path: Path) -> None:
+    value, words = LONG[name]
+    files(tmp_path, GOOD.replace('"crane.toml"', value))
+    line = refused(tmp_path, "plan", "mission.toml")
+    assert words in line and len(line) < 150
+
+
+@pytest.mark.parametrize("changes", [
+    {"crane": {"payload_mass": 10**400}}, {"crane": {"payload_mass": 1 << 70000}},
+    {"waypoints": [{"position": [0, 0, -1], "velocity": [10**400, 0, 0]}] * 2},
+    {"smoothness": 1 << 70000}, {"name": 1 << 70000}, {"limits": 1 << 70000},
+])
+def test_huge_integers_of_python_are_one_short_line(changes: dict, tmp_path: Path) -> None:
+    files(tmp_path)
+    with pytest.raises(InputError, match=r": must .* got ") as info:
+        load_mission(tmp_path / "mission.toml", changes)
+    assert len(str(info.value)) < 300
 
 
 @pytest.mark.parametrize(("stops", "words"), [

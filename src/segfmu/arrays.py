@@ -132,7 +132,11 @@ def require_mapping(name: str, value: Any) -> None:
 
 def shown(value: Any) -> str:
     """What a message shows of a value: one line, not long."""
-    text = " ".join(repr(value).split())
+    try:
+        text = " ".join(repr(value).split())
+    except ValueError:
+        # an integer of more digits than Python writes
+        text = f"{type(value).__name__} of thousands of digits"
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 

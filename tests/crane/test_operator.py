@@ -207,6 +207,16 @@ def test_a_command_near_the_end_uses_what_is_left_of_the_way() -> None:
     assert operator.load[1, 1] == pytest.approx(0.2)
 
 
+def test_a_target_at_the_trolley_is_refused_without_rope_min_too() -> None:
+    free = load_mission({
+        "crane": {"bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0},
+        "limits": Limits(1.0, 1.0, 2.0, 20.0), "waypoints": [{"position": [0.0, 0.0, -0.5]}] * 2,
+    }).operator()
+    free.command("target", target=[0.0, 0.0, -6e-17])
+    follow(free, 10.0)
+    assert free.refused and free.load[0, 2] <= -1e-6
+
+
 def test_an_obstacle_blocks_until_the_load_is_above_it() -> None:
     operator = LAB.operator()
     operator.command("target", target=[0.0, 0.0, -0.6])

@@ -9,7 +9,18 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from segfmu import Crane, FlatInverse, InfeasibleError, Limits, Trajectory, Waypoint, plan
+from segfmu import (
+    Crane,
+    FlatInverse,
+    InfeasibleError,
+    InputError,
+    Limits,
+    Trajectory,
+    Waypoint,
+    plan,
+)
+from segfmu.crane import ActuatorBounds, plan_actuated
+from segfmu.crane.rope import require_rope
 
 LIMITS = Limits([1.0, 0.4, 0.5], [1.0, 0.5, 0.8], [1.0, 0.5, 4.0], [10.0, 5.0, 30.0])
 FAST = Limits(20.0, [20.0, 20.0, 15.0], 400.0, 9000.0)
@@ -56,13 +67,25 @@ def test_a_short_violation_in_a_long_mission_is_found(dwell: float) -> None:
     assert "slack" in str(error)
 
 
+@pytest.mark.parametrize("height", [-6e-17, -1e-9, 0.0])
+def test_a_load_at_the_trolley_has_no_rope(height: float) -> None:
+    points = [Waypoint([0.0, 0.0, height]), Waypoint([1.0, 1.0, height])]
+    with pytest.raises(InfeasibleError, match="load height z passes the trolley's height, -1e-06"):
+        require_rope(crane(), plan(points, LIMITS))
+    with pytest.raises(InputError, match="must be below the trolley, z <= -1e-06"):
+        crane().hanging([0.0, 0.0, height])
+    with pytest.raises(InfeasibleError, match="must be below the trolley, z <= -1e-06"):
+        plan_actuated(crane(), points, None, ActuatorBounds(force=100.0, velocity=1.0))
+    require_rope(crane(), plan([Waypoint([0.0, 0.0, -1e-6])] * 2, LIMITS))
+
+
 def test_load_above_the_trolley_is_refused() -> None:
     points = [Waypoint([0.0, 0.0, -0.5]), Waypoint([0.0, 0.0, 0.5])]
     trajectory = plan(points, LIMITS)
     error = refusal(crane(), trajectory)
     assert "load height z passes the trolley's height" in str(error)
     assert error.value == pytest.approx(0.5)
-    assert trajectory(error.time)[2] == pytest.approx(0.0, abs=1e-6)
+    assert trajectory(error.time)[2] == pytest.approx(-1e-6, abs=1e-9)
 
 
 def test_load_that_starts_above_the_trolley_is_refused_at_once() -> None:

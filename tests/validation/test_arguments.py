@@ -69,8 +69,17 @@ def test_there_is_room_for_2_to_256_waypoints(waypoints: int, tmp_path: Path) ->
 @pytest.mark.parametrize("run", [simulate, build])
 def test_a_crane_without_gains_is_refused_by_its_file(run, tmp_path: Path) -> None:
     require_native()
-    heavy = load_mission(MISSION, {"crane": {"payload_mass": 1e9}})
-    words = r"paper\.toml: the feedback has no gain .*: payload_mass 1e[+]09 kg is too far from"
+    weight = {"position": 1e300}
+    wrong = load_mission(MISSION, {"crane": {"controller": {"weight": weight}}})
+    words = r"paper\.toml: the feedback has no gain .*: controller\.weight\.position 1e[+]300"
     with pytest.raises(InputError, match=words):
-        run(heavy, output=tmp_path)
+        run(wrong, output=tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_run_without_a_duration_is_refused_with_its_key(tmp_path: Path) -> None:
+    rest = [{"position": [0, 0, -0.5]}] * 2
+    mission = load_mission(MISSION, {"waypoints": rest, "simulation": {"settle": 0.0}})
+    with pytest.raises(InputError, match=r"simulation\.settle: a plan of 0 s needs a time > 0 s"):
+        simulate(mission, output=tmp_path)
     assert not list(tmp_path.iterdir())

@@ -19,6 +19,7 @@ from segfmu.kernels.crane.records import (
     Demand,
     RopeDemand,
 )
+from segfmu.kernels.crane.rope import least_depth
 from segfmu.kernels.limits.records import AxisTask
 from segfmu.kernels.messages import BOUND, ROPE_LIMITS
 from segfmu.planning.messages import told_apart
@@ -43,12 +44,12 @@ def refused(task: Task, search: LimitSearch, bounds: ActuatorBounds) -> Infeasib
 def require_below(task: Task) -> None:
     """Refuse a waypoint that is not below the trolley."""
     for number, height in enumerate(task.positions[:, Axes.ROPE].tolist(), 1):
-        if height >= 0.0:
+        if height > -least_depth():
             raise InfeasibleError(
-                f"waypoint {number}: position z {abs(height):g} m must be below the trolley, "
-                "z < 0; lower the waypoint",
+                f"waypoint {number}: position z {height + 0.0:g} m must be below the trolley, "
+                f"z <= {-least_depth():g}; lower the waypoint",
                 axis=Axes.ROPE, interval=max(number - 1, 1), limit=ROPE_LIMITS[BELOW],
-                value=height, bound=0.0,
+                value=height, bound=-least_depth(),
             )
 
 

@@ -18,6 +18,7 @@ from segfmu.crane.variables import filled
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
 from segfmu.kernels.crane.records import Axes, RopeBounds, State
+from segfmu.kernels.crane.rope import least_depth
 from segfmu.kernels.operation.records import Known
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.records import Timing
@@ -35,7 +36,7 @@ def require_hanging(name: str, value: ArrayLike) -> FloatArray:
     if state.size != State.SIZE:
         raise InputError(f"{name} must have {State.SIZE} values, got {state.size}")
     angle = np.abs(state[State.ANGLE : State.VELOCITY]).max()
-    if state[Axes.ROPE] <= 0.0 or angle >= 1.5:
+    if state[Axes.ROPE] < least_depth() or angle >= 1.5:
         raise InputError(
             f"{name}: a rope of {state[Axes.ROPE]:.4g} m and angles up to {angle:.4g} rad are no "
             "state of a load below its crane; give positions, rope, angles and their rates, shape "

@@ -13,6 +13,7 @@ from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DriveMode, Masses, Plant, RopeBounds
+from segfmu.kernels.crane.rope import least_depth
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
 
@@ -157,8 +158,8 @@ class Crane:
     def hanging(self, position: ArrayLike) -> FloatArray:
         """State of the load hanging at rest at a position (3,), the trolley above it; (10,)."""
         x, y, z = sized("position", position, 3)
-        if z >= 0.0:
-            raise InputError(f"position z {z} m must be below the trolley, z < 0")
+        if z > -least_depth():
+            raise InputError(f"position z {z} m must be below the trolley, z <= {-least_depth():g}")
         return np.array([x, y, -z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 
 

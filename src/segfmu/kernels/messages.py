@@ -215,7 +215,7 @@ def _meets(part: str) -> str:
     )
 
 
-_EMPTY = "must be below its maximum {BOUND:g} m, got {VALUE:g} m"
+_EMPTY = "must be below its maximum {BOUND:.15g} m, got {VALUE:.15g} m"
 
 # behind the start of the plan
 PATH = Messages(
@@ -303,21 +303,22 @@ TAKEOVER = Messages(
 SETUP = Messages(
     "setup", SetupFault,
     {
-        SetupStatus.EMPTY_TRAVEL: "travel.{AXIS}: min {VALUE:g} m must be below max {BOUND:g} m",
+        SetupStatus.EMPTY_TRAVEL: "travel.{AXIS}: min {VALUE:.15g} m must be below max "
+        "{BOUND:.15g} m",
         SetupStatus.NO_LAG: "in model exchange with drive.mode velocity, drive.{DRIVE}.lag "
         "must be above 0 s (without lag the setpoints do not determine the acceleration); "
         "set a lag, or use co-simulation",
-        SetupStatus.SHORT_LAG: "drive.{DRIVE}.lag must be 0 or at least {BOUND:g} s, got "
-        "{VALUE:g} s; 0 is an ideal drive",
+        SetupStatus.SHORT_LAG: "drive.{DRIVE}.lag must be 0 or at least {BOUND:.15g} s, got "
+        "{VALUE:.15g} s; 0 is an ideal drive",
         SetupStatus.NOT_SAMPLED: "sensor noise and dead_time need sampled signals: set "
         "sensor.sample_time above 0 s",
-        SetupStatus.SHORT_SAMPLE: "sensor.sample_time must be 0 or at least {BOUND:g} s, got "
-        "{VALUE:g} s",
-        SetupStatus.LONG_DEAD_TIME: "sensor.dead_time {VALUE:g} s is longer than "
-        f"{SensorLimits.MOST_SAMPLES} samples of {{BOUND:g}} s; lower it or raise "
+        SetupStatus.SHORT_SAMPLE: "sensor.sample_time must be 0 or at least {BOUND:.15g} s, got "
+        "{VALUE:.15g} s",
+        SetupStatus.LONG_DEAD_TIME: "sensor.dead_time {VALUE:.15g} s is longer than "
+        f"{SensorLimits.MOST_SAMPLES} samples of {{BOUND:.15g}} s; lower it or raise "
         "sensor.sample_time",
-        SetupStatus.LOW_STATIC: "friction.{DRIVE}.static {VALUE:g} N must be 0 or at least "
-        "friction.{DRIVE}.coulomb {BOUND:g} N",
+        SetupStatus.LOW_STATIC: "friction.{DRIVE}.static {VALUE:.15g} N must be 0 or at least "
+        "friction.{DRIVE}.coulomb {BOUND:.15g} N",
         SetupStatus.MANY_TURNS: "friction.{DRIVE}: the plan turns the {DRIVE} more often than "
         "there is memory for; drop waypoints, or set the friction to 0",
         SetupStatus.NO_WIND: "wind.turbulence.deviation {VALUE:g} m/s needs a mean speed for its "
@@ -326,15 +327,16 @@ SETUP = Messages(
         "(the slack rope has no state there); use co-simulation",
         SetupStatus.SLACK_SLING: "with a sling rope.slack must be error, got free_fall (what is "
         "below the rope has no slack rope); drop slack",
-        SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:g} s is longer than "
-        f"{Delay.MOST_TICKS} periods of {{BOUND:g}} s; lower it or raise feedback.sample_time",
+        SetupStatus.LONG_DELAY: "drive.{DRIVE}.dead_time {VALUE:.15g} s is longer than "
+        f"{Delay.MOST_TICKS} periods of {{BOUND:.15g}} s; lower it or raise feedback.sample_time",
         SetupStatus.LATE_EXCHANGE: "in model exchange drive.{DRIVE}.dead_time must be 0 s, got "
-        "{VALUE:g} s (the setpoints of the past are the importer's); delay the setpoints in the "
+        "{VALUE:.15g} s (the setpoints of the past are the importer's); delay the setpoints in the "
         "importer, or use co-simulation",
         SetupStatus.ROPE_START: "the start value of rope.length must be above 0 m, got {VALUE:g} m",
-        SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:g} m must be less than rope_max {BOUND:g} m",
-        SetupStatus.LENGTHS: "rope lengths must be positive and ascending, got {VALUE:g} to "
-        "{BOUND:g} m; set the crane's rope_min and rope_max",
+        SetupStatus.ROPE_BOUNDS: "rope_min {VALUE:.15g} m must be less than rope_max "
+        "{BOUND:.15g} m",
+        SetupStatus.LENGTHS: "rope lengths must be positive and ascending, got {VALUE:.15g} to "
+        "{BOUND:.15g} m; set the crane's rope_min and rope_max",
         SetupStatus.OBSERVER: "the observer has no finite gains between {VALUE:g} and {BOUND:g} m "
         "of rope; check masses, lags and what it expects",
         SetupStatus.UNSTABLE: "the feedback of the {DRIVE} is unstable at {VALUE:g} m of rope: a "
@@ -349,9 +351,9 @@ SETUP = Messages(
 RANGE = Messages(
     "range", RangeFault,
     {
-        RangeStatus.BELOW: "must be at least {LEAST:g}, got {VALUE:g}",
-        RangeStatus.ABOVE: "must be at most {MOST:g}, got {VALUE:g}",
-        RangeStatus.OUTSIDE: "must be at least {LEAST:g} and at most {MOST:g}, got {VALUE:g}",
+        RangeStatus.BELOW: "must be at least {LEAST:g}, got {VALUE:.15g}",
+        RangeStatus.ABOVE: "must be at most {MOST:g}, got {VALUE:.15g}",
+        RangeStatus.OUTSIDE: "must be at least {LEAST:g} and at most {MOST:g}, got {VALUE:.15g}",
     },
 )
 
@@ -371,7 +373,7 @@ START = Messages(
     {
         StartStatus.NO_ROPE: "the start value of rope.length must be above 0 m, got {VALUE:g}; its "
         "reference starts at {BOUND:g} m, see start.on_reference",
-        StartStatus.SWAY: "{PLACE} must start within 90 degrees, got {VALUE:g} rad",
+        StartStatus.SWAY: "{PLACE} must start within 90 degrees, got {VALUE:.15g} rad",
         StartStatus.FAR: f"{_FAR}; {_NEAR}",
         StartStatus.FAILED: f"at {{TIME:.3f}} s: the crane left the range of its equations; "
         f"{_FAR}; {_NEAR}",

@@ -85,14 +85,20 @@ def unknown_wind(task: Mission) -> str:
 
 
 def require_memory(task: Mission, arrival: float) -> None:
-    """Refuse missions whose results would not fit in memory; arrival: of the load [s].
+    """Refuse missions whose results would not fit in memory, or that end when they begin.
+
+    arrival: of the load [s].
 
     Raises
     ------
     InputError
-        If a run would have too many steps.
+        If a run would have too many steps, or none.
     """
     settings = task.simulation
+    if not arrival + settings.settle > 0.0:
+        raise InputError(
+            f"simulation.settle: a plan of 0 s needs a time > 0 s behind it, got {settings.settle}"
+        )
     try:
         require_steps(arrival + settings.settle, settings.step)
     except InputError as error:

@@ -24,6 +24,7 @@ from segfmu.validation.files.scenario_tables import CRANE, moment, moments
 from segfmu.validation.kept import Kept
 from segfmu.validation.monitor import Finding, judge
 from segfmu.validation.pairs import Pairs, with_arrays, without_starts
+from segfmu.validation.planned import require_memory
 from segfmu.validation.scenario import (
     AT_BUILD,
     crane_values,
@@ -179,6 +180,7 @@ class Runner:
         if own is not None:
             end = own.duration + max(own.dead_time)
         end = max(end, *(r.end for r in scenario.recordings if r is not None), 0.0)
+        require_memory(mission, end)
         return {"start": 0.0, "arrival": end, "end": end + mission.simulation.settle}
 
     def _course(self, scenario: Scenario) -> Course | None:

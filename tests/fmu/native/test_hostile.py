@@ -247,3 +247,21 @@ def test_a_state_that_a_solver_only_tries_is_discarded(native_fmus, fmi: int) ->
             assert derivatives(
                 ctypes.c_void_p(fmu.fmu.component), found, ctypes.c_size_t(fmu.states)
             ) == status
+
+
+@both
+def test_a_value_just_beyond_its_bound_is_told_with_its_digits(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][1]) as fmu:
+        with pytest.raises(Exception, match=STATUS):
+            fmu.set({"feedback.rejection.load": 1.0 + 1e-9})
+            fmu.initialise()
+        assert "at most 1, got 1.000000001" in fmu.messages[-1]
+
+
+@both
+def test_a_time_just_beyond_the_last_is_told_with_its_digits(native_fmus, fmi: int) -> None:
+    with Importer(native_fmus[fmi][1]) as fmu:
+        fmu.set({"force.hoist": -9.81, "reference.rope.length": 0.5})
+        with pytest.raises(Exception, match=STATUS):
+            fmu.initialise(1e9 + 1e-3)
+        assert "within 1e+09 s of 0, got 1000000000.001 s" in fmu.messages[-1]

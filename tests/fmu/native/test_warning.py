@@ -130,6 +130,6 @@ def test_a_dead_time_for_which_there_is_no_memory_is_refused(native_fmus, fmi: i
         with pytest.raises(FMICallException):
             unit.initialise()
         assert unit.messages == [
-            "initialisation failed: drive.bridge.dead_time 1e+06 s is longer than 100000 periods "
+            "initialisation failed: drive.bridge.dead_time 1000000 s is longer than 100000 periods "
             "of 0.01 s; lower it or raise feedback.sample_time"
         ]

@@ -69,6 +69,15 @@ CAMPAIGNS = {
         "simulation.initial_sway.0", "parameters.GantryCrane.drive.bridge.lug",
         "GantryCrane has no variable drive.bridge.lug",
     ),
+    "one key twice": (
+        "simulation.initial_sway.0", "true_crane.payload_mass",
+        "both set true_crane.payload_mass, of which only one could act; leave one out",
+    ),
+    "a key and a variant": (
+        'key = "controller.design"\nvalues = ["lqr", "flatness"]',
+        "variants = { heavy = { true_crane = { payload_mass = 2.0 } }, light = {} }",
+        "both set true_crane.payload_mass, of which only one could act; leave one out",
+    ),
     "short time": ("[sampling]", "timeout = 0.1\n[sampling]", "timeout: must be at least 1 s"),
     "search for something": (
         "[sampling]", 'search = "best"\n[sampling]',

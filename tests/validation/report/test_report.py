@@ -115,6 +115,13 @@ def test_the_peak_of_a_short_ramp_shows() -> None:
         assert max(chart.curves[0].y) == pytest.approx(100.0, abs=0.5)
 
 
+def test_a_load_that_rests_has_words_in_place_of_empty_charts() -> None:
+    limits = segfmu.Limits(1.0, 1.0, 4.0, 40.0)
+    there = [segfmu.Waypoint([0.0, 0.0, -1.0])] * 2
+    section = load_section(segfmu.plan(there, limits, axis_names="xyz"))
+    assert not section.charts and "rests in its place" in section.text
+
+
 def test_a_motion_is_compared_with_the_limit_of_its_direction() -> None:
     limits = segfmu.Limits(1.0, 1.0, 4.0, 40.0, velocity_min=-0.25, acceleration_min=-0.5)
     points = [segfmu.Waypoint([x, 0.0, -1.0]) for x in (0.0, 20.0, 0.0)]

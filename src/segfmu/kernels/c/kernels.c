@@ -42,6 +42,7 @@ static bool check_axis(int64_t first, int64_t last, array_double_2d timing, arra
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static double least_depth(void);
 static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
@@ -2247,6 +2248,10 @@ static int64_t sum_range(double* result_0, double* result_1, int64_t axis, doubl
     (*result_1) = most;
     return 0;
 }
+static double least_depth(void)
+{
+    return 1e-06;
+}
 static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work)
 {
     double lowest;
@@ -2261,7 +2266,7 @@ static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, a
     sum_range(&lowest, &highest, INT64_C(2), 1.0, 0.0, timing, coefficients, offsets, work);
     sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
     pull = (*cspan_at(&bounds, INT64_C(0))) + span_min(least, 0.0);
-    if ((highest >= 0.0) || (pull <= 0.0))
+    if ((highest > -least_depth()) || (pull <= 0.0))
     {
         return 0;
     }
@@ -2356,7 +2361,7 @@ static double demand_bound(int64_t demand, array_double_1d bounds)
         result = (*cspan_at(&bounds, INT64_C(1)));
         return result;
     }
-    return 0.0;
+    return -least_depth();
 }
 static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work)
 {
@@ -2367,7 +2372,7 @@ static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width
     bound = demand_bound(demand, bounds);
     if (demand == INT64_C(1))
     {
-        result = rope_margin(demand, tolerance, width, work);
+        result = rope_margin(demand, -bound, width, work);
         return result;
     }
     if (demand == INT64_C(2))

@@ -366,7 +366,7 @@ bool segfmu_space_message(
         return true;
     case 4:
         snprintf(text, size,
-            "workspace.%s: minimum must be below its maximum %g m, got %g m",
+            "workspace.%s: minimum must be below its maximum %.15g m, got %.15g m",
             axis[(int)report[SPACE_FAULT_AXIS]],
             report[SPACE_FAULT_BOUND],
             report[SPACE_FAULT_VALUE]);
@@ -380,7 +380,7 @@ bool segfmu_space_message(
         return true;
     case 5:
         snprintf(text, size,
-            "obstacle[%d]: minimum.%s must be below its maximum %g m, got %g m",
+            "obstacle[%d]: minimum.%s must be below its maximum %.15g m, got %.15g m",
             (int)report[SPACE_FAULT_BOX] + 1,
             axis[(int)report[SPACE_FAULT_AXIS]],
             report[SPACE_FAULT_BOUND],
@@ -526,7 +526,7 @@ bool segfmu_setup_message(
     switch (status) {
     case 1:
         snprintf(text, size,
-            "travel.%s: min %g m must be below max %g m",
+            "travel.%s: min %.15g m must be below max %.15g m",
             axis[(int)report[SETUP_FAULT_AXIS]],
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
@@ -540,7 +540,7 @@ bool segfmu_setup_message(
         return true;
     case 16:
         snprintf(text, size,
-            "drive.%s.lag must be 0 or at least %g s, got %g s; 0 is an ideal drive",
+            "drive.%s.lag must be 0 or at least %.15g s, got %.15g s; 0 is an ideal drive",
             drive[(int)report[SETUP_FAULT_DRIVE]],
             report[SETUP_FAULT_BOUND],
             report[SETUP_FAULT_VALUE]);
@@ -552,20 +552,20 @@ bool segfmu_setup_message(
         return true;
     case 4:
         snprintf(text, size,
-            "sensor.sample_time must be 0 or at least %g s, got %g s",
+            "sensor.sample_time must be 0 or at least %.15g s, got %.15g s",
             report[SETUP_FAULT_BOUND],
             report[SETUP_FAULT_VALUE]);
         return true;
     case 5:
         snprintf(text, size,
-            "sensor.dead_time %g s is longer than 100000 samples of %g s; lower it or "
-            "raise sensor.sample_time",
+            "sensor.dead_time %.15g s is longer than 100000 samples of %.15g s; lower it "
+            "or raise sensor.sample_time",
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
     case 12:
         snprintf(text, size,
-            "friction.%s.static %g N must be 0 or at least friction.%s.coulomb %g N",
+            "friction.%s.static %.15g N must be 0 or at least friction.%s.coulomb %.15g N",
             drive[(int)report[SETUP_FAULT_DRIVE]],
             report[SETUP_FAULT_VALUE],
             drive[(int)report[SETUP_FAULT_DRIVE]],
@@ -596,17 +596,17 @@ bool segfmu_setup_message(
         return true;
     case 10:
         snprintf(text, size,
-            "drive.%s.dead_time %g s is longer than 100000 periods of %g s; lower it or "
-            "raise feedback.sample_time",
+            "drive.%s.dead_time %.15g s is longer than 100000 periods of %.15g s; lower "
+            "it or raise feedback.sample_time",
             drive[(int)report[SETUP_FAULT_DRIVE]],
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
     case 11:
         snprintf(text, size,
-            "in model exchange drive.%s.dead_time must be 0 s, got %g s (the setpoints "
-            "of the past are the importer's); delay the setpoints in the importer, or "
-            "use co-simulation",
+            "in model exchange drive.%s.dead_time must be 0 s, got %.15g s (the "
+            "setpoints of the past are the importer's); delay the setpoints in the "
+            "importer, or use co-simulation",
             drive[(int)report[SETUP_FAULT_DRIVE]],
             report[SETUP_FAULT_VALUE]);
         return true;
@@ -617,13 +617,13 @@ bool segfmu_setup_message(
         return true;
     case 7:
         snprintf(text, size,
-            "rope_min %g m must be less than rope_max %g m",
+            "rope_min %.15g m must be less than rope_max %.15g m",
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
         return true;
     case 8:
         snprintf(text, size,
-            "rope lengths must be positive and ascending, got %g to %g m; set the "
+            "rope lengths must be positive and ascending, got %.15g to %.15g m; set the "
             "crane's rope_min and rope_max",
             report[SETUP_FAULT_VALUE],
             report[SETUP_FAULT_BOUND]);
@@ -658,19 +658,19 @@ bool segfmu_range_message(
     switch (status) {
     case 1:
         snprintf(text, size,
-            "must be at least %g, got %g",
+            "must be at least %g, got %.15g",
             report[RANGE_FAULT_LEAST],
             report[RANGE_FAULT_VALUE]);
         return true;
     case 3:
         snprintf(text, size,
-            "must be at most %g, got %g",
+            "must be at most %g, got %.15g",
             report[RANGE_FAULT_MOST],
             report[RANGE_FAULT_VALUE]);
         return true;
     case 2:
         snprintf(text, size,
-            "must be at least %g and at most %g, got %g",
+            "must be at least %g and at most %g, got %.15g",
             report[RANGE_FAULT_LEAST],
             report[RANGE_FAULT_MOST],
             report[RANGE_FAULT_VALUE]);
@@ -708,7 +708,7 @@ bool segfmu_start_message(
         return true;
     case 2:
         snprintf(text, size,
-            "%s must start within 90 degrees, got %g rad",
+            "%s must start within 90 degrees, got %.15g rad",
             place[(int)report[START_FAULT_PLACE]],
             report[START_FAULT_VALUE]);
         return true;

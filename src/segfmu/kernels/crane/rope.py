@@ -83,7 +83,7 @@ def is_rope_easy(
     least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
     # an axis may rest before the others do
     pull = bounds[RopeBounds.GRAVITY] + min(least, 0.0)
-    if highest >= 0.0 or pull <= 0.0:
+    if highest > -least_depth() or pull <= 0.0:
         return False
     square = 1.0
     for axis in range(2):
@@ -95,6 +95,11 @@ def is_rope_easy(
     return -highest >= bounds[RopeBounds.SHORTEST]
 
 
+def least_depth() -> float:
+    """Least distance of the load below the trolley [m]; nothing swings on a shorter rope."""
+    return 1e-6
+
+
 def demand_bound(demand: int, bounds: 'float[:]') -> float:
     """Bound of a demand: height [m], downward acceleration [m/s2] or length [m]."""
     if demand == RopeDemand.TAUT:
@@ -103,7 +108,7 @@ def demand_bound(demand: int, bounds: 'float[:]') -> float:
         return bounds[RopeBounds.LONGEST]
     if demand == RopeDemand.NOT_TOO_SHORT:
         return bounds[RopeBounds.SHORTEST]
-    return 0.0
+    return -least_depth()
 
 
 def rope_demand(demand: int, bounds: 'float[:]', width: int, work: 'float[:,:]') -> int:
@@ -111,7 +116,7 @@ def rope_demand(demand: int, bounds: 'float[:]', width: int, work: 'float[:,:]')
     tolerance = 1e-9
     bound = demand_bound(demand, bounds)
     if demand == RopeDemand.BELOW_TROLLEY:
-        return rope_margin(demand, tolerance, width, work)
+        return rope_margin(demand, -bound, width, work)
     if demand == RopeDemand.TAUT:
         return rope_margin(demand, tolerance * bound, width, work)
     if bound <= 0.0:

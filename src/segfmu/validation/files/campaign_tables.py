@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_validator
 
 from segfmu.validation.files.keys import Key, Number, Seed, Table
+from segfmu.validation.files.reading import leaves
 from segfmu.validation.files.scenario_tables import (
     CriterionTable,
     Name,
@@ -131,6 +132,13 @@ def _check_values(factor: FactorTable) -> None:
         raise ValueError("relative is for numbers")
 
 
+def _keys(factor: FactorTable) -> set[str]:
+    """Keys of the scenario that a factor sets."""
+    if factor.key is not None:
+        return {factor.key}
+    return {key for own in (factor.variants or {}).values() for key, _ in leaves(own)}
+
+
 class ChangesTable(ScenarioFile):
     """Changes of a scenario: its keys, none of which is required."""
 
@@ -222,4 +230,13 @@ class CampaignFile(Table):
             double = next((n for n in names if names.count(n) > 1), None)
             if double is not None:
                 raise ValueError(f"{kind}: two of them are called {double}")
+        owners: dict[str, str] = {}
+        for factor in self.factors:
+            for key in _keys(factor):
+                if key in owners:
+                    raise ValueError(
+                        f"factors: {owners[key]} and {factor.name} both set {key}, of which only "
+                        "one could act; leave one out, or make variants of them"
+                    )
+                owners[key] = factor.name
         return self

@@ -39,6 +39,8 @@ WITHOUT_KEY = {
 # cranes that were found right: each run of a campaign has the nominal one
 _right: set[str] = set()
 MOST_RIGHT = 64
+# trolley over load; a free trolley swings as the root of it faster than the load alone
+LIGHTEST = 1e-3
 
 
 @cache
@@ -183,6 +185,17 @@ def tighter(own: ActuatorBounds, more: Mapping[str, Any]) -> ActuatorBounds | No
     return found if found.known else None
 
 
+def _require_heavy(crane: CraneFile) -> None:
+    """Refuse a trolley that the load moves as it likes; with velocity drives no mass matters."""
+    least = LIGHTEST * crane.payload_mass
+    if crane.drive == "force" and crane.trolley_mass < least:
+        raise InputError(
+            f"trolley_mass: {crane.trolley_mass:g} kg swings against a load of "
+            f"{crane.payload_mass:g} kg too fast to be followed; give it {least:g} kg or more, or "
+            'choose drive = "velocity"'
+        )
+
+
 def check(crane: CraneFile, where: str) -> None:
     """What no single key shows; `where` names the file or the table.
 
@@ -200,6 +213,7 @@ def check(crane: CraneFile, where: str) -> None:
         value: Value = start_values(models(crane).plant(), parameters(crane)).__getitem__
         plant = Rig.of(value).parameters(own, crane.drive == "velocity")
         require_fitting(plant, value("feedback.sample_time"))
+        _require_heavy(crane)
     allowed = crane.load.mass_range
     if allowed is not None:
         if allowed[0] > allowed[1]:

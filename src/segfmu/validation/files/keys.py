@@ -171,6 +171,8 @@ NO_BOUND = "no bound is known"
 
 def printable(text: str) -> str:
     """Check a title of tables and plots: one line, no control characters."""
+    if not text.strip():
+        raise ValueError("must not be empty")
     if not text.isprintable():
         raise ValueError("must be one line of printable characters")
     return text

@@ -162,6 +162,14 @@ class Mission(Table):
         """The crane that is simulated."""
         return self.true_crane or self.crane
 
+    @property
+    def driven(self) -> CraneFile:
+        """The crane that is simulated, with the drives that the run has."""
+        drive = self.simulation.drive
+        return self.simulated if drive is None else self.simulated.model_copy(
+            update={"drive": drive}
+        )
+
     def build_crane(self) -> AnyCrane:
         """The crane that is planned for."""
         return crane_parameters.nominal(self.crane)
@@ -330,7 +338,8 @@ def build_mission(path: Path | None, data: Mapping[str, Any]) -> Mission:
     mission = checked(Mission, data, where)
     mission._file = path
     try:
-        for name, crane in (("crane", mission.crane), ("true_crane", mission.simulated)):
+        true = "crane" if mission.true_crane is None else "true_crane"
+        for name, crane in (("crane", mission.crane), (true, mission.driven)):
             crane_parameters.check(crane, name)
         check_models(mission)
         check_waypoints(mission)

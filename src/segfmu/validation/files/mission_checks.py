@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from segfmu.errors import InputError
+from segfmu.kernels.crane.rope import least_depth
 from segfmu.validation.files.keys import AXES
 
 if TYPE_CHECKING:
@@ -25,9 +26,10 @@ def check_waypoints(mission: Mission) -> None:
     for i, entry in enumerate(points, 1):
         if mission.limits is not None:
             _check_limits(mission.limits, i, entry)
-        if entry.position[2] >= 0.0:
+        if entry.position[2] > -least_depth():
             raise InputError(
-                f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, z < 0"
+                f"waypoints.{i}.position: z {entry.position[2]} m must be below the trolley, "
+                f"z <= {-least_depth():g}"
             )
         moving = next(_moving(entry), None)
         if entry.dwell > 0.0 and moving:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from sys import float_info
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, StrictBool
@@ -29,6 +29,7 @@ Limit = Annotated[float, Field(ge=1e-6, le=1e6), NUMBER]
 LowerLimit = Annotated[float, Field(ge=-1e6, le=-1e-6), NUMBER]
 # of the higher derivatives
 HighLimit = Annotated[float, Field(ge=1e-6, le=1e12), NUMBER]
+LARGEST = float_info.max
 Angle = Annotated[float, Field(ge=-45.0, le=45.0), NUMBER]
 
 
@@ -43,7 +44,8 @@ def _state(value: Any) -> Any:
 
 def _finite(value: Any) -> bool:
     number = isinstance(value, int | float) and not isinstance(value, bool)
-    return number and isfinite(value)
+    # an integer may be larger than any float
+    return number and -LARGEST <= value <= LARGEST
 
 
 State = Annotated[Triple | Literal["free"], BeforeValidator(_state)]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
@@ -11,7 +12,8 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from segfmu.errors import InputError
+from segfmu.arrays import shown
+from segfmu.errors import InputError, first_line
 from segfmu.validation.files.keys import Entry, Table, entries
 
 Checked = TypeVar("Checked", bound=Table)
@@ -44,7 +46,7 @@ def read(path: Path) -> dict[str, Any]:
             data = file.read(LARGEST + 1)
         if len(data) > LARGEST:
             raise InputError(f"{path}: larger than {LARGEST // 1_000_000} MB, no crane or mission")
-        return tomllib.loads(data.decode("utf-8-sig"))
+        return _parsed(path, data.decode("utf-8-sig"))
     except IsADirectoryError:
         raise InputError(f"{path}: this is a folder; name a file in it") from None
     except OSError as error:
@@ -53,9 +55,47 @@ def read(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: not a text file in UTF-8") from None
     except InputError:
         raise
-    except (ValueError, RecursionError) as error:
-        # not only TOML errors: numbers with thousands of digits, paths with a null character
-        raise InputError(f"{path}: not valid TOML: {error}".splitlines()[0]) from None
+    except ValueError as error:
+        # a path with a null character
+        raise InputError(f"{path}: cannot be read: {error}") from None
+
+
+def _parsed(path: Path, text: str) -> dict[str, Any]:
+    """The tables of a text; integers beyond those of TOML are refused, as nothing takes them."""
+    try:
+        found = tomllib.loads(text)
+        key = next((key for key, value in leaves(found) if _is_long(value)), None)
+        if key is None:
+            return found
+        cause = f"{key} has more than the 64 bits of an integer"
+    except tomllib.TOMLDecodeError as error:
+        cause = first_line(error)
+    except RecursionError:
+        cause = "tables or lists in each other too deep"
+    except ValueError:
+        # an integer of more digits than Python reads
+        lines = enumerate(text.splitlines(), 1)
+        most, line = max((max(map(len, re.findall(r"[\d_]+", t)), default=0), n) for n, t in lines)
+        cause = f"a number of {most} digits (at line {line})"
+    raise InputError(f"{path}: not valid TOML: {cause}")
+
+
+def leaves(data: Any, name: str = "") -> Iterator[tuple[str, Any]]:
+    """All values of a table, and of those in it, with their keys; a list is one value."""
+    if not isinstance(data, Mapping):
+        yield name, data
+        return
+    for key, value in data.items():
+        yield from leaves(value, f"{name}.{key}" if name else str(key))
+
+
+def _is_long(value: Any) -> bool:
+    """Whether a value is an integer beyond those of TOML, or has one."""
+    if isinstance(value, list):
+        return any(_is_long(v) for v in value)
+    if isinstance(value, Mapping):
+        return any(_is_long(v) for v in value.values())
+    return isinstance(value, int) and not -(2**63) <= value < 2**63
 
 
 def checked(kind: type[Checked], data: Mapping[str, Any], where: str) -> Checked:
@@ -125,7 +165,7 @@ def _finding(kind: type[Table], problem: ErrorDetails) -> str:
     if problem["type"] == "value_error" and not single:
         # of a table: the text names the keys that do not fit each other
         return f"{key}: {text}" if key else text
-    return f"{key or 'file'}: {text}, got {_short(repr(problem['input']))}"
+    return f"{key or 'file'}: {text}, got {shown(problem['input'])}"
 
 
 def _text(problem: ErrorDetails, entry: Entry | None) -> str:

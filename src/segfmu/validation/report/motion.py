@@ -55,6 +55,8 @@ def load_section(trajectory: Trajectory, given: bool = True) -> Section:
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     times = np.unique(np.concatenate([times, ends, between]))
     times = times[times <= trajectory.duration]
+    if trajectory.duration == 0.0:
+        return Section("Load against its limits", "The load rests in its place: the plan is 0 s.")
     table = trajectory.limits.sides(trajectory.axes, trajectory.smoothness)
     charts = [_position(trajectory, times)]
     for order, name in enumerate(NAMES[: min(trajectory.smoothness, 4)], 1):

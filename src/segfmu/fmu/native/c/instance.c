@@ -189,7 +189,7 @@ bool glue_finite(instance *c, double value, const char *what)
 bool glue_time(instance *c, double time, const char *what)
 {
     if (!(fabs(time) <= LATEST)) {
-        glue_log(c, STATUS_ERROR, "%s must be within %g s of 0, got %g s", what, LATEST, time);
+        glue_log(c, STATUS_ERROR, "%s must be within %g s of 0, got %.15g s", what, LATEST, time);
         return false;
     }
     return true;
