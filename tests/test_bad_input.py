@@ -128,6 +128,9 @@ PROFILE = '[[profiles]]\nvariable = "a"\ntimes = [0, 1]\nvalues = [1, 2]\n'
 RECORDED = '[[profiles]]\nfile = "r.csv"\n'
 SCENARIOS = {
     "twice": (SCENARIO + 2 * CRITERION, "sc.toml: criteria: two of them are called c"),
+    "events": (SCENARIO + CRITERION + 2 * "[[events]]\ntime = 0.1\nvalues = { a = 1.0 }\n",
+               "sc.toml: events: two of them set a at 0.1, of which only one could act; leave one "
+               "out, or move it"),
     "lead": (SCENARIO + "lead = true\n" + CRITERION, 'sc.toml: lead is for coupling = "parallel"'),
     "kind": (SCENARIO + CRITERION + 'kind = "at"\n', "criteria.1: at is missing, which the kind at "
              "needs"),

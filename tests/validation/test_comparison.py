@@ -105,3 +105,9 @@ def test_one_per_cent_of_a_gain_is_found(
 ) -> None:
     assert judged(monkeypatch, runs["gain"], runs["flat"]) == 1
     assert "leaves its tube at" in capsys.readouterr().out
+
+
+def test_a_reference_without_signals_is_no_agreement() -> None:
+    times = {"time": np.linspace(0.0, 1.0, 5)}
+    with pytest.raises(InputError, match=r"^the reference has no signal beside time: nothing"):
+        compare(times | {"a": times["time"]}, times, tube_time=0.0, tube_value=0.0)

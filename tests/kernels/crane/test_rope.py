@@ -37,8 +37,9 @@ def test_a_hanging_load_passes() -> None:
 
 def test_a_load_that_rises_to_the_trolley() -> None:
     status, time, worst, bound = judge([[0.0]], [[0.0]], [[-0.25, 0.5]])
-    assert (status, bound) == (1, 0.0)
-    assert time == pytest.approx(0.5, abs=1e-8)
+    assert (status, bound) == (1, -1e-6)
+    # 1e-6 m below the trolley, at a velocity of 0.5 m/s
+    assert time == pytest.approx(0.5 - 1e-6 / 0.5, abs=1e-8)
     assert worst == pytest.approx(0.25)
 
 
@@ -92,7 +93,7 @@ def test_an_earlier_demand_is_told_first_even_if_it_fails_later() -> None:
     # too long from the start, at the trolley's height in the end
     status, time, _, _ = judge([[0.0]], [[0.0]], [[-1.0, 1.5]], longest=0.9)
     assert status == 1
-    assert time == pytest.approx(2.0 / 3.0, abs=1e-8)
+    assert time == pytest.approx((1.0 - 1e-6) / 1.5, abs=1e-8)
 
 
 def test_a_touch_between_two_samples_is_found() -> None:

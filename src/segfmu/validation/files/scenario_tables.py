@@ -283,6 +283,15 @@ class ScenarioFile(Table):
             double = next((n for n in names if names.count(n) > 1), None)
             if double is not None:
                 raise ValueError(f"{kind}: two of them are called {double}")
+        set_before: set[tuple[float | str, str, str]] = set()
+        for event in self.events:
+            for name in event.values:
+                if (event.time, event.fmu, name) in set_before:
+                    raise ValueError(
+                        f"events: two of them set {name} at {event.time}, of which only one could "
+                        "act; leave one out, or move it"
+                    )
+                set_before.add((event.time, event.fmu, name))
         if self.lead and self.coupling != "parallel":
             raise ValueError('lead is for coupling = "parallel"')
         return self
