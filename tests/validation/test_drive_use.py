@@ -19,7 +19,7 @@ from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import bounds as crane_bounds
 from segfmu.validation.files.mission import load_mission
 from segfmu.validation.files.reading import checked
-from segfmu.validation.monitor import drive_use
+from segfmu.validation.monitor import Signals, drive_use
 from segfmu.validation.plots import plot_drives
 
 CRANE = """
@@ -134,7 +134,7 @@ def test_a_run_is_compared_with_the_bound_of_each_direction() -> None:
     for name, use in expected.items():
         assert found[name].use == pytest.approx(use, rel=1e-2), name
     assert found["trolley velocity_min"].time == pytest.approx(1.0)
-    use = drive_use(rows, crane)
+    use = drive_use(Signals(rows), crane)
     # 2 of 2.5 N ahead, then 2 of 2.5 m/s2 and 4 of 5 N back
     assert use == pytest.approx(0.8, rel=1e-2)
 

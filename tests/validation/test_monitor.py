@@ -7,7 +7,7 @@ import pytest
 
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.scenario_tables import CriterionTable
-from segfmu.validation.monitor import judge
+from segfmu.validation.monitor import Signals, judge
 
 MASSES = {"bridge_mass": 2.0, "trolley_mass": 1.0, "payload_mass": 1.0}
 KNOWN = {"start": 0.0, "arrival": 1.5, "end": 3.0}
@@ -24,7 +24,7 @@ def margin(values: list[float], crane: CraneFile | None = None, **keys: object) 
     rows["a"] = rows["bridge.velocity"] = values
     signal = {} if keys.get("kind") == "drives" else {"signal": "a"}
     criterion = CriterionTable.model_validate({"name": "c", "bound": 1.0} | signal | keys)
-    return judge(criterion, rows, KNOWN, crane or CraneFile.model_validate(MASSES)).margin
+    return judge(criterion, Signals(rows), KNOWN, crane or CraneFile.model_validate(MASSES)).margin
 
 
 @pytest.mark.parametrize(("window", "expected"), [

@@ -61,9 +61,7 @@ class Rig:
         found |= self.wind.values()
         # the item of the enumeration
         found["drive.mode"] = 1 + (DriveMode.VELOCITY if driven else DriveMode.FORCE)
-        packed = filled(Plant, found.__getitem__)
-        packed[Plant.SUSPENSION : Plant.SLING + 1] = crane.suspension, *crane.tackle
-        return packed
+        return plant_record(crane, found.__getitem__)
 
     @classmethod
     def of(cls, value: Value) -> Rig:
@@ -80,6 +78,13 @@ class Rig:
             kept(TravelLimits, TRAVEL, value), kept(Sensors, SENSORS, value), Wind.of(value),
             tuple(_change(value, i) for i in range(1, int(value("payload.count")) + 1)),
         )
+
+
+def plant_record(crane: AnyCrane, value: Value) -> FloatArray:
+    """The kernels' `Plant` of a crane and the variables of its FMU; `value` gives them by name."""
+    packed = filled(Plant, value)
+    packed[Plant.SUSPENSION : Plant.SLING + 1] = crane.suspension, *crane.tackle
+    return packed
 
 
 def require_fitting(plant: FloatArray, period: float) -> None:

@@ -37,3 +37,28 @@ class Kept(Generic[Value]):
         """Drop everything."""
         while self._values:
             self._drop(self._values.popitem()[1])
+
+
+class Right:
+    """Keys of what was found right: runs of a campaign have most of it in common.
+
+    Threads may share it. When it is full it begins anew.
+
+    Parameters
+    ----------
+    most : int
+        Keys that are remembered.
+    """
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._keys: set[Hashable] = set()
+
+    def __contains__(self, key: Hashable) -> bool:
+        return key in self._keys
+
+    def add(self, key: Hashable) -> None:
+        """Remember a key."""
+        if len(self._keys) >= self._most:
+            self._keys.clear()
+        self._keys.add(key)

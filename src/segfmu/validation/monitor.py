@@ -64,22 +64,59 @@ class Finding:
         return self.margin >= 0.0
 
 
+class Signals:
+    """The columns of a run's rows, each read once: rows are wide, criteria have columns in common.
+
+    Parameters
+    ----------
+    rows : structured array
+        "time" and the variables of the run.
+
+    Attributes
+    ----------
+    times : array, shape (rows,)
+        [s]
+    """
+
+    def __init__(self, rows: NDArray[np.void]) -> None:
+        self.times: FloatArray = np.ascontiguousarray(rows["time"])
+        self._rows = rows
+        self._columns: dict[str, FloatArray] = {}
+
+    def __getitem__(self, name: str) -> FloatArray:
+        """The column of a variable.
+
+        Raises
+        ------
+        InputError
+            For a variable that the run does not have.
+        """
+        if name not in self._columns:
+            names = [n for n in self._rows.dtype.names or () if n != "time"]
+            if name not in names:
+                near = get_close_matches(name, names, n=1)
+                hint = f"; did you mean {near[0]}?" if near else ""
+                raise InputError(f"no variable {name} in the run{hint}")
+            self._columns[name] = self._rows[name].astype(np.float64)
+        return self._columns[name]
+
+
 def judge(
-    criterion: CriterionTable, rows: NDArray[np.void], known: Mapping[str, float],
-    crane: CraneFile, nominal: NDArray[np.void] | None = None,
+    criterion: CriterionTable, rows: Signals, known: Mapping[str, float],
+    crane: CraneFile, nominal: Signals | None = None,
 ) -> Finding:
     """Judge a run by one criterion.
 
     Parameters
     ----------
     criterion : CriterionTable
-    rows : structured array
-        "time" and the variables of the run.
+    rows : Signals
+        Of the run.
     known : mapping
         Times of "start", "arrival" and "end" [s].
     crane : CraneFile
         Whose bounds of the drives are meant.
-    nominal : structured array, optional
+    nominal : Signals, optional
         The run that the bound is relative to.
 
     Raises
@@ -87,7 +124,7 @@ def judge(
     InputError
         For variables that the run does not have, and an empty window.
     """
-    times, span = np.ascontiguousarray(rows["time"]), _window(criterion, known)
+    times, span = rows.times, _window(criterion, known)
     if criterion.kind == "drives":
         bound = 1.0 if criterion.bound is None else criterion.bound
         use = drive_use(rows, crane)
@@ -97,7 +134,7 @@ def judge(
     assert criterion.bound is not None
     bound = criterion.bound
     if nominal is not None:
-        compared = _within(nominal["time"], _quantity(criterion, nominal), span)
+        compared = _within(nominal.times, _quantity(criterion, nominal), span)
         bound *= float(np.abs(compared).max())
     values = _within(times, _quantity(criterion, rows), span)
     sign = -1.0 if criterion.sense == "at least" else 1.0
@@ -120,7 +157,7 @@ def title(criterion: CriterionTable) -> str:
     return f"norm({', '.join(signal)})" if isinstance(signal, list) else signal or "drives"
 
 
-def drive_use(rows: NDArray[np.void], crane: CraneFile) -> FloatArray:
+def drive_use(rows: Signals, crane: CraneFile) -> FloatArray:
     """Greatest use of force, velocity, acceleration and power of any drive, as a share of bounds.
 
     Raises
@@ -139,9 +176,9 @@ def drive_use(rows: NDArray[np.void], crane: CraneFile) -> FloatArray:
             limits = getattr(known, quantity)[i], known.lower(quantity)[i]
             for sign, most in zip((1.0, -1.0), limits, strict=True):
                 if np.isfinite(most):
-                    values = sign * _column(rows, signal)
+                    values = sign * rows[signal]
                     if quantity == "acceleration":
-                        values = _acceleration(rows["time"], values)
+                        values = _acceleration(rows.times, values)
                     shares.append(values / most)
     if not shares:
         raise InputError(
@@ -161,12 +198,12 @@ def _acceleration(times: FloatArray, velocity: FloatArray) -> FloatArray:
     return found
 
 
-def _quantity(criterion: CriterionTable, rows: NDArray[np.void]) -> FloatArray:
+def _quantity(criterion: CriterionTable, rows: Signals) -> FloatArray:
     """What is compared with the bound, at all rows."""
     signal = criterion.signal
     assert signal is not None
     parts = DERIVED.get(signal, (signal,)) if isinstance(signal, str) else tuple(signal)
-    columns = [_column(rows, name) for name in parts]
+    columns = [rows[name] for name in parts]
     if criterion.reference is not None:
         columns = [
             column - _reference(criterion.reference, name, rows)
@@ -178,26 +215,16 @@ def _quantity(criterion: CriterionTable, rows: NDArray[np.void]) -> FloatArray:
     return np.abs(columns[0]) if criterion.sense == "within" else columns[0]
 
 
-def _reference(name: str, signal: str, rows: NDArray[np.void]) -> FloatArray:
+def _reference(name: str, signal: str, rows: Signals) -> FloatArray:
     if not name.endswith(".csv"):
-        return _column(rows, name)
+        return rows[name]
     table = read_table(Path(name))
     if signal not in table:
         raise InputError(f"{name}: no column {signal}")
-    times, given = rows["time"], table["time"]
+    times, given = rows.times, table["time"]
     if given[0] > times[0] + INSTANT or given[-1] < times[-1] - INSTANT:
         raise InputError(f"{name}: does not last as long as the run, {times[-1]:.6g} s")
     column: FloatArray = np.interp(times, given, table[signal])
-    return column
-
-
-def _column(rows: NDArray[np.void], name: str) -> FloatArray:
-    if name == "time" or name not in (rows.dtype.fields or {}):
-        names = [n for n in rows.dtype.names or () if n != "time"]
-        near = get_close_matches(name, names, n=1)
-        hint = f"; did you mean {near[0]}?" if near else ""
-        raise InputError(f"no variable {name} in the run{hint}")
-    column: FloatArray = rows[name].astype(np.float64)
     return column
 
 

@@ -72,17 +72,20 @@ class Pairs:
         return self._pairs[key]
 
     def values(
-        self, mission: Mission, trajectory: Trajectory, fmi: int
+        self, mission: Mission, trajectory: Trajectory, fmi: int, known: str
     ) -> Starts:
-        """Parameters of both FMUs whose start values differ from their archives', and all gains."""
-        pair, planned = self.get(mission, trajectory, fmi), _planned(mission)
+        """Parameters of both FMUs whose start values differ from their archives', and all gains.
+
+        known : all that planner and design know of the mission, beside the mode of the drives.
+        """
+        pair = self.get(mission, trajectory, fmi)
 
         def make() -> Starts:
-            own = _native(specs(planned, trajectory))
+            own = _native(specs(_planned(mission), trajectory))
             first, second = map(_differences, pair.interfaces, own)
             return first, second, _table(own[1])
 
-        return self._starts.get((id(pair), planned.model_dump_json()), make)
+        return self._starts.get((id(pair), known, mission.simulation.drive), make)
 
 
 def _planned(mission: Mission) -> Mission:

@@ -18,11 +18,11 @@ from segfmu.validation.baselines.course import Course
 from segfmu.validation.baselines.course import changes as inputs
 from segfmu.validation.baselines.methods import course, position_gains
 from segfmu.validation.files.crane_parameters import models
-from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission import DISTURBED, Mission
 from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.files.scenario_tables import CRANE, moment, moments
 from segfmu.validation.kept import Kept
-from segfmu.validation.monitor import Finding, judge
+from segfmu.validation.monitor import Finding, Signals, judge
 from segfmu.validation.pairs import Pairs, with_arrays, without_starts
 from segfmu.validation.planned import require_memory
 from segfmu.validation.scenario import (
@@ -44,8 +44,6 @@ UNPLANNED: dict[str, Any] = {
     "name": True, "true_crane": True, "simulation": True,
     "crane": {"name", "drive", "travel", "sensors", "load", "controller", "wind"},
 }
-# keys that the planner does not know
-DISTURBED = {"name", "true_crane", "simulation"}
 Rows = NDArray[np.void]
 
 
@@ -223,15 +221,15 @@ class Runner:
         self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float], rows: Rows
     ) -> Iterator[Finding]:
         """Judge all criteria; runs that bounds are relative to are made once."""
-        nominal: dict[str, Rows] = {}
+        own, nominal = Signals(rows), dict[str, Signals]()
         others = {"without feedback": _without_feedback, "undisturbed": _undisturbed}
         for criterion in scenario.file.criteria:
             key = criterion.against
             if key is not None and key not in nominal:
-                nominal[key] = self._rows(others[key](scenario), trajectory, known)
+                nominal[key] = Signals(self._rows(others[key](scenario), trajectory, known))
             crane = scenario.mission.simulated
             try:
-                yield judge(criterion, rows, known, crane, nominal.get(key or ""))
+                yield judge(criterion, own, known, crane, nominal.get(key or ""))
             except InputError as error:
                 raise InputError(f"criterion {criterion.name}: {error}") from None
 
@@ -247,11 +245,11 @@ class Runner:
         """Parameters and start values of all FMUs."""
         file, mission = scenario.file, scenario.mission
         lead = {LEAD: mission.simulation.step} if file.lead else {}
-        changed, sink, gains = self._pairs.values(mission, trajectory, file.fmi)
+        known = mission.model_dump_json(exclude=DISTURBED)
+        changed, sink, gains = self._pairs.values(mission, trajectory, file.fmi, known)
         interfaces = self._pairs.get(mission, trajectory, file.fmi).interfaces
         passed = with_arrays if file.fmi == 3 else without_starts
-        planned = mission.model_dump_json(exclude=DISTURBED), file.fmi
-        source = self._sources.get(planned, lambda: passed(
+        source = self._sources.get((known, file.fmi), lambda: passed(
             interfaces[0], changed | feedforward_values(mission, trajectory)
         ))
         # weights are those of the build
@@ -279,7 +277,7 @@ class Runner:
         file, step = scenario.file, scenario.mission.simulation.step
         pair = self._pairs.get(scenario.mission, trajectory, file.fmi)
         both = models(scenario.mission.crane)
-        archives, outputs = pair.paths, [v.name for v in pair.interfaces[1].where("output")]
+        archives = pair.paths
         others = {unit.name: Path(unit.path) for unit in file.fmus}
         steps = {unit.name: unit.step for unit in file.fmus if unit.step is not None}
         for name in others:
@@ -295,6 +293,7 @@ class Runner:
                 if planned and (both.crane, name) not in taken
             ]
             first = {both.feedforward: archives[0]} if planned else {}
+            outputs = [v.name for v in pair.interfaces[1].where("output")]
             # of the crane alone: what it follows is among the rows too
             alone = {**dict.fromkeys(others), both.crane: [*outputs, *both.shared]}
             return System(

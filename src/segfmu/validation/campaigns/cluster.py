@@ -21,9 +21,9 @@ from segfmu.validation.files.scenario_file import Source
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-# s; runs are handed out for so long at a time
-SHARE = 0.5
-MOST_SHARED = 64
+# s; runs are handed out for so long at a time: a share takes as much of the processor as a run
+SHARE = 1.0
+MOST_SHARED = 128
 # shares on their way to each worker's thread: one that runs and one that waits
 AHEAD = 2
 # of a future whose worker died with the result: it is made again

@@ -16,7 +16,7 @@ from segfmu.crane import ActuatorBounds, Crane, Friction, Rig
 from segfmu.crane.bounds import DIRECTED
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.linear import usual_sample_time
-from segfmu.crane.rig import require_fitting
+from segfmu.crane.rig import plant_record, require_fitting
 from segfmu.crane.variables import Value
 from segfmu.errors import InputError
 from segfmu.fmu.pair import ModelPair
@@ -25,6 +25,7 @@ from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_models import FURTHER, model_of, table_of
 from segfmu.validation.files.equipment_tables import STOPPED
 from segfmu.validation.files.keys import DRIVES, Entry, entries
+from segfmu.validation.kept import Right
 
 # parameters of the cranes that no key sets, by the beginning of their names, and why
 WITHOUT_KEY = {
@@ -36,9 +37,8 @@ WITHOUT_KEY = {
 }
 
 
-# cranes that were found right: each run of a campaign has the nominal one
-_right: set[str] = set()
-MOST_RIGHT = 64
+# cranes that were found right
+_right = Right(64)
 # trolley over load; a free trolley swings as the root of it faster than the load alone
 LIGHTEST = 1e-3
 
@@ -211,8 +211,8 @@ def check(crane: CraneFile, where: str) -> None:
         own = nominal(crane)
         model_of(crane).check_crane(crane)
         value: Value = start_values(models(crane).plant(), parameters(crane)).__getitem__
-        plant = Rig.of(value).parameters(own, crane.drive == "velocity")
-        require_fitting(plant, value("feedback.sample_time"))
+        Rig.of(value)
+        require_fitting(plant_record(own, value), value("feedback.sample_time"))
         _require_heavy(crane)
     allowed = crane.load.mass_range
     if allowed is not None:
@@ -223,6 +223,4 @@ def check(crane: CraneFile, where: str) -> None:
                 f"{where}: payload_mass: {crane.payload_mass} kg is outside load.mass_range "
                 f"{allowed[0]} to {allowed[1]} kg"
             )
-    if len(_right) >= MOST_RIGHT:
-        _right.clear()
     _right.add(text)
