@@ -229,7 +229,7 @@ def test_what_cannot_be_planned_is_told_and_can_be_corrected(native_fmus, values
         ({"rope.length": 0.0}, "the start value of rope.length must be above 0 m"),
         ({"drive.mode": "velocity"}, "feedback.table are for the other drive.mode"),
         ({"sensor.dead_time": 0.1}, "set sensor.sample_time above 0 s"),
-        ({"travel.bridge.min": 2e9}, "travel.bridge: min 2e+09 m must be below max"),
+        ({"travel.bridge.min": 2e9}, "travel.bridge: min 2000000000 m must be below max"),
         ({"crane.rope_min": 2.0}, "rope_min 2 m must be less than rope_max 1.5 m"),
         ({"feedback.table[3].length": 0.01}, "feedback.table[3].length"),
     ],
