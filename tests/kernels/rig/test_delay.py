@@ -120,7 +120,8 @@ def test_no_dead_time_no_memory() -> None:
 
 
 def test_too_long_a_dead_time_is_refused_by_name() -> None:
-    with pytest.raises(InputError, match=r"drive\.trolley\.dead_time 1000000000 s is longer than"):
+    refused = r"drive\.trolley\.dead_time 1000000000 s is longer than 1000"
+    with pytest.raises(InputError, match=refused):
         late(LAB, Off(), (0.0, 1e9, 0.0), driven=False)
 
 
