@@ -228,7 +228,7 @@ CRANES = {
     "no name": ('name = ""\n', "name: must not be empty, got ''"),
     "blank name": ('name = "  "\n', "name: must not be empty, got ' '"),
     "two changes": ("load.changes = [{ time = 2, mass = 1.0 }, { time = 2.0, mass = 2.0 }]\n",
-                    "load: two changes are at 2 s; leave one out, or move it"),
+                    "two changes of the load are at 2 s, and one alone can count; leave one out"),
 }
 
 

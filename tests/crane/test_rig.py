@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from segfmu import Crane
+from segfmu import Crane, InputError
 from segfmu.crane import (
     Drive,
     Friction,
@@ -28,6 +28,13 @@ LAB = Crane(2.2, 1.155, 1.0)
 BARE = replace(LAB, payload_mass=1e-9)
 HANGING = LAB.hanging([0.0, 0.0, -0.5])
 INTECO = Friction((100.0, 82.0, 75.0), (5.0, 7.5, 10.0), 1e-3, 0.01)
+
+
+def test_two_changes_of_the_load_at_one_time_are_refused() -> None:
+    changes = [PayloadChange(time, mass) for time, mass in ((3.0, 1.0), (2.0, 4.0), (3.0, 2.0))]
+    assert Rig(payload=tuple(changes[:2])).changes.tolist() == [[3.0, 1.0], [2.0, 4.0]]
+    with pytest.raises(InputError, match="two changes of the load are at 3 s"):
+        Rig(payload=tuple(changes))
 
 
 def hold(crane: Crane, velocity=(0.0, 0.0, 0.0)) -> Setpoints:

@@ -652,6 +652,7 @@ def rig_calls() -> dict[str, Call]:
         "check_friction": (np.array([2.0, 0.0, 0.0]), np.ones(3), fault.copy()),
         "wind_speed": (np.array([3.0, 4.0, 0.0]),),
         "check_turbulence": (zeros(3), np.array([0.0, 1.0, 0.0]), fault.copy()),
+        "check_changes": (np.array([[1.0, 2.0], [1.0, 3.0]]), fault.copy()),
         "check_slack": (settings[Settings.PLANT].copy(), 1, fault.copy()),
         "check_delays": (settings[Settings.PLANT].copy(), 0.01, 0, fault.copy()),
         "check_sensors": (settings[Settings.SENSORS].copy(), fault.copy()),

@@ -50,6 +50,12 @@ def test_the_first_signal_its_time_and_excess() -> None:
     assert found[0].time == pytest.approx(0.501) and found[0].excess == pytest.approx(0.2)
 
 
+def test_what_is_no_number_later_hides_no_excess() -> None:
+    result = ramp() | {"a": np.where(TIMES > 1.5, np.nan, ramp()["a"] + 0.3 * (TIMES > 0.5))}
+    (found,) = compare(result, ramp(), tube_time=0.0, tube_value=0.1)
+    assert str(found) == "a leaves its tube at 0.501 s by 0.2 (at most by 0.2)"
+
+
 def test_other_rows_and_what_is_no_number() -> None:
     coarse = {n: v[::7] for n, v in ramp().items()}
     coarse = {n: np.append(v, ramp()[n][-1]) for n, v in coarse.items()}

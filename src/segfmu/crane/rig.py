@@ -31,7 +31,12 @@ class Rig:
     sensors : Sensors
     wind : Wind
     payload : tuple of PayloadChange
-        In any order.
+        In any order, each at a time of its own.
+
+    Raises
+    ------
+    InputError
+        For two changes of the load at one time.
     """
 
     bridge: Drive = field(default_factory=Drive)
@@ -42,6 +47,12 @@ class Rig:
     sensors: Sensors = field(default_factory=Sensors)
     wind: Wind = field(default_factory=Wind)
     payload: tuple[PayloadChange, ...] = ()
+
+    def __post_init__(self) -> None:
+        fault = np.zeros(SetupFault.SIZE)
+        status = backend.check_changes(self.changes, fault)
+        if status != SetupStatus.FITS:
+            raise InputError(SETUP.text(status, fault.tolist()))
 
     @property
     def drives(self) -> tuple[Drive, Drive, Drive]:

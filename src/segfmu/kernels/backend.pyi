@@ -1284,6 +1284,12 @@ def check_turbulence(
     /,
 ) -> int: ...
 
+def check_changes(
+    changes: Floats,
+    fault: Floats,
+    /,
+) -> int: ...
+
 def check_slack(
     plant: Floats,
     exchange: int,

@@ -617,6 +617,10 @@ _COMMON = (
         "rig.setup", "check_turbulence", speed=Vector.SIZE, deviation=Vector.SIZE,
         fault=SetupFault.SIZE,
     ),
+    entry(
+        "rig.setup", "check_changes", changes=("changes", PayloadChange.SIZE),
+        fault=SetupFault.SIZE,
+    ),
     entry("rig.setup", "check_slack", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_delays", plant=Plant.SIZE, fault=SetupFault.SIZE),
     entry("rig.setup", "check_sensors", sensors=Sensors.SIZE, fault=SetupFault.SIZE),

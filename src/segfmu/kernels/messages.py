@@ -323,6 +323,8 @@ SETUP = Messages(
         "there is memory for; drop waypoints, or set the friction to 0",
         SetupStatus.NO_WIND: "wind.turbulence.deviation {VALUE:g} m/s needs a mean speed for its "
         "spectrum: set wind.speed",
+        SetupStatus.TWO_CHANGES: "two changes of the load are at {VALUE:.15g} s, and one alone can "
+        "count; leave one out, or move it",
         SetupStatus.SLACK_EXCHANGE: "in model exchange rope.slack must be error, got free_fall "
         "(the slack rope has no state there); use co-simulation",
         SetupStatus.SLACK_SLING: "with a sling rope.slack must be error, got free_fall (what is "

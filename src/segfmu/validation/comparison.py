@@ -29,7 +29,7 @@ class Excess:
     excess : float
         By how much it is outside then, in the unit of the signal.
     largest : float
-        Greatest excess of this signal.
+        Greatest excess of this signal, where it is a number.
     """
 
     signal: str
@@ -93,7 +93,7 @@ def compare(
         if wrong.size:
             first = wrong[0]
             found.append(Excess(
-                name, float(times[first]), float(outside[first]), float(np.max(outside))
+                name, float(times[first]), float(outside[first]), float(np.fmax.reduce(outside))
             ))
     return sorted(found, key=lambda e: e.time)
 

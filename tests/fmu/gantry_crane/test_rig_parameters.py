@@ -180,3 +180,12 @@ def test_bad_parameters_end_initialisation_with_the_reason(
         with pytest.raises(SimulationError, match="could not be initialised") as caught:
             unit.exit_initialization()
         assert words in str(caught.value)
+
+
+def test_two_changes_of_the_load_at_one_time_end_initialisation(fmus, native_fmus) -> None:
+    for path in (fmus[1], native_fmus[2][1], native_fmus[3][1]):
+        with load(path) as unit:
+            unit.set({"payload.count": 2})
+            unit.enter_initialization(0.0, 1.0)
+            with pytest.raises(SimulationError, match="two changes of the load are at 0 s"):
+                unit.exit_initialization()

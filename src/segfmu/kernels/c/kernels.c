@@ -34892,6 +34892,23 @@ int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation
     }
     return INT64_C(0);
 }
+int64_t segfmu_check_changes(array_double_2d changes, array_double_1d fault)
+{
+    int64_t i;
+    int64_t k;
+    for (i = INT64_C(0); i < changes.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&changes, i, INT64_C(0)));
+        for (k = INT64_C(0); k < i; k += INT64_C(1))
+        {
+            if ((*cspan_at(&changes, k, INT64_C(0))) == (*cspan_at(&changes, i, INT64_C(0))))
+            {
+                return INT64_C(19);
+            }
+        }
+    }
+    return INT64_C(0);
+}
 int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault)
 {
     (*cspan_at(&fault, INT64_C(2))) = (*cspan_at(&plant, INT64_C(79)));

@@ -155,6 +155,7 @@ SEGFMU_API int64_t segfmu_check_lags(array_double_1d plant, int64_t exchange, ar
 SEGFMU_API int64_t segfmu_check_friction(array_double_1d static_0001, array_double_1d coulomb, array_double_1d fault);
 SEGFMU_API double segfmu_wind_speed(array_double_1d speed);
 SEGFMU_API int64_t segfmu_check_turbulence(array_double_1d speed, array_double_1d deviation, array_double_1d fault);
+SEGFMU_API int64_t segfmu_check_changes(array_double_2d changes, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_slack(array_double_1d plant, int64_t exchange, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_delays(array_double_1d plant, double period, int64_t exchange, array_double_1d fault);
 SEGFMU_API int64_t segfmu_check_sensors(array_double_1d sensors, array_double_1d fault);

@@ -584,6 +584,12 @@ bool segfmu_setup_message(
             "wind.speed",
             report[SETUP_FAULT_VALUE]);
         return true;
+    case 19:
+        snprintf(text, size,
+            "two changes of the load are at %.15g s, and one alone can count; leave one "
+            "out, or move it",
+            report[SETUP_FAULT_VALUE]);
+        return true;
     case 14:
         snprintf(text, size,
             "in model exchange rope.slack must be error, got free_fall (the slack rope "

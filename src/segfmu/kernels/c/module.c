@@ -5002,6 +5002,27 @@ static PyObject *call_check_turbulence(
     return answer;
 }
 
+static PyObject *call_check_changes(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "check_changes", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_changes;
+    Py_buffer *in_fault;
+    (void)self;
+    if (take_count(&call, count, 2)
+        && (in_changes = take_array(&call, 0, 2, 'd', false)) != NULL
+        && (in_fault = take_array(&call, 1, 1, 'd', true)) != NULL
+        && has_at_least(&call, "changes", 1, in_changes->shape[1], 2)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+        answer = PyLong_FromLongLong(segfmu_check_changes(
+            (array_double_2d){in_changes->buf, {in_changes->shape[0], in_changes->shape[1]}},
+            (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_check_slack(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -5538,6 +5559,7 @@ static PyMethodDef methods[] = {
     {"check_friction", (PyCFunction)(void (*)(void))call_check_friction, METH_FASTCALL, NULL},
     {"wind_speed", (PyCFunction)(void (*)(void))call_wind_speed, METH_FASTCALL, NULL},
     {"check_turbulence", (PyCFunction)(void (*)(void))call_check_turbulence, METH_FASTCALL, NULL},
+    {"check_changes", (PyCFunction)(void (*)(void))call_check_changes, METH_FASTCALL, NULL},
     {"check_slack", (PyCFunction)(void (*)(void))call_check_slack, METH_FASTCALL, NULL},
     {"check_delays", (PyCFunction)(void (*)(void))call_check_delays, METH_FASTCALL, NULL},
     {"check_sensors", (PyCFunction)(void (*)(void))call_check_sensors, METH_FASTCALL, NULL},

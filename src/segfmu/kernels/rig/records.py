@@ -49,7 +49,7 @@ class SetupStatus(Codes):
     without a mean speed. SLACK_EXCHANGE: a rope that may slacken, in model exchange. UNSTABLE: the
     gains of the feedback. SHORT_LAG: a lag of a velocity drive so short that runs take hours.
     MANY_TURNS: a plan in which an axis with friction turns too often. SLACK_SLING: a rope that may
-    slacken, with a sling.
+    slacken, with a sling. TWO_CHANGES: of the load at one time.
     """
 
     FITS = 0
@@ -71,6 +71,7 @@ class SetupStatus(Codes):
     SHORT_LAG = 16
     MANY_TURNS = 17
     SLACK_SLING = 18
+    TWO_CHANGES = 19
 
 
 class SetupFault(Record):

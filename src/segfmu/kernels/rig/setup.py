@@ -6,7 +6,14 @@ from segfmu.kernels.control.records import RopeRange
 from segfmu.kernels.crane.records import Axes, DriveMode, Plant, Vector
 from segfmu.kernels.crane.slack import may_slacken
 from segfmu.kernels.crane.suspension import has_tackle
-from segfmu.kernels.rig.records import Delay, SensorLimits, Sensors, SetupFault, SetupStatus
+from segfmu.kernels.rig.records import (
+    Delay,
+    PayloadChange,
+    SensorLimits,
+    Sensors,
+    SetupFault,
+    SetupStatus,
+)
 
 
 def check_travel(least: 'float[:]', greatest: 'float[:]', fault: 'float[:]') -> int:
@@ -63,6 +70,16 @@ def check_turbulence(speed: 'float[:]', deviation: 'float[:]', fault: 'float[:]'
         fault[SetupFault.VALUE] = deviation[i]
         if deviation[i] > 0.0 and wind_speed(speed) == 0.0:
             return SetupStatus.NO_WIND
+    return SetupStatus.FITS
+
+
+def check_changes(changes: 'float[:,:]', fault: 'float[:]') -> int:
+    """Check that each change of the load, a `PayloadChange` a row, has a time of its own."""
+    for i in range(changes.shape[0]):
+        fault[SetupFault.VALUE] = changes[i, PayloadChange.TIME]
+        for k in range(i):
+            if changes[k, PayloadChange.TIME] == changes[i, PayloadChange.TIME]:
+                return SetupStatus.TWO_CHANGES
     return SetupStatus.FITS
 
 

@@ -7,10 +7,9 @@ GantryCrane that take its value.
 
 from __future__ import annotations
 
-from itertools import pairwise
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field
 
 from segfmu.kernels.rig.records import Disturbance
 from segfmu.validation.files.controller_tables import ControllerTable
@@ -63,15 +62,6 @@ class LoadTable(Table):
         Key("changes of the mass during a run", "", ("payload.count",), slot="{}"),
         Field(max_length=Disturbance.MOST_CHANGES),
     ] = []
-
-    @model_validator(mode="after")
-    def _at_times(self) -> Self:
-        """Refuse two changes at a time, of which only one could count."""
-        times = sorted(change.time for change in self.changes)
-        for first, second in pairwise(times):
-            if first == second:
-                raise ValueError(f"two changes are at {first:g} s; leave one out, or move it")
-        return self
 
 
 class CraneKeys(Table):

@@ -245,7 +245,10 @@ def _logs(
 def _sizes(file: CraneFile, logs: Sequence[Log]) -> Sizes:
     length = float(np.mean(np.concatenate([log.measured[:, OUTPUTS.index(ROPE)] for log in logs])))
     if length <= 0.0:
-        raise InputError(f"{logs[0].name}: the rope's mean length is {length:.4g} m")
+        raise InputError(
+            f"{logs[0].name}: the rope's mean length is {length:.4g} m; "
+            "name the column of the rope's length in metres, which is above 0"
+        )
     load = file.payload_mass
     masses = (file.bridge_mass + file.trolley_mass + load, file.trolley_mass + load, load)
     return Sizes(masses, length, file.gravity)

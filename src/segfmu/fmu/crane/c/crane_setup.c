@@ -92,12 +92,16 @@ static bool set_wind(crane *m, char message[MESSAGE])
     return true;
 }
 
-static void set_changes(crane *m)
+/* Changes of the load; false if two are at one time. */
+static bool set_changes(crane *m, char message[MESSAGE])
 {
+    double fault[SETUP_FAULT_SIZE] = {0.0};
     m->count_changes = m->base.integer[V_PAYLOAD_COUNT];
     for (int64_t row = 0; row < m->count_changes; row++) {
         feed_row(&feeds_payload_change, &m->base, row, m->changes + row * PAYLOAD_CHANGE_SIZE);
     }
+    int64_t status = segfmu_check_changes(changes_of(m), vector(fault, SETUP_FAULT_SIZE));
+    return !segfmu_setup_message(status, fault, message, MESSAGE);
 }
 
 bool crane_set_up(crane *m, char message[MESSAGE])
@@ -112,6 +116,5 @@ bool crane_set_up(crane *m, char message[MESSAGE])
         || !crane_set_feedback(m, message) || !set_wind(m, message)) {
         return false;
     }
-    set_changes(m);
-    return true;
+    return set_changes(m, message);
 }
