@@ -5,7 +5,14 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
 from pathlib import Path
+
+import pytest
+
+from segfmu import cli
+from segfmu.cli.console import console
 
 MODELS = Path(__file__).parents[3] / "models"
 SCENARIO = f"""
@@ -68,11 +75,32 @@ def command(*words: str | Path) -> list[str]:
     return [sys.executable, "-m", "segfmu", "campaign", *map(str, words)]
 
 
-def run(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:
-    """Run `segfmu campaign`; it ends with this exit code."""
+def process(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:
+    """Run `segfmu campaign` as a process; it ends with this exit code."""
     done = subprocess.run(
         command(*words), capture_output=True, text=True, timeout=300,
         env={**os.environ, "COLUMNS": "200"},
     )
     assert done.returncode == code, done.stdout + done.stderr
     return done
+
+
+def called(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:
+    """A command in this process, which spares the start of one."""
+    with (
+        pytest.MonkeyPatch.context() as patch, pytest.raises(SystemExit) as ended,
+        redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as errors,
+    ):
+        patch.setattr(sys, "argv", ["segfmu", *map(str, words)])
+        patch.setattr(console, "width", 200)
+        cli.main()
+    done = subprocess.CompletedProcess(
+        sys.argv, int(ended.value.code or 0), out.getvalue(), errors.getvalue()
+    )
+    assert done.returncode == code, done.stdout + done.stderr
+    return done
+
+
+def run(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:
+    """Run `segfmu campaign` in this process; it ends with this exit code."""
+    return called("campaign", *words, code=code)
