@@ -86,17 +86,16 @@ SUITE = "segfmu validate models/scenarios"
 
 
 @needs_native
-def test_commands_run_as_printed(tmp_path: Path) -> None:
+def test_commands_run_as_printed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In this process; that the command is there, the tutorial's test shows."""
     (tmp_path / "models").symlink_to(ROOT / "models")
+    monkeypatch.chdir(tmp_path)
     assert len(commands()) >= 6 and SUITE in commands()
     for command in commands():
-        if command == SUITE:
-            continue
-        done = subprocess.run(
-            [sys.executable, "-m", *command.split()], cwd=tmp_path, capture_output=True, text=True,
-            timeout=300, check=False,
-        )
-        assert done.returncode == 0, f"{command}: {done.stderr}"
+        name, *words = command.split()
+        assert name == "segfmu"
+        if command != SUITE:
+            assert not cli.app(words, standalone_mode=False), command
 
 
 @needs_native
