@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -27,6 +29,7 @@ from segfmu.kernels.hook.records import (
     HookState,
     SlingSeries,
 )
+from tests.campaign import soaked
 from tests.crane.hook_digits import HookDigits, path_derivatives
 
 # bridge, trolley, load, gravity, hook, sling; the second one with a path ten times as large
@@ -56,9 +59,15 @@ def numbers(name: str) -> np.ndarray:
     return np.array([float(v) for v in CRANES[name][0]])
 
 
-@pytest.mark.parametrize("time", TIMES, ids=str)
-@pytest.mark.parametrize("name", CRANES)
-def test_forty_digits_agree(name: str, time: sp.Rational) -> None:
+# every crane at a time of its own, and in a soak at all
+PLACES = [(name, TIMES[i]) for i, name in enumerate(CRANES)]
+
+
+@pytest.mark.parametrize("place", [
+    *PLACES, *soaked(*(p for p in product(CRANES, TIMES) if p not in PLACES)),
+], ids=lambda place: f"{place[0]}-{place[1]}")
+def test_forty_digits_agree(place: tuple[str, sp.Rational]) -> None:
+    name, time = place
     masses, scale = CRANES[name]
     exact = HookDigits(masses, scale).inverse(time)
     found = inverse(np.array(path_derivatives(time, 7, scale)), numbers(name))

@@ -12,6 +12,7 @@ from hypothesis import example, given, settings
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState
+from tests.campaign import SOAK
 from tests.problems import AxisProblem, axis_problems
 
 PROBLEMS = json.loads(
@@ -38,7 +39,8 @@ def sampled(problem: AxisProblem, phases: np.ndarray) -> tuple[np.ndarray, np.nd
     return state[:3], peaks
 
 
-@settings(max_examples=400, deadline=None)
+@pytest.mark.soak
+@settings(max_examples=400 if SOAK else 100, deadline=None)
 @example(AxisProblem(6, 1, (0.5, 0.5, 0.0, 0.5, 0.0, 0.0, 0.0), -0.5, 6e-135, -0.5, 0.0, -1.0))
 @example(AxisProblem(6, 0, (0.5, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0), 0.0, 0.0, 6e-135, 0.0, 0.0))
 @example(AxisProblem(4, 0, (0.5, 0.03, 0.0, 0.5, 0.0), 0.0, 0.0, 0.0, 0.0, 1.3e-134))

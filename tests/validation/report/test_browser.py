@@ -12,6 +12,7 @@ from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Browser, Page
 
 import segfmu
+from tests.campaign import soaked
 from tests.compiler import needs_native
 from tests.validation.report.browser import DESK, PHONE, chromium, needs_browser, opened
 from tests.validation.report.test_report import campaign
@@ -69,9 +70,9 @@ def test_it_draws_without_a_complaint_and_a_network(
 
 @pytest.mark.parametrize("name", ["40 t", "suite"])
 def test_something_shows_at_once(browser: Browser, reports: dict[str, Path], name: str) -> None:
-    # the quickest of some, as other tests run beside it
+    # one of some is quick enough, as other tests run beside it
     times = []
-    for _ in range(3):
+    while len(times) < 3 and not (times and min(times) < LATEST):
         page, _ = opened(browser, reports[name])
         times.append(page.evaluate(FIRST_PAINT))
         page.close()
@@ -175,13 +176,16 @@ def test_the_keyboard_reaches_every_control(
     page.close()
 
 
-@pytest.mark.parametrize("name", ["lab", "suite", "campaign"])
-@pytest.mark.parametrize(
-    ("size", "scheme"), [(DESK, "light"), (PHONE, "dark")], ids=["desk", "phone"]
-)
+# every page in one of two ways
+@pytest.mark.parametrize("shown_as", [
+    ("lab", "phone"), ("suite", "desk"), ("campaign", "phone"),
+    *soaked(("lab", "desk"), ("suite", "phone"), ("campaign", "desk")),
+], ids="-".join)
 def test_axe_finds_nothing_serious(
-    browser: Browser, reports: dict[str, Path], name: str, size: tuple[int, int], scheme: str
+    browser: Browser, reports: dict[str, Path], shown_as: tuple[str, str]
 ) -> None:
+    name, way = shown_as
+    size, scheme = {"desk": (DESK, "light"), "phone": (PHONE, "dark")}[way]
     page, _ = opened(browser, reports[name], size, scheme)
     page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
     found = Axe().run(page).response["violations"]
