@@ -6,6 +6,7 @@ import os
 import signal
 import time
 from pathlib import Path
+from threading import Event
 
 import pytest
 
@@ -55,6 +56,27 @@ def test_stopped_compilers_end_the_programs_that_they_run(
     while any(_runs(int(p.read_text())) for p in programs):
         time.sleep(0.01)
     assert time.monotonic() < stopped + 10.0
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+def test_no_compiler_begins_once_the_work_is_stopped(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One whose sources were still being written compiled to its end, for 20 s."""
+    monkeypatch.setattr(processes.os, "cpu_count", lambda: 2)
+    writes = Event()
+
+    def work(late: bool) -> None:
+        if not late:
+            writes.wait(10.0)
+            raise KeyboardInterrupt
+        writes.set()
+        time.sleep(0.3)
+        processes.run(("sh", "-c", "touch made"), tmp_path)
+
+    with pytest.raises(KeyboardInterrupt):
+        processes.on_all_cores(work, [False, True])
+    assert not (tmp_path / "made").exists()
 
 
 @pytest.mark.parametrize(("configured", "name"), [

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
-from threading import Lock
+from threading import Event, Lock, local
 from typing import TypeVar
 
 from segfmu.errors import BuildError
@@ -19,6 +19,8 @@ R = TypeVar("R")
 _running: set[subprocess.Popen[str]] = set()
 # held while a program starts: one that is ended all at once is known by then
 _starting = Lock()
+# of a thread of `on_all_cores`: whether its work has been stopped
+_own = local()
 
 
 def run(command: Sequence[str], folder: Path) -> tuple[int, str]:
@@ -33,6 +35,8 @@ def run(command: Sequence[str], folder: Path) -> tuple[int, str]:
     own = os.environ | {"TMPDIR": str(folder)}
     try:
         with _starting:
+            if hasattr(_own, "stopped") and _own.stopped.is_set():
+                raise BuildError(f"{command[0]}: stopped before it began")
             process = subprocess.Popen(
                 command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                 errors="replace", cwd=folder, env=own, start_new_session=True,
@@ -56,13 +60,17 @@ def on_all_cores(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
 
     A signal reaches this thread alone, so it ends the programs of the others.
     """
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    stopped = Event()
+    with ThreadPoolExecutor(
+        os.cpu_count(), initializer=setattr, initargs=(_own, "stopped", stopped)
+    ) as pool:
         try:
             calls = [pool.submit(work, item) for item in items]
             return [call.result() for call in calls]
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             with _starting:
+                stopped.set()
                 for process in tuple(_running):
                     _end(process)
             raise
