@@ -10,7 +10,7 @@ from __future__ import annotations
 import argparse
 import subprocess
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from pathlib import Path
 
@@ -87,11 +87,12 @@ def run(
 
 
 def searches(
-    target: Path, fmi: int, count: int, sequences: int, first: int, under: Sequence[str] = ()
+    target: Path, fmi: int, specs: Iterable[Spec], sequences: int, first: int,
+    under: Sequence[str] = (),
 ) -> list[str]:
-    """Run the program of GantryFeedforward with so many missions of each kind."""
+    """Run the program of GantryFeedforward with missions."""
     told = []
-    for spec in missions(count):
+    for spec in specs:
         (target.parent / "start.bin").write_bytes(native.start_values(spec, fmi))
         told.append(run(target, sequences, first, under=under))
     return told
@@ -121,7 +122,7 @@ def main() -> None:
             print(f"{spec.name}, FMI {fmi}: {told}", flush=True)
             if number == 0:
                 count = max(1, chosen.sequences // 10_000)
-                for told in searches(target, fmi, count, 10, chosen.first, under):
+                for told in searches(target, fmi, missions(count), 10, chosen.first, under):
                     print(f"{spec.name}, FMI {fmi}, a search: {told}", flush=True)
 
 
