@@ -13,6 +13,9 @@ import pytest
 
 from segfmu import cli
 from segfmu.cli.console import console
+from segfmu.validation.campaigns.result import CampaignResult, load_result
+from tests.compiler import require_native
+from tests.sharing import shared
 
 MODELS = Path(__file__).parents[3] / "models"
 SCENARIO = f"""
@@ -59,6 +62,19 @@ name = "design"
 key = "controller.design"
 values = ["lqr", "flatness"]
 """
+
+SEARCH = CAMPAIGN.replace("runs = 40", "runs = 50").replace(
+    "[sampling]", 'search = "worst"\nsearch_for = ["follows"]\n\n[sampling]'
+)
+
+
+def completed(factory: pytest.TempPathFactory, name: str, text: str) -> CampaignResult:
+    """A campaign's result, uninterrupted on one worker, which all workers of the tests share."""
+    require_native()
+    folder = shared(
+        factory, name, lambda f: process(write(f, text), "-o", f / "out", "--jobs", "1")
+    )
+    return load_result(folder / "out")
 
 
 def write(folder: Path, campaign: str = CAMPAIGN, scenario: str = SCENARIO) -> Path:

@@ -31,12 +31,13 @@ from segfmu.validation.suite import Runner
 from tests.campaign import SOAK
 from tests.compiler import require_native
 from tests.cosim.probe.build import build
-from tests.sharing import shared
 from tests.validation.campaigns.files import (
     CAMPAIGN,
     SCENARIO,
+    SEARCH,
     called,
     command,
+    completed,
     process,
     run,
     write,
@@ -47,12 +48,8 @@ RUNS = 40
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
-    """A campaign's result, uninterrupted on one worker, which all workers of the tests share."""
-    require_native()
-    folder = shared(
-        tmp_path_factory, "campaign", lambda f: process(write(f), "-o", f / "out", "--jobs", "1")
-    )
-    return load_result(folder / "out")
+    """A campaign that nothing interrupted."""
+    return completed(tmp_path_factory, "campaign", CAMPAIGN)
 
 
 def test_every_run_is_that_of_its_scenario_file(whole: CampaignResult, tmp_path: Path) -> None:
@@ -201,17 +198,23 @@ def rows(out: Path) -> int:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGKILL")
-def test_a_killed_campaign_goes_on_where_it_was(whole: CampaignResult, tmp_path: Path) -> None:
-    path, out = write(tmp_path), tmp_path / "out"
-    action = KILLED.format(count=RUNS // 3)
+@pytest.mark.parametrize("name", ["campaign", "search"])
+def test_a_killed_campaign_goes_on_where_it_was(
+    name: str, tmp_path_factory: pytest.TempPathFactory, tmp_path: Path
+) -> None:
+    text, most = (CAMPAIGN, "40") if name == "campaign" else (SEARCH, "at most 50")
+    whole = completed(tmp_path_factory, name, text)
+    runs = whole.table.num_rows
+    path, out = write(tmp_path, text), tmp_path / "out"
+    action = KILLED.format(count=runs // 3)
     with driven(tmp_path, action, path, "-o", out, "--jobs", "2") as first:
         said = first.communicate(timeout=300)
     assert first.returncode == -signal.SIGKILL, said
     before = {p: p.read_bytes() for p in (out / "parts").glob("*.parquet")}
     kept = rows(out)
-    assert RUNS // 3 <= kept < RUNS
+    assert runs // 3 <= kept < runs
     done = run(path, "-o", out, "--jobs", "1")
-    assert f"{kept} of {RUNS} runs were there" in done.stdout
+    assert f"{kept} of {most} runs were there" in done.stdout
     assert before and load_result(out).table.equals(whole.table)
     assert (out / "runs.parquet").read_bytes() == (whole.folder / "runs.parquet").read_bytes()
 

@@ -16,18 +16,13 @@ from segfmu.errors import InputError
 from segfmu.validation.campaigns.batches import batches
 from segfmu.validation.campaigns.campaign import Campaign, Run, load_campaign
 from segfmu.validation.campaigns.replay import find_run
-from segfmu.validation.campaigns.result import load_result
 from segfmu.validation.campaigns.search import next_cases
 from segfmu.validation.files.campaign_tables import FactorTable, SamplingTable
 from segfmu.validation.files.scenario_file import load_scenario
-from tests.compiler import require_native
-from tests.validation.campaigns.files import CAMPAIGN, run, write
+from tests.validation.campaigns.files import SEARCH, completed, write
 
 RANGES = [FactorTable(name=n, key="k", range=[-1.0, 1.0]) for n in "abc"]
 CHOICES = [FactorTable(name=n, key="k", values=[*range(k)]) for n, k in (("p", 4), ("q", 5))]
-SEARCH = CAMPAIGN.replace("runs = 40", "runs = 50").replace(
-    "[sampling]", 'search = "worst"\nsearch_for = ["follows"]\n\n[sampling]'
-)
 Margin = Callable[..., float | None]
 
 
@@ -116,14 +111,13 @@ def test_where_a_search_was_interrupted_does_not_count(tmp_path: Path) -> None:
     assert sorted(parts.kept, key=lambda row: row["run"]) == whole.kept
 
 
-def test_a_search_as_a_command(tmp_path: Path) -> None:
-    require_native()
-    path, out = write(tmp_path, SEARCH), tmp_path / "out"
-    campaign = load_campaign(path)
+def test_a_search_as_a_command(
+    tmp_path_factory: pytest.TempPathFactory, tmp_path: Path
+) -> None:
+    result = completed(tmp_path_factory, "search", SEARCH)
+    out, campaign = result.folder, load_campaign(result.folder.parent / "c.toml")
     with pytest.raises(InputError, match="run the campaign first"):
-        find_run(out, campaign, 0)
-    run(path, "-o", out, "--jobs", "1")
-    result = load_result(out)
+        find_run(tmp_path, campaign, 0)
     assert 40 < result.table.num_rows <= 50 and result.searched == ("follows",)
     assert all(row.fails is None for row in result.summaries) and not result.sensitivities
     told = json.loads((out / "results.json").read_text())["criteria"][0]
