@@ -127,7 +127,7 @@ def test_locked_packages_are_for_the_oldest_python_too() -> None:
     newer = [
         f"{package.name} {package.version}" for package in distributions()
         if locked.get(package.name) == package.version
-        and not SpecifierSet(package.metadata["Requires-Python"] or "").contains(oldest)
+        and not SpecifierSet(package.metadata.get("Requires-Python", "")).contains(oldest)
     ]
     assert locked and not newer
 
