@@ -12,6 +12,9 @@ limit, and the way out.
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from difflib import get_close_matches
+
 
 class SegfmuError(Exception):
     """Base of all errors of segfmu that its users can act on."""
@@ -69,3 +72,10 @@ class SimulationError(SegfmuError):
 def first_line(error: BaseException) -> str:
     """What an error of another package says, in one line; its type where it says nothing."""
     return next(iter(str(error).splitlines()), type(error).__name__)
+
+
+def no_variable(name: str, known: Collection[str]) -> InputError:
+    """The error of a variable that a run does not have, with one that may be meant."""
+    near = get_close_matches(name, known, n=1)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    return InputError(f"no variable {name} in the run{hint}")

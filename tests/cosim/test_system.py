@@ -57,6 +57,19 @@ def test_parallel_passes_on_at_the_end_of_a_step(probes, engine: str) -> None:
         assert (row["a.y"], row["b.y"]) == pytest.approx((0.5 * x_a + time, 0.25 * x_b + time))
 
 
+@pytest.mark.parametrize("kept", [[], ["b.y"], ["a.y", "b.y"]])
+def test_rows_have_the_columns_that_are_kept(probes, engine: str, kept: list[str]) -> None:
+    """What is connected is read all the same, and columns keep the names of the whole record."""
+    values = {"a": {"x": 2.0, "gain": 3.0}, "b": {"gain": -0.5}}
+    fmus = {"a": probes[2], "b": probes[3]}
+    with System(fmus, step=0.1, connections=CHAIN, engine=engine) as system:
+        whole = system.run(values, stop_time=1.0)
+    with System(fmus, step=0.1, connections=CHAIN, engine=engine, kept=kept) as system:
+        rows = system.run(values, stop_time=1.0)
+    assert rows.dtype.names == ("time", *kept)
+    assert all(rows[name].tolist() == whole[name].tolist() for name in rows.dtype.names)
+
+
 @pytest.mark.parametrize("coupling", ["sequential", "parallel"])
 def test_an_fmu_with_longer_steps_holds_its_outputs(probes, engine: str, coupling: str) -> None:
     """y = gain x + t at the end of each step of three; the first FMU steps with every one."""
@@ -245,6 +258,9 @@ def test_bad_connections_are_named(probes, connections, words: str) -> None:
         ({"record": ["a"]}, "record must be a mapping from names"),
         ({"record": {"c": []}}, "no FMU c"), ({"record": {"a": ["q"]}}, "a has no variable q"),
         ({"record": {"a": ["text"]}}, "text is no number"),
+        ({"kept": "a.y"}, "kept must be a sequence of names"),
+        ({"kept": ["a.z"]}, "no variable a.z in the run; did you mean a.y?"),
+        ({"kept": ["b.y"], "record": {"a": ["y"]}}, "no variable b.y in the run"),
         ({"coupling": "derivatives"}, "a tells no output derivatives"),
     ],
 )

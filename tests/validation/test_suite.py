@@ -104,6 +104,33 @@ def runner() -> Iterator[Runner]:
         yield runner
 
 
+def test_runs_without_rows_have_the_same_findings(runner: Runner, tmp_path: Path) -> None:
+    """Each kind of criterion finds what it reads, also a second run's."""
+    (tmp_path / "s.toml").write_text(HEAD + """
+[[criteria]]
+name = "drives"
+kind = "drives"
+[[criteria]]
+name = "tube"
+kind = "tube"
+signal = ["load.position.x", "load.position.y"]
+reference = "error.load.norm"
+bound = 1.0
+[[criteria]]
+name = "horizontal"
+signal = "error.load.horizontal"
+bound = 0.5
+against = "without feedback"
+""", encoding="utf-8")
+    scenario = load_scenario(tmp_path / "s.toml")
+    with Runner(rows=False) as short:
+        found = short.run(scenario)
+    expected = runner.run(scenario)
+    assert found.rows is None and expected.rows is not None
+    assert found.error == expected.error == ""
+    assert found.findings == expected.findings and len(found.findings) == 3
+
+
 def third(folder: Path, sink: str) -> str:
     """The probe, whose output is the bridge's velocity and the time, as a table of a scenario."""
     return f"""

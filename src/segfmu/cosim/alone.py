@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from segfmu.cosim.channel import Channel
 from segfmu.cosim.points import communication_points
-from segfmu.cosim.table import Table, columns
+from segfmu.cosim.table import Table, columns, fields
 from segfmu.cosim.unit import Unit, alike
 from segfmu.errors import InputError
 
@@ -57,7 +57,7 @@ def run_alone(
         unit.set(values or {})
         _feed(given, 0)
         unit.observe(unit.outputs())
-        table = Table(times, columns({unit.name: unit}, {unit.name: unit.outputs()}))
+        table = Table(times, columns({unit.name: unit}, fields({unit.name: unit.outputs()})))
         unit.enter_initialization(start_time, stop_time)
         unit.exit_initialization()
         unit.read_outputs()

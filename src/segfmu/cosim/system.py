@@ -18,7 +18,7 @@ from segfmu.cosim.connection import Link, by_name, checked
 from segfmu.cosim.loop import Loop
 from segfmu.cosim.points import communication_points, require_step
 from segfmu.cosim.schedule import Coupling, initialise, scheduled
-from segfmu.cosim.table import chosen, columns
+from segfmu.cosim.table import chosen, columns, fields
 from segfmu.cosim.tape import OffTape, Tape
 from segfmu.cosim.unit import NEXT_EVENT, Unit
 from segfmu.errors import InputError, SimulationError
@@ -61,6 +61,9 @@ class System:
         be equal, so they end at no events.
     record : mapping of str to sequence of str or None, optional
         Names of FMUs and of their variables, or None; by default, and for None, all scalar outputs.
+    kept : collection of str, optional
+        Of the columns that `record` makes, those that rows have beside "time"; by default all. What
+        is neither kept nor connected is not read, so runs take less time.
     repeatable : collection of str
         Names of FMUs whose outputs follow from their values and the time alone, as a planner's do.
         With the engine "c", and without connected inputs, runs that give them the same values as
@@ -96,6 +99,7 @@ class System:
         coupling: Coupling | None = None,
         events: bool = True,
         record: Mapping[str, Sequence[str] | None] | None = None,
+        kept: Collection[str] | None = None,
         repeatable: Collection[str] = (),
         engine: Engine = "auto",
     ) -> None:
@@ -115,7 +119,8 @@ class System:
             self._load(fmus)
             given = by_name(self._units) if connections is None else connections
             self.connections = checked(self._units, given)
-            self._recorded = chosen(self._units, record)
+            kept = None if kept is None else as_names("kept", kept)
+            self._recorded = fields(chosen(self._units, record), kept)
             self._observe()
             self._every = self._counts({} if steps is None else steps, coupling)
             if coupling is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import as_names, require_mapping
 from segfmu.cosim.unit import Unit
-from segfmu.errors import InputError
+from segfmu.errors import InputError, no_variable
 
 # rows in a block before it is copied to the result's columns
 BLOCK = 256
@@ -27,20 +27,45 @@ class Column:
     place: int
 
 
-def columns(units: Mapping[str, Unit], recorded: Mapping[str, Sequence[str]]) -> list[Column]:
-    """Columns of variables that units observe; "unit.name" where two units have one name."""
-    names = ["time", *(name for own in recorded.values() for name in own)]
+def columns(units: Mapping[str, Unit], recorded: Mapping[str, Mapping[str, str]]) -> list[Column]:
+    """Columns of variables that units observe, whose fields are those of `fields`."""
     found = []
     for owner, unit in units.items():
-        wanted = set(recorded.get(owner, ()))
+        own = recorded.get(owner, {})
         for group, channel in unit.observed:
             kind = unit.COLUMNS[unit.variables[group[0]].type]
             found += [
-                Column(name if names.count(name) == 1 else f"{owner}.{name}", kind,
-                       channel.values, place)
-                for place, name in enumerate(group) if name in wanted
+                Column(own[name], kind, channel.values, place)
+                for place, name in enumerate(group) if name in own
             ]
     return found
+
+
+def fields(
+    recorded: Mapping[str, Sequence[str]], kept: Collection[str] | None = None
+) -> dict[str, dict[str, str]]:
+    """Fields of the rows by unit and variable: "unit.name" where two units have one name.
+
+    Raises
+    ------
+    InputError
+        For a field among those to keep that there is not.
+    """
+    names = ["time", *(name for own in recorded.values() for name in own)]
+    found = {
+        owner: {n: n if names.count(n) == 1 else f"{owner}.{n}" for n in own}
+        for owner, own in recorded.items()
+    }
+    if kept is None:
+        return found
+    known = {field for own in found.values() for field in own.values()}
+    for field in kept:
+        if field not in known:
+            raise no_variable(field, known)
+    return {
+        owner: {n: field for n, field in own.items() if field in kept}
+        for owner, own in found.items()
+    }
 
 
 def chosen(

@@ -8,16 +8,15 @@ Between rows signals are linear, so the extremes are at rows and at the ends of 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.arrays import FloatArray
-from segfmu.errors import InputError
+from segfmu.errors import InputError, no_variable
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.keys import DRIVES
@@ -94,9 +93,7 @@ class Signals:
         if name not in self._columns:
             names = [n for n in self._rows.dtype.names or () if n != "time"]
             if name not in names:
-                near = get_close_matches(name, names, n=1)
-                hint = f"; did you mean {near[0]}?" if near else ""
-                raise InputError(f"no variable {name} in the run{hint}")
+                raise no_variable(name, names)
             self._columns[name] = self._rows[name].astype(np.float64)
         return self._columns[name]
 
@@ -146,6 +143,19 @@ def judge(
     )
 
 
+def variables(criteria: Iterable[CriterionTable], crane: CraneFile) -> set[str]:
+    """The variables of a run that criteria read."""
+    found: set[str] = set()
+    for criterion in criteria:
+        if criterion.kind == "drives":
+            found |= {signal for _, signal, *_ in _bounded(crane)}
+        else:
+            found |= set(_parts(criterion))
+        if criterion.reference is not None and not _is_file(criterion.reference):
+            found.add(criterion.reference)
+    return found
+
+
 def _rounded(margin: float, bound: float) -> float:
     """The margin; 0 where it is negative by rounding alone."""
     return 0.0 if -ROUNDING * max(1.0, abs(bound)) <= margin < 0.0 else margin
@@ -165,8 +175,24 @@ def drive_use(rows: Signals, crane: CraneFile) -> FloatArray:
     InputError
         If the crane file has no such bounds.
     """
-    axes = {"bridge": "bridge", "trolley": "trolley", "hoist": "rope"}
-    known, shares = bounds(crane), []
+    shares = []
+    for quantity, signal, sign, most in _bounded(crane):
+        values = sign * rows[signal]
+        if quantity == "acceleration":
+            values = _acceleration(rows.times, values)
+        shares.append(values / most)
+    if not shares:
+        raise InputError(
+            "the kind drives needs force_max, velocity_max, acceleration_max or power_max of a "
+            "drive of the crane"
+        )
+    use: FloatArray = np.maximum(np.max(shares, axis=0), 0.0)
+    return use
+
+
+def _bounded(crane: CraneFile) -> Iterator[tuple[str, str, float, float]]:
+    """Of each bound of a drive: the quantity, its variable, the direction, and the value."""
+    axes, known = {"bridge": "bridge", "trolley": "trolley", "hoist": "rope"}, bounds(crane)
     for i, drive in enumerate(DRIVES):
         signals = {
             "force": f"drive.{drive}.force", "velocity": f"{axes[drive]}.velocity",
@@ -176,17 +202,7 @@ def drive_use(rows: Signals, crane: CraneFile) -> FloatArray:
             limits = getattr(known, quantity)[i], known.lower(quantity)[i]
             for sign, most in zip((1.0, -1.0), limits, strict=True):
                 if np.isfinite(most):
-                    values = sign * rows[signal]
-                    if quantity == "acceleration":
-                        values = _acceleration(rows.times, values)
-                    shares.append(values / most)
-    if not shares:
-        raise InputError(
-            "the kind drives needs force_max, velocity_max, acceleration_max or power_max of a "
-            "drive of the crane"
-        )
-    use: FloatArray = np.maximum(np.max(shares, axis=0), 0.0)
-    return use
+                    yield quantity, signal, sign, most
 
 
 def _acceleration(times: FloatArray, velocity: FloatArray) -> FloatArray:
@@ -200,9 +216,7 @@ def _acceleration(times: FloatArray, velocity: FloatArray) -> FloatArray:
 
 def _quantity(criterion: CriterionTable, rows: Signals) -> FloatArray:
     """What is compared with the bound, at all rows."""
-    signal = criterion.signal
-    assert signal is not None
-    parts = DERIVED.get(signal, (signal,)) if isinstance(signal, str) else tuple(signal)
+    parts = _parts(criterion)
     columns = [rows[name] for name in parts]
     if criterion.reference is not None:
         columns = [
@@ -215,8 +229,19 @@ def _quantity(criterion: CriterionTable, rows: Signals) -> FloatArray:
     return np.abs(columns[0]) if criterion.sense == "within" else columns[0]
 
 
+def _parts(criterion: CriterionTable) -> tuple[str, ...]:
+    """The variables of the signal."""
+    signal = criterion.signal
+    assert signal is not None
+    return DERIVED.get(signal, (signal,)) if isinstance(signal, str) else tuple(signal)
+
+
+def _is_file(reference: str) -> bool:
+    return reference.endswith(".csv")
+
+
 def _reference(name: str, signal: str, rows: Signals) -> FloatArray:
-    if not name.endswith(".csv"):
+    if not _is_file(name):
         return rows[name]
     table = read_table(Path(name))
     if signal not in table:

@@ -22,7 +22,7 @@ from segfmu.validation.files.mission import DISTURBED, Mission
 from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.files.scenario_tables import CRANE, moment, moments
 from segfmu.validation.kept import Kept
-from segfmu.validation.monitor import Finding, Signals, judge
+from segfmu.validation.monitor import Finding, Signals, judge, variables
 from segfmu.validation.pairs import Pairs, with_arrays, without_starts
 from segfmu.validation.planned import require_memory
 from segfmu.validation.scenario import (
@@ -93,9 +93,15 @@ class Runner:
     """Runs scenarios; keeps the FMUs, and plans of the missions that were run last.
 
     A context manager that frees the FMUs and removes their archives.
+
+    Parameters
+    ----------
+    rows : bool
+        Whether results have rows. Without, only what the criteria read is recorded, in less time.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, rows: bool = True) -> None:
+        self._has_rows = rows
         self._pairs = Pairs()
         self._systems: Kept[System] = Kept(MOST_SYSTEMS, System.close)
         self._plans: Kept[Trajectory] = Kept(MOST_PLANS)
@@ -134,9 +140,8 @@ class Runner:
             known = self._known(scenario, trajectory)
             found = replace(found, known=known)
             rows = self._rows(scenario, trajectory, known)
-            return replace(found, rows=rows, findings=tuple(
-                self._findings(scenario, trajectory, known, rows)
-            ))
+            findings = tuple(self._findings(scenario, trajectory, known, rows))
+            return replace(found, rows=rows if self._has_rows else None, findings=findings)
         except InputError as error:
             raise InputError(f"{scenario.path}: {error}") from None
         except BuildError:
@@ -285,6 +290,8 @@ class Runner:
                 raise InputError(f"fmus: {name} is the name of one of the two FMUs")
         links = [tuple(link) for unit in file.fmus for link in unit.connections]
         planned = file.method == "feedforward"
+        read = variables(file.criteria, scenario.mission.simulated)
+        kept = None if self._has_rows else tuple(sorted(read))
 
         def make() -> System:
             taken = {link[2:] for link in links}
@@ -297,12 +304,14 @@ class Runner:
             # of the crane alone: what it follows is among the rows too
             alone = {**dict.fromkeys(others), both.crane: [*outputs, *both.shared]}
             return System(
-                {**first, **others, both.crane: archives[1]}, record=None if planned else alone,
-                step=step, steps=steps, coupling=file.coupling, connections=[*own, *links],
-                repeatable=first,
+                {**first, **others, both.crane: archives[1]}, step=step, steps=steps,
+                record=None if planned else alone, kept=kept, coupling=file.coupling,
+                connections=[*own, *links], repeatable=first,
             )
 
-        key = (planned, *archives, step, *steps.items(), file.coupling, *others.items(), *links)
+        key = (
+            planned, kept, *archives, step, *steps.items(), file.coupling, *others.items(), *links
+        )
         return self._systems.get(key, make)
 
 

@@ -71,7 +71,7 @@ def perform(
     for order in orders:
         own = threading.get_ident()
         if own not in _runners:
-            _runners[own] = Runner()
+            _runners[own] = Runner(rows=False)
         made = partial(_made, _runners[own], sources[order.scenario], order)
         outcomes.append(_limited(made, order, timeout))
         if outcomes[-1].hung:
