@@ -18,7 +18,7 @@ from segfmu.validation.monitor import Finding
 from segfmu.validation.report import campaign_page
 from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.requirements import of_results
-from segfmu.validation.suite import Result
+from segfmu.validation.scenario_result import Result
 from segfmu.validation.suite_files import write_junit
 from tests.validation.campaigns.files import SCENARIO, write
 

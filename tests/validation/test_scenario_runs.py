@@ -13,7 +13,8 @@ import pytest
 from segfmu import cli
 from segfmu.cosim import write_csv
 from segfmu.validation.files.scenario_file import load_scenario
-from segfmu.validation.suite import Result, Runner
+from segfmu.validation.scenario_result import Result
+from segfmu.validation.suite import Runner
 from tests.compiler import require_native
 
 MISSION = Path(__file__).parents[2] / "models" / "inteco.toml"

@@ -16,7 +16,8 @@ from pathlib import Path
 import pytest
 
 from segfmu.validation.files.scenario_file import load_scenario
-from segfmu.validation.suite import Result, Runner
+from segfmu.validation.scenario_result import Result
+from segfmu.validation.suite import Runner
 
 
 @pytest.fixture(scope="session")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from segfmu.validation.files.scenario_tables import CriterionTable
-from segfmu.validation.suite import Result
+from segfmu.validation.scenario_result import Result
 from segfmu.validation.units import pretty
 
 NONE = "no evidence"

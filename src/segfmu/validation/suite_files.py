@@ -15,7 +15,7 @@ from segfmu.validation.documents.document import text
 from segfmu.validation.documents.suite import SuiteDocument, suite_document
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.requirements import of_results
-from segfmu.validation.suite import Result
+from segfmu.validation.scenario_result import Result
 from segfmu.validation.units import signal_units
 
 

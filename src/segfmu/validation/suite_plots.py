@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 
 from segfmu.validation.plots.style import COLOURS, panels_of
-from segfmu.validation.suite import Result
+from segfmu.validation.scenario_result import Result
 
 # %; larger margins are drawn at the edge
 MOST = 100.0

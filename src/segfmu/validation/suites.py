@@ -15,7 +15,8 @@ from segfmu.validation.files.scenario_file import Scenario, find, load_scenario
 from segfmu.validation.frames import frame
 from segfmu.validation.monitor import Finding
 from segfmu.validation.progress import Progress, quiet
-from segfmu.validation.suite import Result, Runner
+from segfmu.validation.scenario_result import Result
+from segfmu.validation.suite import Runner
 
 if TYPE_CHECKING:
     import pandas

@@ -10,7 +10,7 @@ from segfmu.validation.files.keys import Key
 from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.monitor import DERIVED, Finding
 from segfmu.validation.requirements import of_results
-from segfmu.validation.suite import Result
+from segfmu.validation.scenario_result import Result
 from segfmu.validation.units import signal_units
 
 

@@ -23,7 +23,7 @@ from segfmu.validation.requirements import of_results
 from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
-    from segfmu.validation.suite import Result
+    from segfmu.validation.scenario_result import Result
     from segfmu.validation.suites import Suite
 
 # of curves in one file, so that it can be sent by mail; scenarios with the least margins first
