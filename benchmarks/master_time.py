@@ -26,7 +26,7 @@ from segfmu.errors import BuildError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import specs
 
 MISSION = Path(__file__).parents[1] / "models" / "paper.toml"

@@ -43,7 +43,8 @@ if TYPE_CHECKING:
     from segfmu.validation.archives import Archives, build
     from segfmu.validation.campaigns.call import campaign
     from segfmu.validation.campaigns.result import CampaignResult, load_result
-    from segfmu.validation.files.mission import Mission, load_mission
+    from segfmu.validation.files.mission import Mission
+    from segfmu.validation.files.mission_file import load_mission
     from segfmu.validation.identification.identify import identify
     from segfmu.validation.identification.result import Identification
     from segfmu.validation.live.page import live
@@ -114,7 +115,8 @@ _HOMES = {
     "segfmu.validation.archives": ("Archives", "build"),
     "segfmu.validation.campaigns.call": ("campaign",),
     "segfmu.validation.campaigns.result": ("CampaignResult", "load_result"),
-    "segfmu.validation.files.mission": ("Mission", "load_mission"),
+    "segfmu.validation.files.mission": ("Mission",),
+    "segfmu.validation.files.mission_file": ("load_mission",),
     "segfmu.validation.identification.identify": ("identify",),
     "segfmu.validation.identification.result": ("Identification",),
     "segfmu.validation.live.page": ("live",),

@@ -12,7 +12,7 @@ import pytest
 from segfmu.cosim import simulate
 from segfmu.cosim.load import load
 from segfmu.errors import InputError
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import crane_values, feedforward_values
 
 MODELS = Path(__file__).parents[2] / "models"

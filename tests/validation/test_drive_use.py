@@ -17,7 +17,7 @@ from segfmu.validation.criteria import judge
 from segfmu.validation.drive_use import PLACES, bound_table, run_uses
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import bounds as crane_bounds
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.reading import checked
 from segfmu.validation.monitor import Signals, drive_use
 from segfmu.validation.plots import plot_drives

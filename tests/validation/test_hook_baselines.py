@@ -17,7 +17,7 @@ from segfmu.validation.baselines.course import changes
 from segfmu.validation.baselines.methods import course
 from segfmu.validation.baselines.swings import swings
 from segfmu.validation.campaigns.result import load_result
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.scenario_file import build_scenario, read_source
 from segfmu.validation.suite import Runner
 from tests.compiler import require_native

@@ -10,7 +10,7 @@ import pytest
 
 import segfmu
 from segfmu.cosim import simulate
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.output import plan_samples
 from segfmu.validation.report.run_page import run_page
 from tests.compiler import require_native

@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from segfmu.cli import app
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.paper import MISSION, PHASES, profile
 from tests.compiler import needs_native
 from tests.tables import columns

@@ -14,7 +14,8 @@ from segfmu.crane import FlatInverse, bound_uses
 from segfmu.crane.inverse import POSITION
 from segfmu.errors import InfeasibleError
 from segfmu.validation import planned
-from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.output import plan_samples
 from segfmu.validation.planned import sticking
 

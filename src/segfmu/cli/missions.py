@@ -13,7 +13,8 @@ from segfmu.crane import ActuatorBounds, BoundUse, bound_uses
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
 from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import Verification, verify
-from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.output import about, folder, plan_samples, require_folder, stride
 from segfmu.validation.output import note as thinning
 from segfmu.validation.planned import planned, sticking

@@ -23,7 +23,8 @@ from segfmu.planning import Trajectory
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.crane_parameters import with_keys
-from segfmu.validation.files.mission import Mission, Source, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import Source, load_mission
 from segfmu.validation.output import about, folder, require_folder
 from segfmu.validation.planned import planned
 from segfmu.validation.progress import Progress, quiet

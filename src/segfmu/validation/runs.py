@@ -22,7 +22,8 @@ from segfmu.planning import Trajectory
 from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
 from segfmu.validation.files.crane_models import require_gantry
-from segfmu.validation.files.mission import Mission, Source, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import Source, load_mission
 from segfmu.validation.files.recording import load_recording
 from segfmu.validation.frames import frame
 from segfmu.validation.output import about, file_path, folder, note, stride, thinned

@@ -9,7 +9,7 @@ import pytest
 from segfmu.cosim import simulate
 from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import build_all
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import specs
 from tests.fmu.modelica.openmodelica import (
     built,

@@ -18,7 +18,7 @@ from segfmu.crane.flat_feedback import design_flat
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.rig_parameters import DRIVES, rig_parameters
 from segfmu.fmu.standard.spec import started
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import crane_values, specs
 from tests.cosim.test_agreement import UNKIND
 from tests.fmu.native.importer import Importer

@@ -25,7 +25,7 @@ from pathlib import Path
 from segfmu.fmu.gantry_crane import interface as crane
 from segfmu.fmu.gantry_feedforward import interface as feedforward
 from segfmu.fmu.standard.identity import guid
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import specs
 
 print(guid(crane.spec()), guid(crane.native_spec()), guid(feedforward.native_spec()))

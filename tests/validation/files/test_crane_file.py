@@ -17,7 +17,8 @@ from segfmu.fmu.standard.spec import Spec, started
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import entries
-from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.reading import checked
 from segfmu.validation.scenario import crane_values, ending, feedforward_values, specs
 

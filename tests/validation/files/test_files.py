@@ -16,7 +16,8 @@ from segfmu import Crane, InputError, Limits, Waypoint
 from segfmu.validation.files import reference, template
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import entries
-from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.schema import file_schema
 from tests.validation.files.test_crane_file import EVERYTHING
 

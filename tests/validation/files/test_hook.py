@@ -11,7 +11,8 @@ import segfmu
 from segfmu.errors import InputError
 from segfmu.fmu.pairs import GANTRY, HOOK
 from segfmu.validation.files import crane_parameters
-from segfmu.validation.files.mission import Mission, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import crane_values, specs
 
 CRANE = {

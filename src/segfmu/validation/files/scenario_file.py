@@ -10,7 +10,8 @@ from typing import Any
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.kinds import require_kind
-from segfmu.validation.files.mission import Mission, build_mission, read_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import build_mission, read_mission
 from segfmu.validation.files.reading import checked, merged, read
 from segfmu.validation.files.recording import Recording, load_recording
 from segfmu.validation.files.scenario_tables import CRANE, ScenarioFile

@@ -13,7 +13,8 @@ from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.crane_parameters import with_keys
-from segfmu.validation.files.mission import Mission, Source, load_mission
+from segfmu.validation.files.mission import Mission
+from segfmu.validation.files.mission_file import Source, load_mission
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.live.system import interfaces, system
 from segfmu.validation.output import about, file_path, require_file

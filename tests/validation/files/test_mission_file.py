@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from segfmu import InputError
-from segfmu.validation.files.mission import load_mission
+from segfmu.validation.files.mission_file import load_mission
 
 RIGHT = Path(__file__).parents[3] / "models" / "paper.toml"
 LOW = [0.5, 0.0, 0.1]
