@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+from pathlib import Path
 from types import ModuleType
 
 import pytest
 
+from segfmu.codegen.native import TARGET
 from segfmu.cosim import native
 from segfmu.fmu.native.compilers import available
 from segfmu.kernels import backend
 
 CC = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))), "")
+STRICT = (
+    "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off",
+    "-Wno-unused-variable", "-Wno-unused-but-set-variable",
+)
+# of memory and undefined behaviour
+SANITIZERS = ("-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all")
 NO_CC = "no C compiler found (cc, gcc, clang)"
 needs_cc = pytest.mark.skipif(not CC, reason=NO_CC)
 needs_native = pytest.mark.skipif(not available(), reason="no C compiler found for native FMUs")
@@ -28,6 +37,15 @@ def require_cc() -> None:
     """Skip a fixture's tests where there is no C compiler."""
     if not CC:
         pytest.skip(NO_CC)
+
+
+def kernels_object(folder: Path, *options: str) -> Path:
+    """The kernels in C, compiled alone, for several programs to be linked with."""
+    target = folder / "kernels.o"
+    subprocess.run(
+        [CC, *STRICT, *options, "-c", TARGET / "kernels.c", "-o", target], check=True
+    )
+    return target
 
 
 def compiled_kernels() -> ModuleType:

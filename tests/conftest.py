@@ -13,7 +13,7 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.python.archive import build_all
-from tests.compiler import require_cc, require_native
+from tests.compiler import SANITIZERS, kernels_object, require_cc, require_native
 from tests.kernels.planner.c_planner import Planner
 from tests.sharing import shared
 
@@ -57,10 +57,30 @@ def hook_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Path,
 
 
 @pytest.fixture(scope="session")
-def planner(tmp_path_factory: pytest.TempPathFactory) -> Planner:
-    """The C entry points of plans."""
+def kernels_in_c(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The kernels as an object file."""
     require_cc()
-    return Planner(shared(tmp_path_factory, "planner", Planner))
+    return shared(
+        tmp_path_factory, "kernels", lambda folder: kernels_object(folder, "-O1", "-fPIC")
+    ) / "kernels.o"
+
+
+@pytest.fixture(scope="session")
+def sanitized_kernels(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The kernels as an object file with sanitizers."""
+    require_cc()
+    return shared(
+        tmp_path_factory, "sanitized",
+        lambda folder: kernels_object(folder, "-O0", "-g", *SANITIZERS),
+    ) / "kernels.o"
+
+
+@pytest.fixture(scope="session")
+def planner(tmp_path_factory: pytest.TempPathFactory, kernels_in_c: Path) -> Planner:
+    """The C entry points of plans."""
+    return Planner(shared(
+        tmp_path_factory, "planner", lambda folder: Planner(folder, kernels_in_c)
+    ))
 
 
 def pair(folder: Path, models: pairs.ModelPair = pairs.GANTRY) -> tuple[Path, Path]:

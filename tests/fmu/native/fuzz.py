@@ -21,11 +21,17 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.hook_crane import interface as hook_crane
 from segfmu.fmu.hook_feedforward import interface as hook_feedforward
 from segfmu.fmu.native import archive as native
+from segfmu.fmu.native.binaries import UNIT
 from segfmu.fmu.standard.spec import Spec, started
+from tests.compiler import SANITIZERS
 
 DRIVERS = Path(__file__).parent / "c"
-SANITIZERS = ("-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all")
 OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w")
+# what the one translation unit of an FMU has in place of the kernels that it is linked with
+LINKED = {
+    "#define SEGFMU_API static\n": "",
+    '#include "kernels.c"\n': '#include "kernels.h"\n#include <math.h>\n',
+}
 MEMCHECK = ("valgrind", "--quiet", "--error-exitcode=1", "--leak-check=full")
 # one that follows a stick from the start
 COMMANDED = started(gantry_feedforward.native_spec(), {
@@ -47,19 +53,28 @@ def missions(count: int) -> Iterator[Spec]:
 
 def program(
     compiler: str, spec: Spec, fmi: int, folder: Path, level: str = "-O1",
-    sanitizers: Sequence[str] = SANITIZERS,
+    sanitizers: Sequence[str] = SANITIZERS, kernels: Path | None = None,
 ) -> Path:
     """Compile the driver of a version, which includes the FMU, and put its resources beside it.
 
-    `level` is the compiler's option of optimisation.
+    `level` is the compiler's option of optimisation; kernels in an object file, of the same
+    sanitizers, are linked in place of being compiled with each FMU.
     """
     place = folder / f"{spec.name}{fmi}"
     place.mkdir()
     written(spec, fmi, place)
+    objects = []
+    if kernels is not None:
+        objects.append(kernels)
+        unit = (place / UNIT).read_text(encoding="utf-8")
+        for old, new in LINKED.items():
+            assert unit.count(old) == 1, old
+            unit = unit.replace(old, new)
+        (place / UNIT).write_text(unit, encoding="utf-8")
     target = place / "fuzz"
     subprocess.run(
         [compiler, *OPTIONS, *sanitizers, level, f"-I{place}", f"-I{DRIVERS}",
-         DRIVERS / f"fuzz{fmi}.c", "-lm", "-o", target],
+         DRIVERS / f"fuzz{fmi}.c", *objects, "-lm", "-o", target],
         check=True,
     )
     return target

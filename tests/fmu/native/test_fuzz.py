@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.campaign import SOAK, campaign
-from tests.compiler import CC, require_cc
+from tests.compiler import CC, SANITIZERS, require_cc
 from tests.fmu.native import fuzz
 
 COMMANDED = [
@@ -17,19 +17,21 @@ COMMANDED = [
 
 
 @pytest.fixture(scope="module")
-def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The C compiler, where it is there and has sanitizers."""
+def kernels(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Path | None:
+    """The kernels for all programs, where the C compiler has sanitizers; None to optimise them."""
     require_cc()
     folder = tmp_path_factory.mktemp("fuzz")
     empty = folder / "empty.c"
     empty.write_text("int main(void) { return 0; }\n")
     done = subprocess.run(
-        [CC, *fuzz.SANITIZERS, empty, "-o", folder / "empty"], capture_output=True,
+        [CC, *SANITIZERS, empty, "-o", folder / "empty"], capture_output=True,
         check=False,
     )
     if done.returncode != 0:
         pytest.skip("the C compiler has no sanitizers")
-    return CC
+    return None if SOAK else request.getfixturevalue("sanitized_kernels")
 
 
 @campaign(100, 20_000)
@@ -39,10 +41,12 @@ def compiler(tmp_path_factory: pytest.TempPathFactory) -> str:
     [(3, fuzz.SPECS[0]), (2, fuzz.SPECS[1]), (2, fuzz.HOOKS[0]), (3, fuzz.HOOKS[1]), *COMMANDED],
 )
 def test_random_calls_end_with_a_status(
-    compiler: str, tmp_path: Path, spec, fmi: int, count: int
+    kernels: Path | None, tmp_path: Path, spec, fmi: int, count: int
 ) -> None:
     # so few run sooner than an optimised program compiles
-    target = fuzz.program(compiler, spec, fmi, tmp_path, "-O1" if SOAK else "-O0")
+    target = fuzz.program(
+        CC, spec, fmi, tmp_path, "-O1" if SOAK else "-O0", kernels=kernels
+    )
     told = fuzz.run(target, count, 1, timeout=600.0)
     sequences, calls, errors, messages = (int(t.split()[0]) for t in told.split(", "))
     assert (sequences, calls) == (count, 40 * count)

@@ -12,11 +12,9 @@ import numpy as np
 
 from segfmu import Limits, Waypoint
 from segfmu.codegen.native import TARGET
-from tests.compiler import CC
+from tests.compiler import CC, STRICT
 
-NAMES = ("replan.c", "velocity.c", "lead.c", "plan.c", "kernels.c")
-FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off", "-O1")
-UNUSED = ("-Wno-unused-variable", "-Wno-unused-but-set-variable")
+NAMES = ("replan.c", "velocity.c", "lead.c", "plan.c")
 REPORT = 5
 # doubles behind the work space that nothing may write, and what it has from earlier use
 GUARD, USED = 16, 1e3
@@ -118,11 +116,12 @@ class Asked:
         self.problem = Problem(**fields | {n: a.ctypes.data for n, a in self.arrays.items()})
 
 
-def compiled(target: Path, *more: str | Path) -> Path:
-    """Compile the entry points, with further sources and options."""
+def compiled(target: Path, kernels: Path, *more: str | Path) -> Path:
+    """Compile the entry points, with kernels as source or object, further sources and options."""
     sources = [TARGET / name for name in NAMES]
     subprocess.run(
-        [CC, *FLAGS, *UNUSED, f"-I{TARGET}", *more, *sources, "-lm", "-o", target], check=True
+        [CC, *STRICT, "-O1", f"-I{TARGET}", *more, *sources, kernels, "-lm", "-o", target],
+        check=True,
     )
     return target
 
@@ -130,10 +129,10 @@ def compiled(target: Path, *more: str | Path) -> Path:
 class Planner:
     """The entry points, compiled into a folder that does not have them yet."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, kernels: Path = TARGET / "kernels.c") -> None:
         path = folder / "planner.so"
         if not path.exists():
-            compiled(path, "-fPIC", "-shared")
+            compiled(path, kernels, "-fPIC", "-shared")
         self.library = ctypes.CDLL(str(path))
         for name in ("segfmu_plan_size", "segfmu_replan_size"):
             getattr(self.library, name).restype = ctypes.c_size_t

@@ -24,11 +24,12 @@ pytestmark = needs_cc
 
 
 @pytest.fixture(scope="module")
-def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def driver(tmp_path_factory: pytest.TempPathFactory, kernels_in_c: Path) -> Path:
     """The driver, compiled from the sources that ship."""
     source = Path(__file__).with_name("plan_driver.c")
     return shared(
-        tmp_path_factory, "plan_driver", lambda folder: compiled(folder / "driver", source)
+        tmp_path_factory, "plan_driver",
+        lambda folder: compiled(folder / "driver", kernels_in_c, source),
     ) / "driver"
 
 

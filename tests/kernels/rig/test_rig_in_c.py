@@ -16,33 +16,26 @@ from segfmu.kernels.control.records import Tracking
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.records import Corrector, Loop, Settings
 from segfmu.kernels.rig.records import Sensors as Sensing
-from tests.compiler import CC, needs_cc
+from tests.compiler import CC, SANITIZERS, STRICT, needs_cc
 from tests.kernels.rigs import HANGING, LAB, everything, feedback, observer, tracking
 from tests.sharing import shared
 
 STEPS = 60
-SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
 pytestmark = needs_cc
 
 
-def compiled(program: Path, *flags: str) -> Path:
-    sources = [Path(__file__).with_name("rig_driver.c"), TARGET / "kernels.c"]
-    strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off"]
-    unused = ["-Wno-unused-variable", "-Wno-unused-but-set-variable"]
-    subprocess.run(
-        [CC, *strict, *unused, *flags, f"-I{TARGET}", *sources, "-lm", "-o", program],
-        check=True,
-    )
-    return program
-
-
 @pytest.fixture(scope="module")
-def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def driver(tmp_path_factory: pytest.TempPathFactory, sanitized_kernels: Path) -> Path:
     """The driver with the compiler's checks of memory and undefined behaviour."""
-    return shared(
-        tmp_path_factory, "rig", lambda folder: compiled(folder / "driver", "-O0", *SANITIZERS)
-    ) / "driver"
+    def compiled(folder: Path) -> None:
+        subprocess.run(
+            [CC, *STRICT, *SANITIZERS, f"-I{TARGET}", Path(__file__).with_name("rig_driver.c"),
+             sanitized_kernels, "-lm", "-o", folder / "driver"],
+            check=True,
+        )
+
+    return shared(tmp_path_factory, "rig", compiled) / "driver"
 
 
 def steps(driven: bool) -> list[tuple[float, Setpoints]]:
