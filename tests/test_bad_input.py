@@ -57,6 +57,7 @@ def files(folder: Path, mission: str = GOOD, crane: str = CRANE) -> None:
 MISSIONS = {
     "no rope": ("0.2, -0.5", "0.2, -6e-17",
                 "waypoints.2.position: z -6e-17 m must be below the trolley, z <= -1e-06"),
+    "many points": (POINTS, 129 * POINTS, "waypoints: must have at most 256 values, got 258"),
     "no name": ("crane =", 'name = ""\ncrane =', "name: must not be empty, got ''"),
     "far": ("[0.3,", "[1e300,", "waypoints.2.position, x: must be at most 1e+06 m, got 1e+300"),
     "slow": ("velocity = 1.0", "velocity = 1e-12", "limits.x.velocity: must be at least 1e-06 m/s"),

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
 from segfmu import folders
+from segfmu.errors import InputError
 
 LEFT = """
 import shutil, sys
@@ -61,3 +63,12 @@ def test_a_folder_can_be_in_another_and_goes_with_its_block(tmp_path: Path) -> N
         assert folder.parent == tmp_path and folder.is_dir()
         (folder / "file").touch()
     assert not list(tmp_path.iterdir())
+
+
+def test_the_place_of_temporary_files_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "nowhere"))
+    with pytest.raises(InputError, match=r"temporary files cannot be written in .*nowhere: No such"
+                       r".*; the variable TMPDIR can name another folder"):
+        folders.make_folder()

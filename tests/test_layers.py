@@ -13,7 +13,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "segfmu"
 
 ALLOWED = {
     "errors": set(),
-    "folders": set(),
+    "folders": {"errors"},
     "arrays": {"errors"},
     "kernels": {"errors"},
     "planning": {"arrays", "errors", "kernels"},

@@ -11,17 +11,49 @@ from contextlib import contextmanager
 from pathlib import Path
 from secrets import token_hex
 
+from segfmu.errors import InputError, SegfmuError
+
 # with the process that made it: one that is forked from it must leave it
 _present: set[tuple[Path, int]] = set()
 
 
 def make_folder(parent: Path | None = None) -> Path:
-    """A new temporary folder, in `parent` or in the system's place for them."""
-    folder = Path(parent or tempfile.gettempdir()) / f"segfmu_{token_hex(8)}"
+    """A new temporary folder, in `parent` or in the system's place for them.
+
+    Raises
+    ------
+    OSError
+        If it cannot be made in `parent`.
+    InputError
+        If it cannot be made in the system's place.
+    """
+    if parent is None:
+        with temporary_files():
+            return make_folder(Path(tempfile.gettempdir()))
+    folder = parent / f"segfmu_{token_hex(8)}"
     # known before it is there: a signal between the two would leave it
     _present.add((folder, os.getpid()))
     folder.mkdir(mode=0o700)
     return folder
+
+
+@contextmanager
+def temporary_files(kind: type[SegfmuError] = InputError) -> Iterator[None]:
+    """Name the system's place for temporary files in what goes wrong with those of a block.
+
+    Raises
+    ------
+    SegfmuError
+        Of this kind, for an error of the system, which callers would take for one of the output.
+    """
+    try:
+        yield
+    except OSError as error:
+        place = f" in {tempfile.tempdir}" if tempfile.tempdir else ""
+        raise kind(
+            f"temporary files cannot be written{place}: {error.strerror or error}; the variable "
+            "TMPDIR can name another folder"
+        ) from error
 
 
 def remove_folder(folder: Path) -> None:

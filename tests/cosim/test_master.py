@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import gc
+import os
 import tempfile
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from segfmu.cosim import simulate, write_csv
+from segfmu.cosim import load, simulate, write_csv
 from segfmu.errors import InputError, SimulationError
 
 
@@ -110,6 +112,17 @@ def test_bad_archives_are_named(tmp_path: Path, fmus: tuple[Path, Path], content
     bad.write_bytes(content)
     with pytest.raises(InputError, match=r"bad\.fmu"):
         simulate(bad, fmus[1], stop_time=1.0, step=0.01)
+
+
+def test_an_archive_is_not_blamed_for_a_full_disk(
+    fmus: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(load, "extract", full)
+    with pytest.raises(InputError, match=r"^temporary files cannot be written in .*: No space"):
+        simulate(*fmus, stop_time=1.0, step=0.01)
 
 
 def test_csv_holds_every_digit_and_appears_whole(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from segfmu.cosim.unit import Unit
 from segfmu.cosim.unit2 import Unit2
 from segfmu.cosim.unit3 import Unit3
 from segfmu.errors import InputError, first_line
-from segfmu.folders import make_folder, remove_folder
+from segfmu.folders import make_folder, remove_folder, temporary_files
 
 
 def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
@@ -47,7 +47,10 @@ def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
 def _describe(path: Path, folder: Path) -> Any:
     try:
         description = read_model_description(str(path))
-        extract(str(path), unzipdir=str(folder), include=_runs)
+        with temporary_files():
+            extract(str(path), unzipdir=str(folder), include=_runs)
+    except InputError:
+        raise
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
     except zipfile.BadZipFile as error:

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from segfmu.errors import BuildError
 from segfmu.fmu.modelica.drawing import HALF_CONNECTOR, HALF_WIDTH, half_height, places
 from segfmu.fmu.modelica.names import identifier
-from segfmu.fmu.modelica.package import package
+from segfmu.fmu.modelica.package import package, write_package
 from segfmu.fmu.models import named
 from segfmu.fmu.pairs import PAIRS
-from segfmu.fmu.standard.spec import Spec
+from segfmu.fmu.standard.spec import Spec, started
 
 NAMES = [name for models in PAIRS for name in models.names]
 COMMITTED = Path(__file__).parents[3] / "models" / "modelica" / "Segfmu"
@@ -119,3 +120,16 @@ def test_no_line_names_a_tool(texts) -> None:
     """Nothing but the language and C: the package is for every Modelica tool."""
     for name, text in texts.items():
         assert "OpenModelica" not in text and "_OMC" not in text, name
+
+
+def test_a_package_that_cannot_be_written_leaves_the_one_before(tmp_path: Path) -> None:
+    write_package(tmp_path)
+    kept = {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()}
+    changed = started(named("GantryCrane").spec(), {"crane.payload_mass": 2.0})
+    with pytest.raises(BuildError, match="cannot be written"):
+        write_package(tmp_path, [changed], [tmp_path / "nowhere.fmu"])
+    assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == kept
+    write_package(tmp_path, [changed])
+    assert {p for p in tmp_path.rglob("*") if p.is_file()} == kept.keys()
+    crane = tmp_path / "Segfmu" / "GantryCrane.mo"
+    assert crane.read_bytes() != kept[crane]

@@ -239,3 +239,11 @@ def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
     )
     done = subprocess.run([program, *words], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (0, "both stepped\n")
+
+
+@needs_cc
+def test_a_compiler_without_room_names_the_temporary_files(tmp_path: Path, cache: Path) -> None:
+    """Not the folder of the archives, in which they are made."""
+    cc = compilers.compiler(compilers.host() or "")
+    with pytest.raises(BuildError, match="temporary files cannot be written in"):
+        binaries.compiled("one", {"a": b"", "a/b": b""}, cc)

@@ -160,3 +160,20 @@ def test_waypoints_of_a_dict_are_any_sequence() -> None:
     listed = load_mission({**data, "waypoints": points})
     for given in (iter(points), dict.fromkeys(points).keys(), deque(points)):
         assert load_mission({**data, "waypoints": given}) == listed
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="files are kept small by a limit of POSIX")
+def test_first_files_that_cannot_be_written_leave_none(tmp_path: Path) -> None:
+    script = (
+        "import resource, signal\nfrom pathlib import Path\n"
+        "from segfmu.validation.files import template\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\n"
+        "template.write(Path())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-B", "-c", script], capture_output=True, text=True, cwd=tmp_path,
+        timeout=60, check=False,
+    )
+    assert "InputError: crane.toml: cannot be written: File too large" in done.stderr
+    assert not list(tmp_path.iterdir())

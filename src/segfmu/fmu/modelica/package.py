@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import zipfile
 from collections.abc import Sequence
@@ -18,10 +19,13 @@ from segfmu.fmu.modelica.wrapper import wrapper
 from segfmu.fmu.models import named
 from segfmu.fmu.pairs import PAIRS
 from segfmu.fmu.standard.spec import Spec
+from segfmu.folders import work_folder
 
 LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
 CLASSES = ("Examples", *(pair.coupled[0] for pair in PAIRS), "PlainCrane", "Interfaces",
            "Types", "FMI")
+# in the package, unpacked
+FMUS = Path("Resources", "FMUs")
 
 
 def write_package(
@@ -53,12 +57,17 @@ def write_package(
     usual = (own for models in PAIRS for own in (models.planner(WAYPOINTS), models.plant()))
     every = [given.get(own.name, own) for own in usual]
     try:
-        for name, text in package([named(own.name).native_spec(own) for own in every]).items():
-            path = target / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(text)
-        for archive in archives:
-            _unpack(archive, target / "Resources" / "FMUs" / archive.stem)
+        folder.mkdir(parents=True, exist_ok=True)
+        with work_folder(folder) as work:
+            for name, text in package([named(own.name).native_spec(own) for own in every]).items():
+                path = work / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(text)
+            for archive in archives:
+                _unpack(archive, work / FMUS / archive.stem)
+            for archive in archives:
+                shutil.rmtree(target / FMUS / archive.stem, ignore_errors=True)
+            _place(work, target)
     except OSError as error:
         raise BuildError(f"{target}: cannot be written: {error.strerror}") from error
     return target / "package.mo"
@@ -92,9 +101,17 @@ def _library(folder: Traversable, prefix: str) -> dict[str, bytes]:
     return found
 
 
+def _place(work: Path, target: Path) -> None:
+    """Move all files of a folder into another one, which may have others; all are complete."""
+    for path in work.rglob("*"):
+        if path.is_file():
+            place = target / path.relative_to(work)
+            place.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(path, place)
+
+
 def _unpack(archive: Path, target: Path) -> None:
     """What running an FMU needs: its description, binaries and resources."""
-    shutil.rmtree(target, ignore_errors=True)
     with zipfile.ZipFile(archive) as entries:
         for name in entries.namelist():
             if name.startswith(("modelDescription.xml", "binaries/", "resources/")):

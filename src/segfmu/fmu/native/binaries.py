@@ -21,7 +21,7 @@ from segfmu.errors import BuildError
 from segfmu.fmu.native.compilers import PLATFORMS, TARGETS, Compiler
 from segfmu.fmu.native.compilers import compiler as compiler_for
 from segfmu.fmu.native.packed import unpack
-from segfmu.folders import work_folder
+from segfmu.folders import temporary_files, work_folder
 
 # the one translation unit of an FMU, which includes its other sources
 UNIT = "fmu.c"
@@ -83,7 +83,7 @@ def folder() -> Path:
 
 def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
     """Compile and link; the folder that this happens in leaves no trace in the library."""
-    with work_folder() as root:
+    with work_folder() as root, temporary_files(BuildError):
         for source, text in texts.items():
             target = root / source
             target.parent.mkdir(exist_ok=True)

@@ -197,7 +197,9 @@ def _write(path: Path, table: pyarrow.Table) -> None:
 def _about(path: Path) -> dict[str, Any]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except ValueError as error:
         raise InputError(f"{path}: cannot be read: {error}") from None
     return found if isinstance(found, dict) else {}
 

@@ -165,7 +165,10 @@ def _finding(kind: type[Table], problem: ErrorDetails) -> str:
     if problem["type"] == "value_error" and not single:
         # of a table: the text names the keys that do not fit each other
         return f"{key}: {text}" if key else text
-    return f"{key or 'file'}: {text}, got {shown(problem['input'])}"
+    # of a list that is too long nobody would count what is shown
+    long = problem["type"] == "too_long" and not (entry and entry.key.parts)
+    got = len(problem["input"]) if long else shown(problem["input"])
+    return f"{key or 'file'}: {text}, got {got}"
 
 
 def _text(problem: ErrorDetails, entry: Entry | None) -> str:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
+from segfmu.cosim.result import replacing
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import Entry, Table, entries
@@ -90,18 +92,15 @@ def write(folder: Path) -> tuple[Path, Path]:
     Raises
     ------
     InputError
-        If one of them is there already; then none is written.
+        If one of them is there already, or cannot be written; then none is written.
     """
     paths = folder / "crane.toml", folder / "mission.toml"
     for path in paths:
         if path.exists():
             raise InputError(f"{path}: is there already; remove it, or name another folder")
-    for path, text in zip(paths, (crane_text(), mission_text()), strict=True):
-        try:
-            with path.open("x", encoding="utf-8") as file:
-                file.write(text)
-        except OSError as error:
-            raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    with ExitStack() as stack:
+        for path, text in zip(paths, (crane_text(), mission_text()), strict=True):
+            stack.enter_context(replacing(path)).write_text(text, encoding="utf-8")
     return paths
 
 
