@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pyarrow
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Browser, Page
@@ -218,4 +220,35 @@ def test_names_are_no_markup(browser: Browser, tmp_path: Path) -> None:
     run = segfmu.simulate(segfmu.load_mission(MISSIONS["lab"], {"name": name}), step=0.02)
     page, complaints = opened(browser, run.report(tmp_path / "report.html"))
     assert page.inner_text("h1") == name and not complaints
+    page.close()
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+def test_charts_of_a_campaign_have_names_and_numbers_that_can_be_read(
+    browser: Browser, tmp_path: Path, size: tuple[int, int]
+) -> None:
+    """Names that look like markup, and margins that differ in the sixth digit."""
+    name = '<i>load</i> &amp; <a href="x">'
+    found = campaign()
+    margins = pyarrow.array(4.998e-3 - 1e-6 * np.array(found.column("gust")))
+    names = [name if n == "gust" else n for n in found.table.column_names]
+    table = found.table.rename_columns(names)
+    place = names.index("margin.near its plan")
+    found = replace(
+        found, factors=(name, "payload"),
+        table=table.set_column(place, "margin.near its plan", margins),
+    )
+    page, complaints = opened(browser, found.report(tmp_path / "report.html"), size)
+    titles = page.evaluate("[...document.querySelectorAll('.xtitle')].map(t => t.textContent)")
+    assert titles[1] == name and not complaints
+    shown = page.evaluate("""[...document.querySelectorAll('.chart')].map(chart =>
+        [...chart.querySelectorAll('.xtick text, .xtitle')].map(text => {
+            const box = text.getBoundingClientRect();
+            return [box.left, box.right, box.top, box.bottom];
+        }))""")
+    for boxes in shown:
+        for i, (left, right, top, bottom) in enumerate(boxes):
+            for other in boxes[:i]:
+                assert left >= other[1] or right <= other[0] or top >= other[3] - 1.0 \
+                    or bottom <= other[2] + 1.0
     page.close()

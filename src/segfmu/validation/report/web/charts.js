@@ -6,9 +6,11 @@
   const GREY = "rgba(128,134,140,0.55)", BAND = "rgba(128,134,140,0.25)";
   const MOST_ARRIVALS = 40;
   const drawn = new Map();
+  // the library takes texts for markup, and the names of users have none
+  const plain = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 
   const traces = (chart) => chart.curves.map((curve) => ({
-    x: curve.x, y: curve.y, name: curve.name, uid: curve.role, type: "scatter",
+    x: curve.x, y: curve.y, name: plain(curve.name), uid: curve.role, type: "scatter",
     mode: chart.kind === "points" ? "markers" : "lines", marker: {size: 5, opacity: 0.6},
     line: {
       width: curve.role === "plan" ? 1.6 : 2, dash: DASHES[curve.role],
@@ -68,7 +70,8 @@
       font: {family: "system-ui, sans-serif", size: 12}, shapes: shapes(chart, ranges),
       xaxis: {
         range: ranges.x, fixedrange: true, ticksuffix: timed ? " s" : "", showticksuffix: "last",
-        zeroline: false, nticks: 7, exponentformat: "e", title: timed ? {} : {text: chart.across, standoff: 6},
+        zeroline: false, nticks: timed ? 7 : 4, tickangle: 0, exponentformat: "e",
+        title: timed ? {} : {text: plain(chart.across), standoff: 6},
       },
       yaxis: {range: ranges.y, fixedrange: true, nticks: 6, zeroline: true, exponentformat: "e"},
     };
