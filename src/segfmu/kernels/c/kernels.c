@@ -21219,7 +21219,7 @@ static void set_level(array_double_1d node, array_double_1d passing, array_doubl
     time = (*cspan_at(&node, INT64_C(6)));
     (*cspan_at(&node, INT64_C(9))) = 0.0;
     (*cspan_at(&node, INT64_C(10))) = time;
-    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
+    if ((int64_t)((*cspan_at(&node, INT64_C(7)))) != INT64_C(0))
     {
         return;
     }
@@ -21350,12 +21350,12 @@ static void pass_node(int64_t i, array_double_1d passing, array_double_1d axis, 
 static int64_t dropped_condition(int64_t q, array_double_1d node)
 {
     int64_t result;
-    if ((*cspan_at(&node, INT64_C(7))) > 1.5)
+    if ((int64_t)((*cspan_at(&node, INT64_C(7)))) == INT64_C(2))
     {
         result = (int64_t)((*cspan_at(&node, INT64_C(4))));
         return result;
     }
-    if ((*cspan_at(&node, INT64_C(7))) > 0.5)
+    if ((int64_t)((*cspan_at(&node, INT64_C(7)))) != INT64_C(0))
     {
         return q - INT64_C(1);
     }
@@ -21416,7 +21416,11 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
 static bool stays_at_limit(array_double_1d node)
 {
     bool result;
-    result = ((*cspan_at(&node, INT64_C(4))) > 0.5) && ((*cspan_at(&node, INT64_C(7))) < 0.5) && ((*cspan_at(&node, INT64_C(9))) == 0.0);
+    if (((*cspan_at(&node, INT64_C(4))) < 0.5) || ((*cspan_at(&node, INT64_C(9))) != 0.0))
+    {
+        return 0;
+    }
+    result = (int64_t)((*cspan_at(&node, INT64_C(7)))) == INT64_C(0);
     return result;
 }
 static void hold_limit(int64_t q, array_double_1d node, array_double_1d axis, array_double_1d state)
@@ -21525,7 +21529,7 @@ static void run_sequence(array_double_1d problem, array_double_1d passing, array
     (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(1))) = (*cspan_at(&problem, INT64_C(0)));
     (*cspan_at(&nodes, INT64_C(0), INT64_C(0) + INT64_C(2))) = (*cspan_at(&problem, INT64_C(1)));
     jerk = INT64_C(0) + INT64_C(3);
-    if ((*cspan_at(&passing, INT64_C(1))) > 1.5)
+    if ((int64_t)((*cspan_at(&passing, INT64_C(1)))) > INT64_C(1))
     {
         (*cspan_at(&nodes, INT64_C(0), jerk)) = (*cspan_at(&passing, INT64_C(10)));
     }
@@ -23117,7 +23121,7 @@ static int64_t overlong_plateau(array_double_2d work)
     {
         row = INT64_C(102) + i;
         kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
-        held = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
+        held = ((int64_t)((*cspan_at(&work, row, INT64_C(7)))) == INT64_C(0)) && (kind != (int64_t)((*cspan_at(&passing, INT64_C(1)))));
         if ((kind > INT64_C(0)) && held && ((*cspan_at(&work, row, INT64_C(6))) < least))
         {
             found = i;
@@ -23298,7 +23302,7 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
         return 0;
     }
     row = INT64_C(102) + beside;
-    if (((*cspan_at(&passing, INT64_C(14))) > 2.5) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
+    if (((int64_t)((*cspan_at(&passing, INT64_C(14)))) > INT64_C(2)) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
     {
         return 0;
     }
@@ -23332,7 +23336,7 @@ static bool move_instant(int64_t order, array_double_1d problem, array_double_1d
 static bool compares_levels(array_double_1d axis)
 {
     bool result;
-    result = ((*cspan_at(&axis, INT64_C(38))) < 1.5) && (!ramps_suffice(axis));
+    result = ((int64_t)((*cspan_at(&axis, INT64_C(38)))) < INT64_C(2)) && (!ramps_suffice(axis));
     return result;
 }
 static double sequence_cost(array_double_2d work)
@@ -23435,7 +23439,7 @@ static bool stay_below(int64_t place, array_double_1d problem, array_double_1d a
     int64_t row;
     keep_sequence(INT64_C(120), work);
     row = INT64_C(102) + place;
-    (*cspan_at(&work, row, INT64_C(7))) = 2.0;
+    (*cspan_at(&work, row, INT64_C(7))) = INT64_C(2);
     (*cspan_at(&work, row, INT64_C(8))) = 0.0;
     if (solve_rotated(problem, axis, work))
     {
@@ -23561,14 +23565,14 @@ static bool release_plateau(array_double_2d work)
     passing = span_row(&work, INT64_C(101));
     kind = (int64_t)((*cspan_at(&passing, INT64_C(1))));
     end = vanishing_end(work);
-    if ((end < INT64_C(0)) || ((*cspan_at(&passing, INT64_C(14))) > 2.5))
+    if ((end < INT64_C(0)) || ((int64_t)((*cspan_at(&passing, INT64_C(14)))) > INT64_C(2)))
     {
         return 0;
     }
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
         row = INT64_C(102) + i;
-        touches = ((*cspan_at(&work, row, INT64_C(7))) < 0.5) && ((*cspan_at(&work, row, INT64_C(6))) < 0.0);
+        touches = ((int64_t)((*cspan_at(&work, row, INT64_C(7)))) == INT64_C(0)) && ((*cspan_at(&work, row, INT64_C(6))) < 0.0);
         if (touches && ((int64_t)((*cspan_at(&work, row, INT64_C(4)))) == kind))
         {
             (*cspan_at(&work, row, INT64_C(4))) = 0.0;
@@ -23638,7 +23642,7 @@ static void append_levels(double change, array_double_1d axis, array_double_2d w
     segfmu_ramp_duration(&duration, &slope, fabs(change), axis);
     rise = inner_rise(duration, INT64_C(0), axis);
     hold = span_max(duration - 2.0 * rise, 0.0);
-    if ((*cspan_at(&work, INT64_C(101), INT64_C(1))) < 1.5)
+    if ((int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) < INT64_C(2))
     {
         append_level(sign, rise + hold, work);
         return;
@@ -24100,7 +24104,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
             used = append_phase(phases, used, ramp, basis, level, change, above);
         }
         level = (*cspan_at(&work, row, INT64_C(9)));
-        if (((*cspan_at(&work, row, INT64_C(10))) > 0.0) && ((*cspan_at(&work, row, INT64_C(7))) < 0.5))
+        if (((*cspan_at(&work, row, INT64_C(10))) > 0.0) && ((int64_t)((*cspan_at(&work, row, INT64_C(7)))) == INT64_C(0)))
         {
             held = level;
             order = above;
@@ -24108,9 +24112,9 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
             {
                 order = span_max((*cspan_at(&work, row, INT64_C(4))) - 2.0, 0.0);
                 held = 0.0;
-                if ((*cspan_at(&work, row, INT64_C(4))) > 1.5)
+                kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
+                if (kind > INT64_C(1))
                 {
-                    kind = (int64_t)((*cspan_at(&work, row, INT64_C(4))));
                     sign = (*cspan_at(&work, row, INT64_C(5)));
                     held = sign * side_limit(kind, sign, axis);
                 }
@@ -24125,7 +24129,7 @@ static bool stays_below(array_double_2d work)
     int64_t i;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(0)))); i += INT64_C(1))
     {
-        if ((*cspan_at(&work, INT64_C(102) + i, INT64_C(7))) > 1.5)
+        if ((int64_t)((*cspan_at(&work, INT64_C(102) + i, INT64_C(7)))) == INT64_C(2))
         {
             return 1;
         }
@@ -25513,7 +25517,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
     (*cspan_at(&state, seen + INT64_C(1))) = (*cspan_at(&now, INT64_C(1)));
-    if (end <= 1e+299)
+    if (end < 1e+300)
     {
         (*cspan_at(&state, order)) = end;
     }
@@ -25530,7 +25534,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     int64_t count;
     int64_t result;
     end = (*cspan_at(&lead, INT64_C(14), order));
-    count = stage_phases(order, end, end > 1e+299, lead);
+    count = stage_phases(order, end, end >= 1e+300, lead);
     result = append_phases(order, end, count, row, lead, timing, coefficients);
     return result;
 }
@@ -25543,7 +25547,7 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(14), i)) < 1e+299))
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(14), i)) < 1e+300))
         {
             aim = (*cspan_at(&lead, INT64_C(14), i));
         }
@@ -26124,7 +26128,7 @@ static int64_t best_level(double* result_0, double* result_1, int64_t order, dou
     }
     for (i = INT64_C(0); i < INT64_C(6); i += INT64_C(1))
     {
-        if ((0.0 <= time) && (time <= 1e+299))
+        if ((0.0 <= time) && (time < 1e+300))
         {
             (*result_0) = time;
             (*result_1) = level;
@@ -26153,7 +26157,7 @@ static int64_t level_time(double* result_0, double* result_1, int64_t order, dou
     {
         level = (1.0 - gentle) * level_limit(order, side, lead);
         time = try_brake(order, side, level, settled, lead, timing, coefficients);
-        if ((time >= 0.0) && (time < 1e+299))
+        if ((time >= 0.0) && (time < 1e+300))
         {
             (*result_0) = time;
             (*result_1) = level;
@@ -26307,7 +26311,7 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     settled = 0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        if (time > 1e+299)
+        if (time >= 1e+300)
         {
             settled = i == INT64_C(1);
             if (side == 0.0)
@@ -26320,7 +26324,7 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
             }
         }
     }
-    if (time > 1e+299)
+    if (time >= 1e+300)
     {
         return 0;
     }
@@ -26448,7 +26452,7 @@ static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t l
             best = until;
             chosen = steep;
         }
-        else if ((best < 1e+299) && (i > INT64_C(2)))
+        else if ((best < 1e+300) && (i > INT64_C(2)))
         {
             break;
         }
@@ -26954,7 +26958,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     double end;
     double time;
     bound = (*cspan_at(&lead, INT64_C(12), stage));
-    if (((*cspan_at(&lead, INT64_C(15), stage)) > 1e+299) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
+    if (((*cspan_at(&lead, INT64_C(15), stage)) >= 1e+300) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
     {
         for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
         {
@@ -26965,7 +26969,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
         around = (*cspan_at(&lead, INT64_C(15), stage));
-        if (around > 1e+299)
+        if (around >= 1e+300)
         {
             break;
         }
@@ -27162,7 +27166,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
     }
     found = 1e+300;
     count = INT64_C(3);
-    if ((*cspan_at(&lead, INT64_C(53), INT64_C(0))) > 4.5)
+    if ((int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) > INT64_C(4))
     {
         count = INT64_C(12);
     }
@@ -27230,23 +27234,23 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
 {
     double steep;
     double found;
-    double highest;
+    int64_t highest;
     int64_t i;
     double before;
     double level;
     steep = 1.0;
     found = 1e+300;
-    highest = (*cspan_at(&lead, INT64_C(53), INT64_C(0)));
+    highest = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = (*cspan_at(&lead, INT64_C(8), level_order(order, lead)));
     (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
         before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
-        if ((found > 1e+299) || ((i == INT64_C(1)) && (highest > 4.5)))
+        if ((found >= 1e+300) || ((i == INT64_C(1)) && (highest > INT64_C(4))))
         {
             found = search_grid(order, limits, lead, timing, coefficients);
-            if (found < 1e+299)
+            if (found < 1e+300)
             {
                 improve_level(order, found, limits, lead, timing, coefficients);
             }
@@ -27269,7 +27273,7 @@ static bool permits_levels(int64_t order, array_double_2d lead)
     array_double_1d target;
     bool resting;
     target = span_row(&lead, INT64_C(18));
-    if (((*cspan_at(&lead, INT64_C(53), INT64_C(0))) < 3.5) || is_settled(lead))
+    if (((int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) < INT64_C(4)) || is_settled(lead))
     {
         return 0;
     }
@@ -28233,7 +28237,7 @@ static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_dou
                 (*cspan_at(&nearest, found + INT64_C(1))) = reached;
                 break;
             }
-            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(38))) < 1.5))
+            if ((count > INT64_C(0)) && (attempt == INT64_C(0)) && ((int64_t)((*cspan_at(&axis, INT64_C(38)))) < INT64_C(2)))
             {
                 return 0;
             }
@@ -31967,7 +31971,7 @@ static bool centre_path(double theta, array_double_1d path, array_double_2d trac
     {
         try_move(0.0, path, spots, links, spans);
         decrease = write_step_of(theta, path, tracks, spots, links, spans, grid, square, band);
-        if (!((-1e+299 < decrease) && (decrease < 1e+300)))
+        if (!((-1e+300 < decrease) && (decrease < 1e+300)))
         {
             return 0;
         }

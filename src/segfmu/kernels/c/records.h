@@ -2010,6 +2010,12 @@ enum {
 };
 
 enum {
+    TOUCH_HOLDS = 0,
+    TOUCH_TOUCHES = 1,
+    TOUCH_BELOW = 2
+};
+
+enum {
     NODE_STATE = 0,
     NODE_KIND = 4,
     NODE_SIGN = 5,

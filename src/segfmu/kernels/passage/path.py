@@ -81,7 +81,7 @@ def write_step_of(
     links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
     band: 'float[:,:]',
 ) -> float:
-    """Write Newton's step at the tried point; the decrease it promises, below -1e299: none.
+    """Write Newton's step at the tried point; the decrease it promises, -NEVER: none.
 
     Where the barrier is not convex, a share is added to the diagonal.
     """
@@ -112,7 +112,7 @@ def centre_path(
         decrease = write_step_of(
             theta, path, tracks, spots, links, spans, grid, square, band
         )
-        if not -1e299 < decrease < NEVER:
+        if not -NEVER < decrease < NEVER:
             return False
         value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
         longest = 1e-9

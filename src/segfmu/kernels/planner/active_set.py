@@ -19,7 +19,15 @@ from segfmu.kernels.planner.plateaus import (
     restore_sequence,
     solve_rotated,
 )
-from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Tighten
+from segfmu.kernels.planner.records import (
+    Axis,
+    Excess,
+    Node,
+    Passing,
+    PlanWork,
+    Tighten,
+    Touch,
+)
 from segfmu.kernels.planner.sequence import sequence_duration
 
 # nodes of a sequence that is changed: others are too long
@@ -69,7 +77,7 @@ def insert_level(
     if place < 0 or beside < 0 or beside >= count or count > MOST_NODES:
         return False
     row = PlanWork.NODES + beside
-    if passing[Passing.INSTANTS] > 2.5 or work[row, Node.KIND] > 0.5:
+    if int(passing[Passing.INSTANTS]) > 2 or work[row, Node.KIND] > 0.5:
         return False
     sign = sign * work[row, Node.SIGN]
     insert_node(place, 0, sign, 0.5 * work[row, Node.TIME], False, work)
@@ -97,7 +105,7 @@ def compares_levels(axis: 'float[:]') -> bool:
 
     Of levels of the snap the shortest one often leads to a sequence that meets no further limit.
     """
-    return axis[Axis.ABOVE] < 1.5 and not ramps_suffice(axis)
+    return int(axis[Axis.ABOVE]) < 2 and not ramps_suffice(axis)
 
 
 def sequence_cost(work: 'float[:,:]') -> float:
@@ -164,7 +172,7 @@ def stay_below(
     """Let the derivative q - 1 stay below its limit at a plateau whose hold is below zero."""
     keep_sequence(PlanWork.KEPT, work)
     row = PlanWork.NODES + place
-    work[row, Node.TOUCH] = 2.0
+    work[row, Node.TOUCH] = Touch.BELOW
     work[row, Node.AIM] = 0.0
     if solve_rotated(problem, axis, work):
         return True
@@ -253,11 +261,11 @@ def release_plateau(work: 'float[:,:]') -> bool:
     passing = work[PlanWork.PASSING, :]
     kind = int(passing[Passing.ABOVE])
     end = vanishing_end(work)
-    if end < 0 or passing[Passing.INSTANTS] > 2.5:
+    if end < 0 or int(passing[Passing.INSTANTS]) > 2:
         return False
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
-        touches = work[row, Node.TOUCH] < 0.5 and work[row, Node.TIME] < 0.0
+        touches = int(work[row, Node.TOUCH]) == Touch.HOLDS and work[row, Node.TIME] < 0.0
         if touches and int(work[row, Node.KIND]) == kind:
             work[row, Node.KIND] = 0.0
             add_instant(kind, work[row, Node.SIGN], i, passing)

@@ -91,7 +91,7 @@ def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
                 nearest[found + 1] = reached
                 break
             # a slower one tells nothing, and levels of the snap can have several solutions
-            if count > 0 and attempt == 0 and axis[Axis.ABOVE] < 1.5:
+            if count > 0 and attempt == 0 and int(axis[Axis.ABOVE]) < 2:
                 return False
         if nearest[found] == 0.0 and sign != known:
             return False

@@ -22,7 +22,7 @@ from segfmu.kernels.planner.plateaus import (
     overlong_plateau,
     restore_sequence,
 )
-from segfmu.kernels.planner.records import Node, Passing, PlanWork, Problem, Tighten
+from segfmu.kernels.planner.records import Node, Passing, PlanWork, Problem, Tighten, Touch
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
@@ -125,15 +125,15 @@ def write_sequence(
             change = work[row, Node.LEVEL] - level
             used = append_phase(phases, used, ramp, basis, level, change, above)
         level = work[row, Node.LEVEL]
-        if work[row, Node.HOLD] > 0.0 and work[row, Node.TOUCH] < 0.5:
+        if work[row, Node.HOLD] > 0.0 and int(work[row, Node.TOUCH]) == Touch.HOLDS:
             held = level
             order = above
             if work[row, Node.KIND] > 0.5 and level == 0.0:
                 # this derivative is held, without the rounding errors of the ramps before
                 order = max(work[row, Node.KIND] - 2.0, 0.0)
                 held = 0.0
-                if work[row, Node.KIND] > 1.5:
-                    kind = int(work[row, Node.KIND])
+                kind = int(work[row, Node.KIND])
+                if kind > 1:
                     sign = work[row, Node.SIGN]
                     held = sign * side_limit(kind, sign, axis)
             used = append_phase(phases, used, work[row, Node.HOLD], 0.0, held, 0.0, order)
@@ -143,7 +143,7 @@ def write_sequence(
 def stays_below(work: 'float[:,:]') -> bool:
     """Whether a derivative of a sequence stays below its limit where it could reach it."""
     for i in range(int(work[PlanWork.PASSING, Passing.COUNT])):
-        if work[PlanWork.NODES + i, Node.TOUCH] > 1.5:
+        if int(work[PlanWork.NODES + i, Node.TOUCH]) == Touch.BELOW:
             return True
     return False
 

@@ -5,7 +5,7 @@ from segfmu.kernels.numerics.numbers import TIE
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import shift_instants
 from segfmu.kernels.planner.newton import solve_sequence
-from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
+from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Touch
 from segfmu.kernels.planner.sequence import sequence_duration
 
 # nodes of a sequence that gets a plateau: others are too long
@@ -212,7 +212,7 @@ def overlong_plateau(work: 'float[:,:]') -> int:
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         kind = int(work[row, Node.KIND])
-        held = work[row, Node.TOUCH] < 0.5 and kind != int(passing[Passing.ABOVE])
+        held = int(work[row, Node.TOUCH]) == Touch.HOLDS and kind != int(passing[Passing.ABOVE])
         if kind > 0 and held and work[row, Node.TIME] < least:
             found = i
             least = TIE * work[row, Node.TIME]
@@ -239,12 +239,12 @@ def touch_limit(
     keep_sequence(PlanWork.KEPT, work)
     kind = int(work[row, Node.KIND])
     if kind == int(work[PlanWork.PASSING, Passing.ABOVE]) + 1:
-        if shorten_hold(row, 2, 1, problem, axis, work):
+        if shorten_hold(row, Touch.BELOW, 1, problem, axis, work):
             return True
-    elif shorten_hold(row, 1, 4, problem, axis, work):
+    elif shorten_hold(row, Touch.TOUCHES, 4, problem, axis, work):
         return True
     restore_sequence(PlanWork.KEPT, work)
-    return shorten_hold(row, 2, 4, problem, axis, work)
+    return shorten_hold(row, Touch.BELOW, 4, problem, axis, work)
 
 
 def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:

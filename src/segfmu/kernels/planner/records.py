@@ -265,6 +265,17 @@ class Gentle(Record):
     EXCESS_SLOPES = field("derivatives of the second", "s", size=2)
 
 
+class Touch(Codes):
+    """What the derivative of a `Node` does at its limit.
+
+    HOLDS: it stays there. TOUCHES: only for an instant, with the hold AIM. BELOW: it stays below.
+    """
+
+    HOLDS = 0
+    TOUCHES = 1
+    BELOW = 2
+
+
 class Node(Record):
     """A level of a passing profile, and the ramp to it from the one before (sequence.py)."""
 
@@ -272,7 +283,7 @@ class Node(Record):
     KIND = field("0: free level; else the derivative of this order stays at its limit, level 0")
     SIGN = field("sign of the level, or of the derivative that stays")
     TIME = field("time of the ramp from 0 and of the hold; hold where a derivative stays", "s")
-    TOUCH = field("1: the derivative only touches its limit, with the hold AIM; 2: it stays below")
+    TOUCH = field("what the derivative does at its limit, a `Touch`")
     AIM = field("hold where it touches; below zero only on the way to 0", "s")
     LEVEL = field("level")
     HOLD = field("duration of its hold", "s")

@@ -15,7 +15,7 @@ node becomes a level, which touches the limit; that of q - 1 or q - 3 has one co
 
 from segfmu.kernels.planner.instant import instant_error
 from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_moments
-from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem
+from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem, Touch
 from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
 
@@ -35,7 +35,7 @@ def set_level(node: 'float[:]', passing: 'float[:]', axis: 'float[:]') -> None:
     time = node[Node.TIME]
     node[Node.LEVEL] = 0.0
     node[Node.HOLD] = time
-    if node[Node.TOUCH] > 0.5:
+    if int(node[Node.TOUCH]) != Touch.HOLDS:
         return
     if kind > 0 and (kind != above or time >= 0.0):
         return
@@ -124,9 +124,9 @@ def pass_node(
 
 def dropped_condition(q: int, node: 'float[:]') -> int:
     """Derivative whose condition at a plateau is that of the hold instead, its order; -1: none."""
-    if node[Node.TOUCH] > 1.5:
+    if int(node[Node.TOUCH]) == Touch.BELOW:
         return int(node[Node.KIND])
-    if node[Node.TOUCH] > 0.5:
+    if int(node[Node.TOUCH]) != Touch.HOLDS:
         return q - 1
     return -1
 
@@ -156,7 +156,9 @@ def node_residuals(
 
 def stays_at_limit(node: 'float[:]') -> bool:
     """Whether a derivative is held at its limit at a node, rather than touching it."""
-    return node[Node.KIND] > 0.5 and node[Node.TOUCH] < 0.5 and node[Node.LEVEL] == 0.0
+    if node[Node.KIND] < 0.5 or node[Node.LEVEL] != 0.0:
+        return False
+    return int(node[Node.TOUCH]) == Touch.HOLDS
 
 
 def hold_limit(q: int, node: 'float[:]', axis: 'float[:]', state: 'float[:]') -> None:
@@ -214,7 +216,7 @@ def run_sequence(
     nodes[0, Node.STATE + 1] = problem[Problem.V]
     nodes[0, Node.STATE + 2] = problem[Problem.A]
     jerk = Node.STATE + 3
-    if passing[Passing.ABOVE] > 1.5:
+    if int(passing[Passing.ABOVE]) > 1:
         nodes[0, jerk] = passing[Passing.JERK]
     row = 0
     for i in range(int(passing[Passing.COUNT]) + 1):

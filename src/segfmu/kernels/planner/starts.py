@@ -67,7 +67,7 @@ def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
     duration, slope = ramp_duration(abs(change), axis)
     rise = inner_rise(duration, 0, axis)
     hold = max(duration - 2.0 * rise, 0.0)
-    if work[PlanWork.PASSING, Passing.ABOVE] < 1.5:
+    if int(work[PlanWork.PASSING, Passing.ABOVE]) < 2:
         append_level(sign, rise + hold, work)
         return
     time = rise - inner_rise(rise, 1, axis)

@@ -97,7 +97,7 @@ def best_steepness(
         if count > 0 and until < 0.997 * best:
             best = until
             chosen = steep
-        elif best < 1e299 and i > 2:
+        elif best < NEVER and i > 2:
             break
         steep = 10.0 * steep
     return chosen, best

@@ -82,7 +82,7 @@ def best_level(
         time = try_brake(order, side, level, settled, lead, timing, coefficients)
     # a lower one where that does not keep the limits
     for i in range(6):
-        if 0.0 <= time <= 1e299:
+        if 0.0 <= time < NEVER:
             return time, level
         level = 0.5 * level
         if i == 5:
@@ -106,7 +106,7 @@ def level_time(
     if gentle > 0.0:
         level = (1.0 - gentle) * level_limit(order, side, lead)
         time = try_brake(order, side, level, settled, lead, timing, coefficients)
-        if time >= 0.0 and time < 1e299:
+        if time >= 0.0 and time < NEVER:
             return time, level
     return best_level(order, side, settled, lead, timing, coefficients)
 
@@ -210,13 +210,13 @@ def bring_inside(
     level = 0.0
     settled = False
     for i in range(2):
-        if time > 1e299:
+        if time >= NEVER:
             settled = i == 1
             if side == 0.0:
                 time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients)
             else:
                 time, level = level_time(order, side, gentle, settled, lead, timing, coefficients)
-    if time > 1e299:
+    if time >= NEVER:
         return False
     start = reached[Chain.TIME]
     if side != 0.0:

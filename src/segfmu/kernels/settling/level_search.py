@@ -74,7 +74,7 @@ def search_grid(
     found = NEVER
     # with limits above the snap the time jumps more often
     count = 3
-    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] > 4.5:
+    if int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) > 4:
         count = 12
     for i in range(-count - 1, count + 1):
         level = kept
@@ -128,16 +128,16 @@ def search_levels(
     """`search_stages`, but over levels; shorter leads alone are kept."""
     steep = 1.0
     found = NEVER
-    highest = lead[LeadWork.AXIS, Axis.SMOOTHNESS]
+    highest = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
     for i in range(4):
         set_limits(steep, lead)
         before = lead[LeadWork.BEST, Lead.TIME]
         # with limits above the snap other levels are best where derivatives may be larger
-        if found > 1e299 or (i == 1 and highest > 4.5):
+        if found >= NEVER or (i == 1 and highest > 4):
             found = search_grid(order, limits, lead, timing, coefficients)
-            if found < 1e299:
+            if found < NEVER:
                 improve_level(order, found, limits, lead, timing, coefficients)
         else:
             level = lead[LeadWork.BEST, Lead.LEVEL]
@@ -151,7 +151,7 @@ def search_levels(
 def permits_levels(order: int, lead: 'float[:,:]') -> bool:
     """Whether leads over a level are searched for."""
     target = lead[LeadWork.TARGET, :]
-    if lead[LeadWork.AXIS, Axis.SMOOTHNESS] < 3.5 or is_settled(lead):
+    if int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) < 4 or is_settled(lead):
         return False
     if level_order(order, lead) == 0:
         return False

@@ -6,6 +6,7 @@ other ends are free. The search starts from the soonest ends, goes to the level 
 profile wants first, or over a grid where there is none, and refines by halved steps.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, try_lead
@@ -41,13 +42,13 @@ def search_end(
 ) -> None:
     """Improve the end of one stage by halved steps; where it is any, over a grid first."""
     bound = lead[LeadWork.LIMITS, stage]
-    if lead[LeadWork.BEST_ENDS, stage] > 1e299 or lead[LeadWork.BEST, Lead.TIME] < 0.0:
+    if lead[LeadWork.BEST_ENDS, stage] >= NEVER or lead[LeadWork.BEST, Lead.TIME] < 0.0:
         for i in range(-4, 5):
             try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients)
     step = 0.125 * bound
     for i in range(10):
         around = lead[LeadWork.BEST_ENDS, stage]
-        if around > 1e299:
+        if around >= NEVER:
             break
         worst = 0.0
         for side in range(2):

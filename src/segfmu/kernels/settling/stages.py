@@ -7,6 +7,7 @@ zero by the stage for the order q + 2. So the stage is a boundary problem of the
 q is n - 1, or the end is free, it is a change of velocity.
 """
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.cruise import append_velocity_change
 from segfmu.kernels.planner.nested import ramp_pieces
 from segfmu.kernels.planner.phases import append_change
@@ -85,7 +86,7 @@ def append_phases(
     lift_pieces(seen, row, last, state, timing, coefficients)
     state[seen] = now[PieceState.POSITION]
     state[seen + 1] = now[PieceState.VELOCITY]
-    if end <= 1e299:
+    if end < NEVER:
         state[order] = end
     for i in range(order + 1, smoothness + 1):
         state[i] = 0.0
@@ -105,7 +106,7 @@ def run_stage(
     The row STATE of `lead` (LeadWork) goes on to the end of the stage.
     """
     end = lead[LeadWork.ENDS, order]
-    count = stage_phases(order, end, end > 1e299, lead)
+    count = stage_phases(order, end, end >= NEVER, lead)
     return append_phases(order, end, count, row, lead, timing, coefficients)
 
 
@@ -117,7 +118,7 @@ def drop_rounding(order: int, lead: 'float[:,:]') -> None:
     state = lead[LeadWork.STATE, :]
     for i in range(1, int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS]) + 1):
         aim = 0.0
-        if i == order and lead[LeadWork.ENDS, i] < 1e299:
+        if i == order and lead[LeadWork.ENDS, i] < NEVER:
             aim = lead[LeadWork.ENDS, i]
         if abs(state[i] - aim) <= lead[LeadWork.ROUNDING, i]:
             state[i] = aim
