@@ -220,6 +220,7 @@ def bad(**changes: Any) -> dict[str, Any]:
     (bad(), {"piece": 0.0}, "piece must be positive"),
     (bad(), {"columns": {"rope": "l"}}, "column rope: no signal that is used"),
     (bad(), {"columns": {"measured.rope.length": "l"}}, "no column l, which is to be"),
+    ({n: v[:1] for n, v in bad().items()}, {}, "log 1: 1 row, at least 20"),
     ([], {}, "no logs; name at least one"),
 ])
 def test_wrong_input_is_told(columns: Any, options: Any, text: str) -> None:
@@ -290,3 +291,44 @@ def test_a_log_beyond_what_was_fitted_is_told() -> None:
     (rope,) = [b for b in far.beyond if b.signal == "measured.rope.length"]
     assert rope.log == "validation" and rope.range[1] > 1.05 * rope.fitted[1]
     assert str(rope).startswith("validation: measured.rope.length is 0.")
+
+
+@pytest.mark.parametrize(("length", "text"), [
+    (500.0, r"mean length is 500 m, rope_max of the crane file is 0\.9 m"),
+    (5e-4, r"mean length is 0\.0005 m, rope_min of the crane file is 0\.2 m"),
+])
+def test_a_rope_far_beyond_its_bounds_is_told(length: float, text: str) -> None:
+    columns = bad(**{"measured.rope.length": np.full(30, length)})
+    with pytest.raises(InputError, match=text):
+        segfmu.identify(columns, crane("lab", rope_min=0.2, rope_max=0.9))
+
+
+@pytest.fixture(scope="module")
+def moving() -> Any:
+    return synthetic("lab", "velocity", 3, rows=100)
+
+
+@pytest.mark.parametrize(("name", "factor", "text"), [
+    ("measured.bridge.position", 1000.0, r"measured\.bridge\.position moves through 480\.9 m, "
+     r"velocity\.bridge tells 0\.4987 m: one of them, or time, is in another unit than m, m/s"),
+    ("measured.trolley.position", 1e-3, r"measured\.trolley\.position moves through 0\.000\d+ m"),
+    ("measured.rope.length", 1000.0, r"measured\.rope\.length moves through 1\d\d\.\d m"),
+    ("velocity.trolley", 1000.0, r"velocity\.trolley tells 4\d\d\.\d m"),
+    ("time", 1000.0, r"or time, is in another unit"),
+    ("measured.bridge.position", -1.0, r"measured\.bridge\.position moves against velocity\.b"),
+    ("velocity.hoist", -1.0, r"measured\.rope\.length moves against velocity\.hoist; turn the s"),
+])
+def test_other_units_and_signs_are_told(moving: Any, name: str, factor: float, text: str) -> None:
+    columns = moving.columns | {name: factor * moving.columns[name]}
+    with pytest.raises(InputError, match=text):
+        segfmu.identify(columns, moving.crane)
+
+
+def test_a_drive_that_rests_is_not_taken_for_another_unit(moving: Any) -> None:
+    """Noise of a setpoint and of a position have no unit in common; a gap has any way within."""
+    random = np.random.default_rng(1)
+    columns = {name: values.copy() for name, values in moving.columns.items()}
+    columns["time"][40:] += 1000.0
+    columns["velocity.bridge"] = 1e-7 * random.normal(size=100)
+    columns["measured.bridge.position"] = 0.1 + 1e-3 * random.normal(size=100)
+    assert read_log(columns, "velocity", {}).times.size == 100

@@ -206,7 +206,8 @@ class Problem:
             except Exception as error:
                 raise InputError(
                     f"{log.name}: the crane, with what was fitted so far, cannot do what the log "
-                    f"has: {error}; values in the crane file that are nearer may help"
+                    f"has: {error}; check the units of the columns, SI and rad, and name values in "
+                    "the crane file that are nearer"
                 ) from None
 
     def _jacobian(self, point: FloatArray, logs: Sequence[Log]) -> FloatArray:

@@ -43,6 +43,8 @@ TUBE = 0.05
 # periods of the pendulum: of the start of a log that is not fitted; of a piece of a log with force
 # drives, in which small errors of forces grow, so that a long one has many valleys
 PERIODS, PIECE = 1.0, 2.0
+# times a bound of the rope, beyond which a length is in another unit
+FAR = 10.0
 
 
 def identify(
@@ -248,6 +250,13 @@ def _sizes(file: CraneFile, logs: Sequence[Log]) -> Sizes:
         raise InputError(
             f"{logs[0].name}: the rope's mean length is {length:.4g} m; "
             "name the column of the rope's length in metres, which is above 0"
+        )
+    low, high = (file.rope_min or 0.0) / FAR, FAR * (file.rope_max or np.inf)
+    if not low <= length <= high:
+        name = "rope_min" if length < low else "rope_max"
+        raise InputError(
+            f"{logs[0].name}: the rope's mean length is {length:.4g} m, {name} of the crane file "
+            f"is {getattr(file, name):.4g} m; name the column of the rope's length in metres"
         )
     load = file.payload_mass
     masses = (file.bridge_mass + file.trolley_mass + load, file.trolley_mass + load, load)

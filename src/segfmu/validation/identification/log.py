@@ -22,6 +22,11 @@ OUTPUTS = tuple(f"measured.{signal}" for signal in SIGNALS)
 ROPE, ANGLES = OUTPUTS[2], OUTPUTS[3:]
 # rows of a log below which there is nothing to fit
 FEWEST = 20
+# of a way that is in another unit than its setpoint: the least factor between them, and the least
+# share of it that follows the setpoint; noise about a drive that rests follows none
+FACTOR, FOLLOWS = 10.0, 0.9
+# usual distances of rows, from which on nobody knows what the drive was told between two
+GAP = 10.0
 
 # a file, or columns by name
 LogSource = str | Path | Mapping[str, Any]
@@ -88,7 +93,7 @@ def read_log(
     needed = [f"{drive}.{axis}" for axis in DRIVES]
     table = _renamed(name, table, columns, {"time", *needed, *OUTPUTS})
     if table["time"].size < FEWEST:
-        raise InputError(f"{name}: {table['time'].size} rows, at least {FEWEST} are needed")
+        raise InputError(f"{name}: {_rows(table['time'].size)}, at least {FEWEST} are needed")
     # a velocity drive that was told nothing rests; a force is never nothing
     missing = [n for n in needed if n not in table]
     if missing and (drive == "force" or len(missing) == len(needed)):
@@ -100,11 +105,14 @@ def read_log(
         raise InputError(f"{name}: no column {ROPE}, from which the sway's period follows")
     none = np.full(table["time"].size, np.nan)
     _require_angles(name, table)
-    return Log(
+    log = Log(
         name, table["time"],
         np.stack([table.get(n, 0.0 * table["time"]) for n in needed], axis=1),
         np.stack([table.get(n, none) for n in OUTPUTS], axis=1),
     )
+    if drive == "velocity":
+        _require_units(log)
+    return log
 
 
 def sections(log: Log, period: float) -> list[Log]:
@@ -128,12 +136,16 @@ def sections(log: Log, period: float) -> list[Log]:
         begin, end = part.times[[0, -1]]
         if last - first < FEWEST:
             raise InputError(
-                f"{log.name}: {last - first} rows from {begin:.6g} to {end:.6g} s, with gaps of "
+                f"{log.name}: {_rows(last - first)} from {begin:.6g} to {end:.6g} s, with gaps of "
                 f"more than the pendulum's period of {period:.3g} s beside them; at least {FEWEST} "
                 "are needed: leave them out, or fill the gaps"
             )
         found.append(replace(part, name=f"{log.name} from {begin:.6g} s"))
     return found
+
+
+def _rows(count: int) -> str:
+    return f"{count} row{'s' * (count != 1)}"
 
 
 def _renamed(
@@ -160,6 +172,37 @@ def _require_times(table: Mapping[str, FloatArray], name: str) -> None:
         if values.ndim != 1 or values.shape != table["time"].shape:
             raise InputError(f"{name}: {own} must have as many numbers as time")
     require_increasing(table["time"], name)
+
+
+def _require_units(log: Log) -> None:
+    """Refuse ways that are those of velocity drives but for their unit or sign.
+
+    No crane has them, so that the search would end anywhere.
+    """
+    steps = np.diff(log.times)
+    known = steps <= GAP * np.median(steps)
+    for place, drive in enumerate(DRIVES):
+        setpoint, way = log.setpoints[:, place], log.measured[:, place]
+        told = np.cumsum(np.where(known, 0.5 * steps * (setpoint[1:] + setpoint[:-1]), 0.0))
+        moved = np.cumsum(np.where(known, np.diff(way), 0.0))
+        spans = float(np.ptp(told)), float(np.ptp(moved))
+        # one that was not measured has none
+        if not (spans[0] > 0.0 and spans[1] > 0.0):
+            continue
+        told, moved = (told - told.mean()) / spans[0], (moved - moved.mean()) / spans[1]
+        both = float(told @ moved)
+        if both**2 < FOLLOWS * float(told @ told) * float(moved @ moved):
+            continue
+        names = OUTPUTS[place], f"velocity.{drive}"
+        if not 1.0 / FACTOR < spans[1] / spans[0] < FACTOR:
+            raise InputError(
+                f"{log.name}: {names[0]} moves through {spans[1]:.4g} m, {names[1]} tells "
+                f"{spans[0]:.4g} m: one of them, or time, is in another unit than m, m/s and s"
+            )
+        if both < 0.0:
+            raise InputError(
+                f"{log.name}: {names[0]} moves against {names[1]}; turn the sign of one of them"
+            )
 
 
 def _require_angles(name: str, table: Mapping[str, FloatArray]) -> None:
