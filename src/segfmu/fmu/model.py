@@ -22,8 +22,8 @@ class Model:
     name : str
         Of the FMU, as in its specification.
     package : str
-        The model's folder. It has `c`, the sources of the model in C, `icon.png`, and `about.html`,
-        the model's part of the documentation page.
+        The model's folder. It has `c`, the sources of the model in C, `about.html`, the model's
+        part of the documentation page, and `icon.png` unless the first shared package has it.
     spec : callable
         The interface on PythonFMU.
     native_spec : callable
@@ -61,7 +61,9 @@ class Model:
     @property
     def icon(self) -> bytes:
         """The picture that importers show."""
-        return files(self.package).joinpath("icon.png").read_bytes()
+        own = files(self.package).joinpath("icon.png")
+        found = own if own.is_file() else files(self.shared[0]).joinpath("icon.png")
+        return found.read_bytes()
 
     @property
     def about(self) -> str:
