@@ -11,6 +11,7 @@ import os
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tarfile
 import tempfile
 import time
@@ -61,11 +62,21 @@ except segfmu.InputError as error:
 """
 
 
-def built(folder: Path) -> tuple[Path, Path]:
-    """Build into a folder; returns the source distribution and the wheel made from it."""
+def built(folder: Path, *, anew: bool) -> tuple[Path, Path]:
+    """Build into a folder; returns the source distribution and the wheel made from it.
+
+    Unless `anew`, setuptools takes the modules of this environment that are newer than their
+    sources, which an installation compiled in the same way.
+    """
     run(sys.executable, "-m", "segfmu.fmu.native.prebuild")
     # what setuptools kept of an earlier build would be in the wheel
     shutil.rmtree(ROOT / "build", ignore_errors=True)
+    if not anew:
+        own = f"lib.{sysconfig.get_platform()}-{sys.implementation.cache_tag}"
+        for module in (ROOT / "src").rglob("*.abi3.so"):
+            place = ROOT / "build" / own / module.relative_to(ROOT / "src")
+            place.parent.mkdir(parents=True)
+            shutil.copy2(module, place)
     for kind in ("--sdist", "--wheel"):
         run(sys.executable, "-m", "build", kind, "--outdir", str(folder), str(ROOT))
     (source,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")
@@ -119,7 +130,8 @@ def check_commands(wheel: Path, interpreter: str, work: Path) -> None:
     environment = work / "environment"
     run(interpreter, "-m", "venv", str(environment))
     commands = environment / ("Scripts" if os.name == "nt" else "bin")
-    run(str(commands / "python"), "-m", "pip", "install", "--quiet", str(wheel))
+    # what the commands do not import is not compiled
+    run(str(commands / "python"), "-m", "pip", "install", "--quiet", "--no-compile", str(wheel))
     run(str(commands / "python"), "-c", CODE.format(root=str(ROOT)), folder=work)
     mission = str(ROOT / "models" / "paper.toml")
     segfmu = str(commands / "segfmu")
@@ -174,7 +186,7 @@ def main() -> None:
     parser.add_argument("interpreters", nargs="*", default=[sys.executable])
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="segfmu_wheel_") as folder:
-        source, wheel = built(Path(folder) / "dist")
+        source, wheel = built(Path(folder) / "dist", anew=options.keep is not None)
         check_source(source)
         check_wheel(wheel)
         print(f"{wheel.name}  {wheel.stat().st_size / 1024:.0f} KiB")

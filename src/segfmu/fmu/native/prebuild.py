@@ -8,8 +8,6 @@ sources are theirs, and then needs no compiler.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from segfmu.fmu.models import registered
@@ -17,34 +15,52 @@ from segfmu.fmu.native.archive import VERSIONS, sources
 from segfmu.fmu.native.binaries import binary, packaged_name
 from segfmu.fmu.native.compilers import BROWSER, TARGETS, portable
 from segfmu.fmu.native.packed import pack
+from segfmu.fmu.native.processes import on_all_cores
+from segfmu.fmu.pairs import PAIRS
 
 # models that run in pages
 PAGE = ("GantryFeedforward", "GantryCrane")
 TARGET = Path(__file__).with_name("binaries")
+# Their first library waits for zig to compile the C library; others compile meanwhile.
+SLOWEST = ("x86_64-windows", BROWSER.name)
+# a library: its platform, model and version of FMI
+Job = tuple[str, str, int]
 
 
 def main() -> None:
     """Write the archive of every platform; what the user's cache has is not compiled again."""
     TARGET.mkdir(exist_ok=True)
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for told in pool.map(lambda platform: _write(platform, _given(platform)), TARGETS):
-            print(told, flush=True)
+    ordered = jobs()
+    made: dict[str, dict[str, bytes]] = {platform: {} for platform in TARGETS}
+    for (platform, *_), (name, library) in zip(
+        ordered, on_all_cores(_library, ordered), strict=True
+    ):
+        made[platform][name] = library
+    for told in on_all_cores(lambda platform: _write(platform, made[platform]), list(made)):
+        print(told, flush=True)
 
 
-def _given(platform: str) -> list[tuple[str, Mapping[str, bytes]]]:
-    """Models with their sources of the versions of FMI that a platform has."""
-    if platform == BROWSER.name:
-        return [(name, sources(name, 2)) for name in PAGE]
-    return [(m.name, sources(m.name, fmi)) for m in registered() for fmi in VERSIONS]
+def jobs() -> list[Job]:
+    """All libraries: planners, which take longest, before cranes, and platforms in turns."""
+    planners = {pair.feedforward for pair in PAIRS}
+    models = sorted((m.name for m in registered()), key=lambda name: name not in planners)
+    platforms = sorted(TARGETS, key=lambda p: SLOWEST.index(p) if p in SLOWEST else len(SLOWEST))
+    return [
+        (platform, name, fmi)
+        for name in models for fmi in VERSIONS for platform in platforms
+        if platform != BROWSER.name or (fmi == 2 and name in PAGE)
+    ]
 
 
-def _write(platform: str, given: Iterable[tuple[str, Mapping[str, bytes]]]) -> str:
-    content = pack({
-        packaged_name(name, texts, platform): binary(
-            name, texts, platform, compiler=portable(platform)
-        )
-        for name, texts in given
-    })
+def _library(job: Job) -> tuple[str, bytes]:
+    platform, name, fmi = job
+    texts = sources(name, fmi)
+    library = binary(name, texts, platform, compiler=portable(platform))
+    return packaged_name(name, texts, platform), library
+
+
+def _write(platform: str, libraries: dict[str, bytes]) -> str:
+    content = pack(libraries)
     path = TARGET / f"{platform}.tar.xz"
     beside = path.with_suffix(".new")
     beside.write_bytes(content)
