@@ -12,6 +12,7 @@ import pytest
 
 from segfmu import cli
 from segfmu.cosim import write_csv
+from segfmu.errors import InputError
 from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.scenario_result import Result
 from segfmu.validation.suite import Runner
@@ -94,6 +95,28 @@ def test_a_bound_that_is_a_share_of_the_undisturbed_run(runner: Runner, tmp_path
         found.bound - result.rows["sway.total"].max(), rel=1e-12
     )
     assert not found.passed
+
+
+def test_a_run_of_no_duration_is_refused_by_its_file(runner: Runner, tmp_path: Path) -> None:
+    (tmp_path / "rest.toml").write_text("""
+name = "rest"
+[crane]
+bridge_mass = 2.2
+trolley_mass = 1.155
+payload_mass = 1.0
+[limits]
+x = { velocity = 1.0, acceleration = 1.0, jerk = 10.0, snap = 100.0 }
+y = { velocity = 1.0, acceleration = 1.0, jerk = 10.0, snap = 100.0 }
+z = { velocity = 1.0, acceleration = 1.0, jerk = 10.0, snap = 100.0 }
+[[waypoints]]
+position = [0.0, 0.0, -0.5]
+[[waypoints]]
+position = [0.0, 0.0, -0.5]
+""", encoding="utf-8")
+    text = 'name = "s"\nmission = "rest.toml"\n[simulation]\nsettle = 0.0\n' + CRITERION
+    words = r"s\.toml: simulation\.settle: a plan of 0 s needs a time > 0 s"
+    with pytest.raises(InputError, match=words):
+        done(runner, tmp_path, text)
 
 
 @pytest.mark.parametrize(("bound", "expect", "code", "outcomes"), [
