@@ -58,7 +58,7 @@ def fields(
     }
     if kept is None:
         return found
-    known = {field for own in found.values() for field in own.values()}
+    known = [field for own in found.values() for field in own.values()]
     for field in kept:
         if field not in known:
             raise no_variable(field, known)
