@@ -437,6 +437,9 @@ def test_a_folder_that_is_there_and_takes_no_file(
     monkeypatch.setattr("os.access", lambda path, _: Path(path) != Path("shut"))
     line = refused(tmp_path, "plan", "mission.toml", "-o", "shut")
     assert line.endswith("output shut: cannot write into this folder: Permission denied\n")
+    monkeypatch.setattr("os.access", lambda path, _: Path(path).name != "shut")
+    line = refused(tmp_path, "validate", "nowhere.toml", "--junit", "shut/j.xml")
+    assert line.endswith("shut/j.xml: cannot be written: Permission denied\n")
 
 
 def test_names_and_files_that_are_none(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ from rich.progress import (
 from rich.text import Text
 
 from segfmu.cli.console import console, tell
-from segfmu.validation.output import folder, require_file
+from segfmu.validation.output import folder, require_file, require_folder
 
 if TYPE_CHECKING:
     from segfmu.validation.campaigns.campaign import Campaign
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 # errors of runs that are listed
 MOST_SHOWN = 5
+REPORT = "report.html"
 
 
 def campaign(
@@ -63,8 +64,11 @@ def campaign(
     from segfmu.validation.campaigns.replay import find_run, write_run
     from segfmu.validation.campaigns.result import load_result
     from segfmu.validation.campaigns.run import require_packages
+    from segfmu.validation.campaigns.store import CAMPAIGN_FILES
 
     require_packages()
+    if replay is None:
+        require_folder(output, *CAMPAIGN_FILES, REPORT)
     if junit is not None:
         require_file(junit)
     task = load_campaign(file)
@@ -129,7 +133,7 @@ def _show(task: Campaign, result: CampaignResult) -> None:
     files = write_worst(task, result)
     with console.status("running the worst cases again"):
         worst = validate(files) if files else None
-    report = result.report(result.folder / "report.html", worst)
+    report = result.report(result.folder / REPORT, worst)
     tell(
         f"runs.parquet, results.json and report.html are in {result.folder}; the worst of each "
         "criterion:"

@@ -47,13 +47,7 @@ def require_folder(name: str | Path, *files: str) -> None:
         For the first thing that is in the way.
     """
     path = folder_path(name)
-    # the part that there is
-    there = next((p for p in (path, *path.parents) if os.path.lexists(p)), Path())
-    reason = None
-    if not there.is_dir():
-        reason = os.strerror(errno.ENOTDIR)
-    elif not os.access(there, os.W_OK | os.X_OK):
-        reason = os.strerror(errno.EACCES)
+    reason = _obstacle(path)
     if reason is not None:
         raise _refusal(path, reason)
     for file in files:
@@ -66,13 +60,23 @@ def require_file(path: Path) -> None:
     Raises
     ------
     InputError
-        If a folder has its name, or its own folder cannot be made.
+        If a folder has its name, or its own folder cannot be made or written to.
     """
-    if path.is_dir():
-        raise InputError(f"{path}: cannot be written: {os.strerror(errno.EISDIR)}")
-    there = next(p for p in path.absolute().parents if os.path.lexists(p))
+    reason = os.strerror(errno.EISDIR) if path.is_dir() else _obstacle(path.absolute().parent)
+    if reason is not None:
+        raise InputError(f"{path}: cannot be written: {reason}")
+
+
+def _obstacle(path: Path) -> str | None:
+    """Why nothing can be written into a folder, or it cannot be made."""
+    # the part that there is
+    there = next((p for p in (path, *path.parents) if os.path.lexists(p)), Path())
     if not there.is_dir():
-        raise InputError(f"{path}: cannot be written: {os.strerror(errno.ENOTDIR)}")
+        return os.strerror(errno.ENOTDIR)
+    if os.access(there, os.W_OK | os.X_OK):
+        return None
+    closed = hasattr(os, "statvfs") and os.statvfs(there).f_flag & os.ST_RDONLY
+    return os.strerror(errno.EROFS if closed else errno.EACCES)
 
 
 def file_path(name: Any) -> Path:

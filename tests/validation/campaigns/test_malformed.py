@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from segfmu import InputError
+from segfmu import InputError, campaign
 from segfmu.cli.app import run as segfmu
 from segfmu.validation.campaigns import store
 from segfmu.validation.campaigns.result import load_result
@@ -179,6 +179,19 @@ def test_an_empty_name_of_a_folder(
     (tmp_path / "file").touch()
     for name, said in (("", "output is empty"), (str(tmp_path / "file" / "x"), "Not a directory")):
         assert said in refused(monkeypatch, capsys, "campaign", str(path), "-o", name)
+
+
+@pytest.mark.parametrize("name", ["campaign.json", "runs.parquet", "results.json", "report.html"])
+def test_places_of_results_are_checked_before_the_runs(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also before the file of the campaign: it would take as long to be checked."""
+    (tmp_path / name).mkdir()
+    said = f"{name}: cannot be written: Is a directory"
+    assert said in refused(monkeypatch, capsys, "campaign", "nowhere.toml", "-o", str(tmp_path))
+    if name != "report.html":
+        with pytest.raises(InputError, match=said):
+            campaign("nowhere.toml", tmp_path)
 
 
 @pytest.mark.parametrize("about", ["[]", "{}", '{"name": "x"}', "{", ""])

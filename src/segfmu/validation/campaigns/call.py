@@ -9,8 +9,9 @@ from segfmu.validation.campaigns.campaign import Campaign, load_campaign
 from segfmu.validation.campaigns.replay import find_run, write_run
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.run import require_names, require_packages, run_campaign
+from segfmu.validation.campaigns.store import CAMPAIGN_FILES
 from segfmu.validation.campaigns.summary_file import write_summary
-from segfmu.validation.output import file_path, folder
+from segfmu.validation.output import file_path, folder, require_folder
 from segfmu.validation.progress import Progress, quiet
 
 
@@ -57,6 +58,7 @@ def campaign(
     require_packages()
     if jobs is not None:
         jobs = as_index("jobs", jobs, least=1)
+    require_folder(output, *CAMPAIGN_FILES)
     task = load_campaign(file_path(file))
     progress("checking names", 0.0)
     require_names(task)

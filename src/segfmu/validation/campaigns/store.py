@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     import pyarrow
 
 ABOUT, TABLE, PARTS, LOCK = "campaign.json", "runs.parquet", "parts", ".segfmu.lock"
+SUMMARY = "results.json"
+CAMPAIGN_FILES = (ABOUT, TABLE, SUMMARY)
 RARE = "probabilities.json"
 # s; runs that are not yet written are lost if the process is killed
 FLUSH = 1.0

@@ -10,6 +10,7 @@ from typing import Any
 
 from segfmu.cosim.result import replacing
 from segfmu.validation.campaigns.result import CampaignResult, Summary
+from segfmu.validation.campaigns.store import SUMMARY
 
 
 def write_summary(result: CampaignResult) -> Path:
@@ -30,7 +31,7 @@ def write_summary(result: CampaignResult) -> Path:
         ],
         "criteria": [_entry(result, s) for s in result.summaries],
     }
-    path = result.folder / "results.json"
+    path = result.folder / SUMMARY
     with replacing(path) as temporary:
         text = json.dumps(content, indent=2, allow_nan=False) + "\n"
         temporary.write_text(text, encoding="utf-8")
