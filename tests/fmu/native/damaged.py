@@ -17,8 +17,8 @@ from tests.fmu.native.test_state import restore, run, serialised, start
 
 WORD = 8
 MASK = 2**64 - 1
-# of the header: mark, build, size and sum
-HEADER = 4
+# of the header: format, model, build, interface, token, size and sum
+HEADER = 7
 
 
 def mixed(words: np.ndarray, size: int) -> int:

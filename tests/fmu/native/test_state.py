@@ -113,11 +113,37 @@ def test_damaged_and_foreign_states_are_refused(native_fmus, fmi: int, index: in
         start(fmu, index)
         start(other, 1 - index)
         good = serialised(fmu)
-        for bad in (good[:-8], good[: len(good) // 2] + b"\1" + good[len(good) // 2 + 1 :],
-                    b"", b"nonsense" * 10, serialised(other)):
+        for bad, words in (
+            (good[:-8], "damaged"),
+            (good[: len(good) // 2] + b"\1" + good[len(good) // 2 + 1 :], "damaged"),
+            (b"", "0 bytes are not a saved state"),
+            (b"nonsense" * 10, "no saved state"),
+            (serialised(other), "another model"),
+        ):
             with pytest.raises(Exception, match="ialize"):
                 restore(fmu, bad)
+            assert words in fmu.messages[-1]
         assert serialised(fmu) == good
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_states_of_another_mission_or_interface_tell_what_differs(
+    native_fmus, tmp_path: Path, fmi: int
+) -> None:
+    spec = gantry_feedforward.native_spec(gantry_feedforward.spec(8))
+    other, = native.build_all([spec], tmp_path, fmi=fmi)
+    usual = native_fmus[fmi][0]
+    with Importer(usual) as fmu, Importer(usual, "ModelExchange") as exchange, \
+            Importer(other) as mission:
+        start(fmu, 0)
+        good = serialised(fmu)
+        for foreign, words in ((mission, "another GUID"), (exchange, "one of co-simulation")):
+            with pytest.raises(Exception, match="ialize"):
+                restore(foreign, good)
+            assert words in foreign.messages[-1]
+        with pytest.raises(Exception, match="ialize"):
+            restore(fmu, serialised(exchange))
+        assert "one of model exchange" in fmu.messages[-1]
 
 
 def test_states_of_the_other_version_of_fmi_are_refused(native_fmus) -> None:

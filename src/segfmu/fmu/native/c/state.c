@@ -9,17 +9,20 @@
 #include "glue.h"
 
 typedef struct {
-    uint64_t mark;    /* of the model and its interface */
-    uint64_t build;   /* of the sources, and of the sizes that the compiler gave */
-    uint64_t size;    /* bytes of the block behind the header */
-    uint64_t sum;     /* over the block, in serialised form */
+    uint64_t format;     /* the same in all states */
+    uint64_t model;      /* of its name */
+    uint64_t build;      /* of the sources, and of the sizes that the compiler gave */
+    uint64_t interface;  /* model exchange or co-simulation */
+    uint64_t token;      /* of the description, with the start values */
+    uint64_t size;       /* bytes of the block behind the header */
+    uint64_t sum;        /* over the block, in serialised form */
 } header;
 
-static uint64_t mark(const instance *c)
+static uint64_t mark(const char *text)
 {
-    uint64_t sum = (uint64_t)c->model->interface + 1;
-    for (const char *p = c->start.token; *p != '\0'; p++) {
-        sum = checksum_mixed(sum, (unsigned char)*p);
+    uint64_t sum = 1;
+    for (; *text != '\0'; text++) {
+        sum = checksum_mixed(sum, (unsigned char)*text);
     }
     return sum;
 }
@@ -30,10 +33,17 @@ static uint64_t build(void)
     return checksum_mixed(checksum_mixed(BUILD_MARK, sizeof(model)), model_least());
 }
 
+static header header_of(const instance *c, size_t size)
+{
+    header head = {mark("segfmu state"), mark(model_name), build(),
+                   (uint64_t)c->model->interface, mark(c->start.token), size, 0};
+    return head;
+}
+
 bool glue_save(instance *c, void **state)
 {
     size_t used = model_used(c->model);
-    header head = {mark(c), build(), used, 0};
+    header head = header_of(c, used);
     if (*state != NULL && glue_state_size(*state) != sizeof head + used) {
         free(*state);
         *state = NULL;
@@ -49,23 +59,40 @@ bool glue_save(instance *c, void **state)
     return true;
 }
 
+/* What a header says of another instance than this one, the most general first; NULL if nothing. */
+static const char *difference(const instance *c, const header *head)
+{
+    header own = header_of(c, 0);
+    if (head->format != own.format) {
+        return "these bytes are no saved state";
+    }
+    if (head->model != own.model) {
+        return "the state is one of another model";
+    }
+    if (head->build != own.build) {
+        return "the state was saved by another build of this model or by that of another version of "
+               "FMI; save it again with this FMU";
+    }
+    if (head->interface != own.interface) {
+        return own.interface == MODEL_EXCHANGE
+            ? "the state is one of co-simulation, this instance is for model exchange"
+            : "the state is one of model exchange, this instance is for co-simulation";
+    }
+    if (head->token != own.token) {
+        return "the state was saved by an FMU with another GUID, so with other start values, as those "
+               "of another mission; restore it there, or save it again with this FMU";
+    }
+    return head->size < model_least() ? "the state has a size that no state of this model has" : NULL;
+}
+
 /* Whether a header is that of a state of this model and of this build of it. */
 static bool fits(instance *c, const header *head)
 {
-    if (head->mark != mark(c)) {
-        glue_log(c, STATUS_ERROR, "the state is not one of this model and interface");
-        return false;
+    const char *message = difference(c, head);
+    if (message != NULL) {
+        glue_log(c, STATUS_ERROR, "%s", message);
     }
-    if (head->build != build()) {
-        glue_log(c, STATUS_ERROR, "the state was saved by another build of this model or by that of "
-                 "another version of FMI; save it again with this FMU");
-        return false;
-    }
-    if (head->size < model_least()) {
-        glue_log(c, STATUS_ERROR, "the state has a size that no state of this model has");
-        return false;
-    }
-    return true;
+    return message == NULL;
 }
 
 static bool is_truth(int64_t value)
