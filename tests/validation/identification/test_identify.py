@@ -293,6 +293,25 @@ def test_a_log_beyond_what_was_fitted_is_told() -> None:
     assert str(rope).startswith("validation: measured.rope.length is 0.")
 
 
+def test_a_log_that_is_not_followed_is_told() -> None:
+    log = synthetic("lab", "velocity", 3, rows=100)
+    crane, keys = log.crane_without("trolley.lag"), ["trolley.lag"]
+    swapped = dict(log.columns)
+    pair = "measured.sway.x.angle", "measured.sway.y.angle"
+    swapped |= {one: log.columns[other] for one, other in (pair, pair[::-1])}
+    (found,) = segfmu.identify(swapped, crane, fit=keys).poor
+    assert [s.signal for s in found.signals] == list(pair)
+    assert str(found).startswith(
+        "log 1: the fitted crane does not follow measured.sway.x.angle (fit index "
+    )
+    # an axis that rests shows noise, of which nothing is to be followed
+    still = log.columns | {"velocity.trolley": 0.0 * log.columns["time"]}
+    for name in ("measured.trolley.position", pair[1]):
+        still[name] = np.random.default_rng(1).normal(0.0, 1e-3, 100)
+    followed = segfmu.identify(still, crane, fit=["bridge.lag", "sensors.sway_y.zero"])
+    assert followed.fitted[0].signals[1].index < 0.1 and not followed.poor
+
+
 @pytest.mark.parametrize(("length", "text"), [
     (500.0, r"mean length is 500 m, rope_max of the crane file is 0\.9 m"),
     (5e-4, r"mean length is 0\.0005 m, rope_min of the crane file is 0\.2 m"),

@@ -17,6 +17,8 @@ from segfmu.validation.units import pretty
 LOAD = tuple(f"load.position.{axis}" for axis in "xyz")
 # share of a range that was fitted, by which others may leave it
 BEYOND = 0.5
+# a fit index that is too low where what is left is no noise, of which samples count for themselves
+POOR, NOISE = 0.5, 5.0
 OFFSETS = [f"sensor.{name.removeprefix('measured.')}.offset" for name in OUTPUTS]
 
 
@@ -133,6 +135,37 @@ def beyond(fitted: Sequence[Prediction], predicted: Sequence[Prediction]) -> Ite
             least, most = float(values.min()), float(values.max())
             if least < low - margin or most > high + margin:
                 yield Beyond(part.log, signal, (least, most), (low, high))
+
+
+@dataclass(frozen=True)
+class Poor:
+    """Signals of a log that what was fitted does not follow.
+
+    Attributes
+    ----------
+    log : str
+    signals : tuple of SignalFit
+    """
+
+    log: str
+    signals: tuple[SignalFit, ...]
+
+    def __str__(self) -> str:
+        told = ", ".join(f"{s.signal} (fit index {s.index:.2f})" for s in self.signals)
+        return (
+            f"{self.log}: the fitted crane does not follow {told}, so its values are of no use: "
+            "columns may be swapped or have another sign or unit, or the crane has what the model "
+            "has not"
+        )
+
+
+def poor(fitted: Sequence[Prediction]) -> Iterator[Poor]:
+    """Logs with signals of which more than half is left, other than noise."""
+    for part in fitted:
+        own = (s for s in part.signals if s.signal in OUTPUTS)
+        found = tuple(s for s in own if s.index < POOR and s.dependence > NOISE)
+        if found:
+            yield Poor(part.log, found)
 
 
 def fit_index(measured: FloatArray, simulated: FloatArray) -> float:

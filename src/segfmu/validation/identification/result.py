@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.identification.prediction import Beyond, Prediction, beyond
+from segfmu.validation.identification.prediction import Beyond, Poor, Prediction, beyond, poor
 from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
@@ -117,6 +117,11 @@ class Identification:
                 table = table.setdefault(part, {})
             table[name] = estimate.value
         return found
+
+    @property
+    def poor(self) -> tuple[Poor, ...]:
+        """Logs that the fitted crane does not follow, with signals: no values to use."""
+        return tuple(poor(self.fitted))
 
     @property
     def beyond(self) -> tuple[Beyond, ...]:
