@@ -60,6 +60,24 @@ def describe(
     return written
 
 
+def left_over(folder: Path, written: Sequence[Path]) -> str:
+    """What of a build before lies beside new FMUs, in words; empty if nothing.
+
+    It is not removed: libcosim has one name for the structure of every system.
+    """
+    from segfmu.fmu.modelica.package import NAME
+    from segfmu.fmu.system import PACKAGE, STRUCTURE
+
+    places = (PACKAGE, STRUCTURE, f"{NAME}/package.mo")
+    old = [place for place in places if (folder / place).exists() and folder / place not in written]
+    if not old:
+        return ""
+    names, were, are, them = old[0], "was", "is", "it"
+    if len(old) > 1:
+        names, were, are, them = f"{', '.join(old[:-1])} and {old[-1]}", "were", "are", "them"
+    return f"{names} in {folder} {were} there before and {are} not of these FMUs; remove {them}"
+
+
 def _typed(spec: Spec, choice: Choice) -> Spec:
     spec = connected(spec) if choice.connected else spec
     return numbered(spec) if choice.numbered else spec

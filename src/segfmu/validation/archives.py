@@ -12,7 +12,7 @@ from pathlib import Path
 
 from segfmu.arrays import as_index, shown
 from segfmu.errors import InputError
-from segfmu.fmu.build import build_all, describe
+from segfmu.fmu.build import build_all, describe, left_over
 from segfmu.fmu.choice import Choice, chosen, require_native
 from segfmu.fmu.feedforward.interface import MOST_WAYPOINTS
 from segfmu.fmu.gantry_crane.pair import GANTRY
@@ -43,7 +43,8 @@ class Archives:
     others : tuple of Path
         Files for other tools, such as mission.ssp.
     note : str
-        What the user must know of the choice of the backend; empty if nothing.
+        What the user must know of the choice of the backend, and of files of a build before that
+        lie beside the FMUs; empty if nothing.
     """
 
     feedforward: Path
@@ -170,7 +171,7 @@ def build(
     others = describe(
         target, (feedforward, crane), interfaces, title, fmi=choice.fmi, modelica=modelica, ssp=ssp
     )
-    return Archives(feedforward, crane, tuple(others), choice.note)
+    return Archives(feedforward, crane, tuple(others), _note(choice, target, others))
 
 
 def _require_options(task: Mission, choice: Choice) -> None:
@@ -186,7 +187,11 @@ def for_simulation(
     choice = chosen(2, "native", "", everywhere=False)
     with with_keys(task.file):
         paths = written(target, choice, specs(task, trajectory), progress)
-    return Archives(*paths, note=choice.note)
+    return Archives(*paths, note=_note(choice, target, ()))
+
+
+def _note(choice: Choice, target: Path, others: Sequence[Path]) -> str:
+    return "; ".join(filter(None, (choice.note, left_over(target, others))))
 
 
 def written(

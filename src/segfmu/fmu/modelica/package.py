@@ -24,6 +24,7 @@ from segfmu.folders import work_folder
 LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
 CLASSES = ("Examples", *(pair.coupled[0] for pair in PAIRS), "PlainCrane", "Interfaces",
            "Types", "FMI")
+NAME = "Segfmu"
 # in the package, unpacked
 FMUS = Path("Resources", "FMUs")
 
@@ -52,7 +53,7 @@ def write_package(
     BuildError
         When the folder cannot be written.
     """
-    target = folder / "Segfmu"
+    target = folder / NAME
     given = {own.name: own for own in specs or ()}
     usual = (own for models in PAIRS for own in (models.planner(WAYPOINTS), models.plant()))
     every = [given.get(own.name, own) for own in usual]
