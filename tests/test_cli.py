@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 from fmpy import read_model_description
 
+import segfmu
 from segfmu import cli
 from tests.tables import columns
 
@@ -280,6 +282,39 @@ def test_build_writes_files_for_other_tools(tmp_path, monkeypatch, capsys) -> No
         values = package.read("resources/GantryFeedforward.ssv")
     assert b'<ssv:Real value="20.0" unit="m/s4" />' in values
     assert b"waypoint[2]." in values and b"waypoint[3]." not in values
+
+
+def test_files_of_a_build_before_are_told(tmp_path, monkeypatch, capsys) -> None:
+    for name in ("mission.ssp", "OspSystemStructure.xml", "Segfmu/package.mo"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("old", encoding="utf-8")
+    code, _, told = invoke(
+        monkeypatch, capsys, "build", "-o", str(tmp_path), "--ssp", "--fmi", "3"
+    )
+    assert code == 0
+    assert told == (
+        f"segfmu: OspSystemStructure.xml and Segfmu/package.mo in {tmp_path} were there before and "
+        "are not of these FMUs; remove them\n"
+    )
+    assert (tmp_path / "OspSystemStructure.xml").read_text() == "old"
+    run = segfmu.simulate(MODELS / "paper.toml", output=tmp_path)
+    assert run.note.startswith("mission.ssp, OspSystemStructure.xml and Segfmu/package.mo in ")
+
+
+@pytest.mark.parametrize("command", ["plan", "simulate"])
+def test_output_that_is_removed_meanwhile_is_told(
+    command: str, tmp_path, monkeypatch, capsys
+) -> None:
+    def save(figure, path: Path) -> None:
+        shutil.rmtree(tmp_path / "out")
+        (tmp_path / "out").mkdir()
+
+    monkeypatch.setattr("segfmu.validation.plots.save", save)
+    code, _, told = invoke(
+        monkeypatch, capsys, command, str(MODELS / "paper.toml"), "-o", str(tmp_path / "out")
+    )
+    assert code == 2
+    assert told.count("\n") == 1 and "was written and is gone" in told
 
 
 def test_a_modelica_package_has_the_fmus_that_were_built(tmp_path, monkeypatch, capsys) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 import segfmu
+from segfmu.errors import InputError
 from segfmu.validation.signal_table import read_table
 from tests.compiler import needs_native
 from tests.validation.stopped import stopped
@@ -142,6 +144,17 @@ def test_reprs_are_short(run: segfmu.Run) -> None:
     assert "<table>" in run._repr_html_()
     with pytest.raises(segfmu.InputError, match="must be run, plan, path or drives"):
         run.plot("force")
+
+
+@needs_native
+def test_fmus_that_are_removed_meanwhile_are_told(tmp_path: Path) -> None:
+    def remove(what: str, share: float) -> None:
+        if what == "co-simulating":
+            shutil.rmtree(tmp_path / "out", ignore_errors=True)
+
+    with pytest.raises(InputError, match=r"GantryFeedforward\.fmu: was written and is gone"):
+        segfmu.simulate(OBJECTS, output=tmp_path / "out", progress=remove)
+    assert not list(tmp_path.iterdir())
 
 
 @needs_native

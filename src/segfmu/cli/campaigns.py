@@ -19,7 +19,7 @@ from rich.progress import (
 from rich.text import Text
 
 from segfmu.cli.console import console, tell
-from segfmu.validation.output import folder, require_file, require_folder
+from segfmu.validation.output import folder, require_file, require_folder, require_there
 
 if TYPE_CHECKING:
     from segfmu.validation.campaigns.campaign import Campaign
@@ -117,6 +117,7 @@ def _run(
 
 def _show(task: Campaign, result: CampaignResult) -> None:
     from segfmu.validation.campaigns.call import write_worst
+    from segfmu.validation.campaigns.store import CAMPAIGN_FILES
     from segfmu.validation.campaigns.summary_file import write_summary
     from segfmu.validation.campaigns.tables import criteria_table
     from segfmu.validation.suites import validate
@@ -134,6 +135,7 @@ def _show(task: Campaign, result: CampaignResult) -> None:
     with console.status("running the worst cases again"):
         worst = validate(files) if files else None
     report = result.report(result.folder / REPORT, worst)
+    require_there((*(result.folder / name for name in CAMPAIGN_FILES), report, *files))
     tell(
         f"runs.parquet, results.json and report.html are in {result.folder}; the worst of each "
         "criterion:"

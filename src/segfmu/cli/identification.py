@@ -10,7 +10,7 @@ import typer
 from segfmu.cli.console import console, tell
 from segfmu.cli.work import warn, watched
 from segfmu.errors import InputError
-from segfmu.validation.output import folder, require_folder
+from segfmu.validation.output import folder, require_folder, require_there
 
 if TYPE_CHECKING:
     from segfmu.validation.identification.result import Identification
@@ -71,7 +71,9 @@ def identify(
     target = folder(output)
     write_results(found, target / RESULTS)
     save(found.plot(), target / PLOT)
-    tell(f"crane file: {found.write(target / CRANE)}")
+    found.write(target / CRANE)
+    require_there(target / name for name in (CRANE, PLOT, RESULTS))
+    tell(f"crane file: {target / CRANE}")
 
 
 def _show(found: Identification) -> None:
@@ -87,5 +89,7 @@ def _show(found: Identification) -> None:
             console.print(predictions_table(f"{title}: {part.log}", part))
             for excess in part.outside:
                 tell(str(excess))
+    for log in found.poor:
+        warn(str(log))
     for signal in found.beyond:
         warn(str(signal))

@@ -13,9 +13,17 @@ from segfmu.crane import ActuatorBounds, BoundUse, bound_uses
 from segfmu.fmu.gantry_feedforward.interface import MOST_WAYPOINTS
 from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import Verification, verify
+from segfmu.validation.files.crane_parameters import models
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import load_mission
-from segfmu.validation.output import about, folder, plan_samples, require_folder, stride
+from segfmu.validation.output import (
+    about,
+    folder,
+    plan_samples,
+    require_folder,
+    require_there,
+    stride,
+)
 from segfmu.validation.output import note as thinning
 from segfmu.validation.planned import planned, sticking
 
@@ -161,12 +169,14 @@ def simulate(
     target = Path(output)
     left_out = run.to_csv(target / "run.csv")
     save(run.plot(), target / "run.png")
+    run.report(target / "report.html")
+    files = [target / name for name in RUN_FILES]
+    archives = (target / f"{name}.fmu" for name in models(run.mission.crane).names)
+    require_there((*archives, *files))
     if as_json:
         from segfmu.validation.documents.run import run_document
 
-        run.report(target / "report.html")
-        files = [str(target / name) for name in RUN_FILES]
-        print_document(run_document(run, files))
+        print_document(run_document(run, [str(path) for path in files]))
     else:
         warn(run.note)
         _show_run(run, target, left_out)
@@ -205,7 +215,9 @@ def paper(
     with on_stderr(), watched() as progress:
         run = simulate(MISSION, output=target, progress=progress)
     warn(run.note)
-    for path, what in write_figures(target, run.trajectory, run.rows):
+    written = write_figures(target, run.trajectory, run.rows)
+    require_there(path for path, _ in written)
+    for path, what in written:
         tell(f"{path}  {what}")
 
 
@@ -243,6 +255,7 @@ def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int)
         task.build_crane(), trajectory, bounds, task.name, task.build_friction()
     )
     save(drives, output / "drives.png")
+    require_there(output / name for name in PLAN_FILES)
 
 
 def _show_run(run: Run, target: Path, left_out: str) -> None:
@@ -251,7 +264,7 @@ def _show_run(run: Run, target: Path, left_out: str) -> None:
     console.print(run_table(run.mission.name, run.criteria))
     tell(left_out)
     tell(f"FMUs, run.csv and run.png are in {target}")
-    tell(f"report: {run.report(target / 'report.html')}")
+    tell(f"report: {target / 'report.html'}")
     for row in run.criteria.rows:
         if not row.passed:
             tell(f"failed: {row.name} {row}; {row.key} sets what is allowed")

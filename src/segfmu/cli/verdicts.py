@@ -11,7 +11,7 @@ import typer
 from segfmu.cli.console import AsJson, console, print_document, tell
 from segfmu.cli.work import watched
 from segfmu.errors import InputError
-from segfmu.validation.output import folder, require_file, require_folder
+from segfmu.validation.output import folder, require_file, require_folder, require_there
 
 if TYPE_CHECKING:
     from segfmu.validation.comparison import Excess
@@ -61,6 +61,7 @@ def validate(
         target = folder(output)
         document = write_results(target, suite.results)
         report = suite.report(target / "report.html")
+        require_there(target / name for name in SUITE_FILES)
         if not as_json:
             tell(f"report: {report}")
     if junit is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from math import ceil
 from pathlib import Path
@@ -65,6 +65,22 @@ def require_file(path: Path) -> None:
     reason = os.strerror(errno.EISDIR) if path.is_dir() else _obstacle(path.absolute().parent)
     if reason is not None:
         raise InputError(f"{path}: cannot be written: {reason}")
+
+
+def require_there(paths: Iterable[Path]) -> None:
+    """Refuse to go on, or to tell of files, where others have removed what was written.
+
+    Raises
+    ------
+    InputError
+        That names the first one.
+    """
+    gone = next((path for path in paths if not path.exists()), None)
+    if gone is not None:
+        raise InputError(
+            f"{gone}: was written and is gone: it or its folder was removed meanwhile; repeat the "
+            "command, and leave the folder alone until it ends"
+        )
 
 
 def _obstacle(path: Path) -> str | None:

@@ -26,7 +26,15 @@ from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import Source, load_mission
 from segfmu.validation.files.recording import load_recording
 from segfmu.validation.frames import frame
-from segfmu.validation.output import about, file_path, folder, note, stride, thinned
+from segfmu.validation.output import (
+    about,
+    file_path,
+    folder,
+    note,
+    require_there,
+    stride,
+    thinned,
+)
 from segfmu.validation.planned import (
     planned,
     require_memory,
@@ -200,7 +208,7 @@ def simulate(
     Raises
     ------
     InputError
-        For a mission that is not possible.
+        For a mission that is not possible, and FMUs that others remove meanwhile.
     InfeasibleError
         If the mission cannot be planned.
     SimulationError
@@ -244,6 +252,7 @@ def simulate(
             task, archives.feedforward, archives.crane, trajectory,
             lambda share: progress("co-simulating", share), recording,
         )
+        require_there(archives)
     rows.flags.writeable = False
     if recording is not None:
         ends = max(ends, _rests(rows))

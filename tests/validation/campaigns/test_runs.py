@@ -372,6 +372,20 @@ def test_two_campaigns_in_one_folder(tmp_path: Path) -> None:
     assert third.stderr.count("\n") == 1 and "results of another campaign" in third.stderr
 
 
+def test_a_folder_that_is_removed_meanwhile(tmp_path: Path) -> None:
+    """What came later was written into a new folder, and passed for the whole campaign."""
+    require_native()
+    path, out = write(tmp_path), tmp_path / "out"
+
+    def remove(what: str, share: float) -> None:
+        if what == "runs":
+            shutil.rmtree(out, ignore_errors=True)
+
+    with pytest.raises(InputError, match=r"campaign\.json: was written and is gone"):
+        segfmu.campaign(path, out, jobs=1, progress=remove)
+    assert not out.exists()
+
+
 def in_namespace(script: str) -> subprocess.CompletedProcess[str]:
     """A shell that may mount file systems."""
     return subprocess.run(

@@ -22,6 +22,7 @@ from segfmu.validation.campaigns.probability import Probability
 from segfmu.validation.campaigns.rare import Found, RareProbability
 from segfmu.validation.campaigns.worker import Outcome
 from segfmu.validation.files.campaign_tables import FactorTable
+from segfmu.validation.output import require_there
 
 if TYPE_CHECKING:
     import pyarrow
@@ -79,19 +80,30 @@ class Store:
         import pyarrow
 
         table = pyarrow.Table.from_pylist(self._waiting, self._schema)
-        _write(self._folder / PARTS / f"{self._part + 1:06d}.parquet", table)
+        self._write(self._folder / PARTS / f"{self._part + 1:06d}.parquet", table)
         self._part += 1
         self._waiting, self._flushed = [], monotonic()
 
     def finish(self) -> pyarrow.Table:
         """Write all runs in the order of their numbers as one table, and remove the parts."""
         table = self.rows()
-        _write(self._folder / TABLE, table)
+        self._write(self._folder / TABLE, table)
         for path in (self._folder / PARTS).glob("*.parquet"):
             path.unlink()
         with suppress(OSError):
             (self._folder / PARTS).rmdir()
         return table
+
+    def _write(self, path: Path, table: pyarrow.Table) -> None:
+        """Write a table; it appears when it is complete and on the disk."""
+        import pyarrow.parquet
+
+        # in a folder that is made again a part would pass for all
+        require_there([self._folder / ABOUT])
+        with replacing(path) as temporary, temporary.open("wb") as file:
+            pyarrow.parquet.write_table(table, file)
+            file.flush()
+            os.fsync(file.fileno())
 
     def _require_own(self) -> None:
         path = self._folder / ABOUT
@@ -184,16 +196,6 @@ def read_table(path: Path, schema: pyarrow.Schema | None = None) -> pyarrow.Tabl
         raise InputError(
             f"{path}: no table of runs: {reason}; without this file its runs are repeated"
         ) from None
-
-
-def _write(path: Path, table: pyarrow.Table) -> None:
-    """Write a table; it appears when it is complete and on the disk."""
-    import pyarrow.parquet
-
-    with replacing(path) as temporary, temporary.open("wb") as file:
-        pyarrow.parquet.write_table(table, file)
-        file.flush()
-        os.fsync(file.fileno())
 
 
 def _about(path: Path) -> dict[str, Any]:
